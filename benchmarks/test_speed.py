@@ -1,0 +1,79 @@
+"""Speed, as ratios to copying the output in the same run (`make bench` prints the times)."""
+
+from __future__ import annotations
+
+import time
+import tracemalloc
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from pytest_benchmark.fixture import BenchmarkFixture
+
+from orishell.curves import curve_from_formulas, parse_formula
+from orishell.design import Design
+from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.metrics import measure_residuals
+from orishell.motion import FoldingMotion
+
+
+def design(rows: int, columns: int) -> Design:
+    f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    g = curve_from_formulas(None, parse_formula("5*sin(pi*x/10)"), 0, 20)
+    return design_parallel_repeating(f, g, rows=rows, columns=columns, xi=np.deg2rad(50))
+
+
+def best_time(function: Callable[[], object], rounds: int = 15) -> float:
+    times = []
+    for _ in range(rounds):
+        begin = time.perf_counter()
+        function()
+        times.append(time.perf_counter() - begin)
+    return min(times)
+
+
+def test_one_state_of_999_x_999(benchmark: BenchmarkFixture) -> None:
+    mechanism = design(999, 999).mechanism
+    state = mechanism.positions(1.0)
+    benchmark(mechanism.positions, 1.0)
+    ratio = best_time(lambda: mechanism.positions(1.0)) / best_time(state.copy)
+    benchmark.extra_info["ratio to copying"] = ratio
+    print(f"\none state of 999 x 999: {ratio:.2f} times copying its coordinates (target 8)")
+    assert ratio < 8
+
+
+def test_memory_of_one_state_of_999_x_999(benchmark: BenchmarkFixture) -> None:
+    mechanism = design(999, 999).mechanism
+
+    def peak() -> float:
+        tracemalloc.start()
+        state = mechanism.positions(1.0)
+        _, most = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        return most / state.nbytes
+
+    ratio = peak()
+    benchmark(mechanism.positions, 1.0)
+    print(f"\npeak memory of one state: {ratio:.2f} times its coordinates (target 6)")
+    assert ratio < 6
+
+
+def test_design_of_999_x_999(benchmark: BenchmarkFixture) -> None:
+    benchmark(design, 999, 999)
+
+
+def test_25_states_of_101_x_101(benchmark: BenchmarkFixture) -> None:
+    mechanism = design(101, 101).mechanism
+    benchmark(mechanism.positions, np.linspace(0, np.pi, 25))
+
+
+def test_verifying_25_states_of_101_x_101(benchmark: BenchmarkFixture) -> None:
+    motion = FoldingMotion(design(101, 101).mechanism, 25)
+    benchmark(lambda: measure_residuals(motion, motion.flat))
+
+
+def test_writing_the_demo(benchmark: BenchmarkFixture, tmp_path: Path) -> None:
+    from orishell.io import write_fold
+
+    motion = FoldingMotion(design(9, 11).mechanism, 25)
+    benchmark(write_fold, tmp_path / "shell.fold", motion, "m", motion)

@@ -1,0 +1,5 @@
+"""``python -m orishell``."""
+
+from orishell.cli.main import run
+
+run()

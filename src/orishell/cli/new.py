@@ -1,0 +1,33 @@
+"""``orishell new``: a design file to begin with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from orishell.errors import InputError
+from orishell.spec import starter_file
+
+
+def new(
+    family: Annotated[str, typer.Argument(help="The family, for example parallel-repeating.")],
+    file: Annotated[Path | None, typer.Argument(help="The file to write [FAMILY.toml].")] = None,
+) -> None:
+    """Write a starter design file."""
+    text = starter_file(family)
+    path = file if file is not None else Path(f"{family}.toml")
+    try:
+        with path.open("x", encoding="utf-8") as stream:
+            stream.write(text)
+    except FileExistsError:
+        raise InputError(
+            "the file exists already", where=str(path), remedy="choose another name"
+        ) from None
+    except OSError as error:
+        raise InputError(
+            "the file cannot be written", where=str(path), got=error.strerror or str(error)
+        ) from None
+    typer.echo(f"wrote {path}")
+    typer.echo(f"next: orishell design {path} --out {path.stem}")

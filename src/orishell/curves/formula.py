@@ -1,0 +1,301 @@
+"""Formulas in one variable: parsed against a whitelist, never evaluated as Python."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from orishell.curves.jets import (
+    FUNCTIONS,
+    Array,
+    Jet,
+    chain,
+    minus,
+    over,
+    plus,
+    power,
+    times,
+)
+from orishell.errors import FormulaError
+
+MAX_LENGTH = 500
+MAX_DEPTH = 100
+MAX_EXPONENT = 100.0
+MAX_NUMBER = 1e300
+
+CONSTANTS = {"pi": np.pi, "e": np.e}
+
+Run: TypeAlias = Callable[[Array], Jet]
+"""A compiled formula: from the variable to the jet."""
+
+OPERATORS: dict[type[ast.operator], Callable[[Jet, Jet], Jet]] = {
+    ast.Add: plus,
+    ast.Sub: minus,
+    ast.Mult: times,
+    ast.Div: over,
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Formula:
+    """A checked formula in at most one variable.
+
+    Parameters
+    ----------
+    text
+        As the user wrote it.
+    variable
+        The name of the variable, or None for a constant.
+    """
+
+    text: str
+    variable: str | None
+    _run: Run
+
+    def jet(self, t: Array) -> Jet:
+        """Value, first and second derivative at ``t`` (any shape); not finite where undefined."""
+        with np.errstate(all="ignore"):
+            value, first, second = self._run(np.asarray(t, dtype=np.float64))
+        return value, first, second
+
+
+class _Compiler:
+    """Turns the whitelisted part of a syntax tree into nested functions on jets."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.variable: str | None = None
+
+    def fault(
+        self, what: str, node: ast.expr, *, got: str = "", expected: str = "", remedy: str = ""
+    ) -> FormulaError:
+        return FormulaError(
+            what, self.text, node.col_offset, got=got, expected=expected, remedy=remedy
+        )
+
+    def compile(self, node: ast.expr, depth: int = 0) -> float | Run:
+        """Return a number for a constant subtree, otherwise a function from t to its jet."""
+        if depth > MAX_DEPTH:
+            raise self.fault(
+                "the formula is nested too deeply", node, expected=f"at most {MAX_DEPTH} levels"
+            )
+        match node:
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                if not abs(value) < MAX_NUMBER:
+                    raise self.fault("this number is too large", node)
+                return float(value)
+            case ast.Name(id=name):
+                return self.name(node, name)
+            case ast.UnaryOp(op=ast.USub() | ast.UAdd() as op, operand=operand):
+                return (
+                    self.negative(self.compile(operand, depth + 1))
+                    if isinstance(op, ast.USub)
+                    else self.compile(operand, depth + 1)
+                )
+            case ast.BinOp(left=left, op=ast.Pow(), right=right):
+                return self.power(
+                    self.compile(left, depth + 1), self.compile(right, depth + 1), right
+                )
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+                return _combine(
+                    OPERATORS[type(op)],
+                    self.compile(left, depth + 1),
+                    self.compile(right, depth + 1),
+                )
+            case ast.BinOp(op=ast.BitXor()):
+                raise self.fault("^ is not a power here", node.right, remedy="write ** for powers")
+            case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if (
+                name in FUNCTIONS
+            ):
+                return _apply(FUNCTIONS[name], self.compile(argument, depth + 1))
+            case ast.Call(func=ast.Name(id=name)) if name in FUNCTIONS:
+                raise self.fault(f"{name} takes one argument", node)
+            case ast.Call(func=ast.Name(id=name)):
+                raise self.fault(
+                    "unknown function",
+                    node,
+                    got=repr(name),
+                    expected="one of " + ", ".join(FUNCTIONS),
+                )
+        raise self.fault(
+            "this is not allowed in a formula",
+            node,
+            expected="numbers, one variable, + - * / **, parentheses, pi, e and "
+            + ", ".join(FUNCTIONS),
+        )
+
+    def name(self, node: ast.expr, name: str) -> float | Run:
+        if name in CONSTANTS:
+            return CONSTANTS[name]
+        if name in FUNCTIONS:
+            raise self.fault(f"{name} needs an argument", node, remedy=f"write {name}(...)")
+        if len(name) > 1 or not name.isascii() or name == "y":
+            raise self.fault(
+                "unknown name", node, got=repr(name), expected="the variable (x or t), pi or e"
+            )
+        if self.variable not in (None, name):
+            raise self.fault(
+                "a second variable",
+                node,
+                got=f"{name!r} beside {self.variable!r}",
+                expected="one variable",
+            )
+        self.variable = name
+        return lambda t: (t, np.ones_like(t), np.zeros_like(t))
+
+    @staticmethod
+    def negative(operand: float | Run) -> float | Run:
+        return _combine(minus, 0.0, operand)
+
+    def power(
+        self,
+        base: float | Run,
+        exponent: float | Run,
+        node: ast.expr,
+    ) -> float | Run:
+        if isinstance(exponent, float):
+            if not abs(exponent) <= MAX_EXPONENT:
+                raise self.fault(
+                    "the exponent is too large",
+                    node,
+                    got=f"{exponent:g}",
+                    expected=f"at most {MAX_EXPONENT:g} in size",
+                )
+            n = exponent
+            return _apply(lambda v: power((v, np.ones_like(v), np.zeros_like(v)), n), base)
+        if isinstance(base, float) and base > 0:
+            scaled = _combine(times, float(np.log(base)), exponent)
+            return _apply(FUNCTIONS["exp"], scaled)
+        raise self.fault(
+            "the exponent varies",
+            node,
+            expected="a number as exponent, or a positive number as base",
+        )
+
+
+def _lift(value: float) -> Run:
+    return lambda t: (np.full_like(t, value), np.zeros_like(t), np.zeros_like(t))
+
+
+def _fold(run: Run) -> float:
+    """Evaluate a constant subtree in floating point (inf and nan where it overflows)."""
+    with np.errstate(all="ignore"):
+        return float(run(np.zeros(()))[0])
+
+
+def _combine(
+    operation: Callable[[Jet, Jet], Jet],
+    left: float | Run,
+    right: float | Run,
+) -> float | Run:
+    a = _lift(left) if isinstance(left, float) else left
+    b = _lift(right) if isinstance(right, float) else right
+
+    def run(t: Array) -> Jet:
+        return operation(a(t), b(t))
+
+    return _fold(run) if isinstance(left, float) and isinstance(right, float) else run
+
+
+def _apply(function: Run, argument: float | Run) -> float | Run:
+    inner = _lift(argument) if isinstance(argument, float) else argument
+
+    def run(t: Array) -> Jet:
+        jet = inner(t)
+        return chain(function(jet[0]), jet)
+
+    return _fold(run) if isinstance(argument, float) else run
+
+
+def parse_formula(text: str) -> Formula:
+    """Check a formula against the whitelist.
+
+    Parameters
+    ----------
+    text
+        Numbers, one variable (a single letter), ``+ - * / **``, parentheses, ``pi``, ``e`` and
+        :data:`FUNCTIONS`. At most :data:`MAX_LENGTH` characters, :data:`MAX_DEPTH` levels,
+        exponents up to :data:`MAX_EXPONENT`.
+
+    Raises
+    ------
+    FormulaError
+        With the place of the fault.
+
+    Examples
+    --------
+    >>> value, first, second = parse_formula("x**2 + 1").jet(np.array([3.0]))
+    >>> value[0], first[0], second[0]
+    (np.float64(10.0), np.float64(6.0), np.float64(2.0))
+    """
+    if len(text) > MAX_LENGTH:
+        raise FormulaError(
+            "the formula is too long",
+            text,
+            MAX_LENGTH,
+            got=f"{len(text)} characters",
+            expected=f"at most {MAX_LENGTH}",
+        )
+    stripped = text.strip()
+    if not stripped:
+        raise FormulaError("the formula is empty", text, 0)
+    _check_characters(text)
+    compiler = _Compiler(text)
+    lead = len(text) - len(text.lstrip())
+    # Leading blanks would be an indentation error: stand them in with an open parenthesis's
+    # inside, so that column offsets stay those of the text.
+    source = "(" + text[lead:] + "\n)"
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            tree = ast.parse(source, mode="eval")
+    except (SyntaxError, Warning, RecursionError, MemoryError, ValueError) as error:
+        column = (
+            error.offset - 2 + lead
+            if isinstance(error, SyntaxError) and error.offset and error.lineno == 1
+            else len(text)
+        )
+        raise FormulaError(
+            "this is not a formula",
+            text,
+            max(0, min(column, len(text))),
+            remedy="write products with *, as in 2*x, and arguments in parentheses, as in sin(x)",
+        ) from None
+    for node in ast.walk(tree):
+        if isinstance(node, ast.expr):
+            node.col_offset += lead - 1
+    result = compiler.compile(tree.body)
+    run = _lift(result) if isinstance(result, float) else result
+    return Formula(stripped, compiler.variable, run)
+
+
+def _check_characters(text: str) -> None:
+    """Refuse what a formula never holds, and unbalanced or too deep parentheses, by place."""
+    depth = 0
+    opened: list[int] = []
+    for column, character in enumerate(text):
+        if not (character.isascii() and (character.isalnum() or character in " .+-*/()^,_")):
+            raise FormulaError(
+                "this character is not allowed in a formula", text, column, got=repr(character)
+            )
+        if character == "(":
+            opened.append(column)
+            depth = len(opened)
+            if depth > MAX_DEPTH:
+                raise FormulaError(
+                    "the formula is nested too deeply",
+                    text,
+                    column,
+                    expected=f"at most {MAX_DEPTH} levels",
+                )
+        elif character == ")":
+            if not opened:
+                raise FormulaError("a closing parenthesis without its opening one", text, column)
+            opened.pop()
+    if opened:
+        raise FormulaError("a parenthesis is never closed", text, opened[-1])

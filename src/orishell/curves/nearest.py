@@ -1,0 +1,57 @@
+"""Nearest points on a curve: exact feet, found on the trace and polished on the curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.curves.jets import Array
+from orishell.curves.trace import Trace
+
+if TYPE_CHECKING:
+    from shapely import STRtree
+
+POLISHING_STEPS = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Nearest:
+    """Answers which point of a curve is nearest to given points.
+
+    Build it with :meth:`to`; call it with points (P, 2) to get feet (P, 2) and distances (P,).
+    """
+
+    trace: Trace
+    cells: STRtree
+
+    @classmethod
+    def to(cls, trace: Trace) -> Nearest:
+        """Prepare for questions about one curve."""
+        import shapely
+
+        ends = np.stack([trace.points[:-1], trace.points[1:]], axis=1)
+        return cls(trace, shapely.STRtree(np.asarray(shapely.linestrings(ends), dtype=object)))
+
+    def __call__(self, points: Array) -> tuple[Array, Array]:
+        """Feet (P, 2) and distances (P,) of points (P, 2)."""
+        import shapely
+
+        trace = self.trace
+        last = len(trace.t) - 2
+        cell = self.cells.query_nearest(shapely.points(points), all_matches=False)[1]
+        # The chord's nearest point is next to the curve's: Gauss-Newton there and in both
+        # neighbouring cells, each on its own so that corners between cells do no harm.
+        cell = np.clip(cell + np.array([[-1], [0], [1]]), 0, last)
+        low, high = trace.t[cell], trace.t[cell + 1]
+        t = 0.5 * (low + high)
+        for _ in range(POLISHING_STEPS):
+            position, first, _ = trace.curve.jet(t)
+            step = ((points - position) * first).sum(axis=-1) / (first * first).sum(axis=-1)
+            t = np.clip(t + step, low, high)
+        feet = trace.curve.position(t)
+        distances = np.hypot(*np.moveaxis(feet - points, -1, 0))
+        best = distances.argmin(axis=0)
+        column = np.arange(len(points))
+        return feet[best, column], distances[best, column]

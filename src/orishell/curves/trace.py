@@ -1,0 +1,306 @@
+"""A curve followed closely enough that everything else can work on its samples.
+
+The samples sit where the curve turns: between neighbours the tangent turns by at most
+:data:`MAX_TURN`, except at corners, which are found and kept apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves.curve import Curve
+from orishell.curves.jets import Array
+from orishell.errors import CurveError
+
+MAX_TURN = 0.004
+"""Largest turn of the tangent from sample to sample (radians)."""
+CORNER = 0.05
+"""A turn larger than this within the smallest cell is a corner of the curve (radians)."""
+FIRST_CELLS = 1024
+SMALLEST_CELL = 2.0**-24
+"""Smallest distance of samples in the parameter, relative to the range."""
+MAX_SAMPLES = 400_000
+MIN_SPEED = 1e-7
+"""A tangent shorter than this, relative to the mean, counts as zero."""
+SHORTEST = 1e-9
+"""A curve shorter than this, relative to its largest coordinate, is lost in rounding."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trace:
+    """Dense samples of a curve.
+
+    Parameters
+    ----------
+    curve
+        The curve itself.
+    t
+        Parameters (N,), increasing.
+    points
+        Points (N, 2).
+    arc
+        Arc length from the start (N,).
+    heading
+        Direction of the tangent leaving each sample (N,), radians, continuous but for corners,
+        where it jumps by the corner's turn.
+    arriving
+        Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
+    """
+
+    curve: Curve
+    t: Array
+    points: Array
+    arc: Array
+    heading: Array
+    arriving: Array
+
+    @property
+    def length(self) -> float:
+        """Arc length of the curve."""
+        return float(self.arc[-1])
+
+    @property
+    def corners(self) -> NDArray[np.intp]:
+        """Indices of the inner samples at which the tangent jumps."""
+        return np.flatnonzero(np.abs(self.heading - self.arriving) > 1e-9)
+
+    def rotated(self, angle: float) -> Trace:
+        """The trace of the curve turned counter-clockwise about the origin (radians)."""
+        cos, sin = np.cos(angle), np.sin(angle)
+        return Trace(
+            self.curve.rotated(angle),
+            self.t,
+            self.points @ np.array([[cos, sin], [-sin, cos]]),
+            self.arc,
+            self.heading + angle,
+            self.arriving + angle,
+        )
+
+    def bounding_box(self) -> tuple[Array, Array]:
+        """Lower left and upper right corner, (2,) each."""
+        return self.points.min(axis=0), self.points.max(axis=0)
+
+    def parameter_at(self, arc: Array) -> Array:
+        """Parameters (...) at arc lengths (...), by interpolation between samples."""
+        return np.interp(arc, self.arc, self.t)
+
+    def heading_at(self, t: Array) -> Array:
+        """Direction of the tangent (...) at parameters (...); at corners the mean of both sides."""
+        first = self.curve.jet(t)[1]
+        direction = np.arctan2(first[..., 1], first[..., 0])
+        at = np.clip(np.searchsorted(self.t, t), 0, len(self.t) - 1)
+        at_sample = self.t[at] == t
+        middle = 0.5 * (self.heading[at] + self.arriving[at])
+        return np.where(at_sample, middle, direction)
+
+    def heading_range(self) -> tuple[float, float]:
+        """Smallest and largest direction of the tangent, radians, on the branch of ``heading``."""
+        extremes = []
+        for sign in (1.0, -1.0):
+            both = np.maximum(sign * self.heading, sign * self.arriving)
+            k = int(np.argmax(both))
+            best = float(both[k])
+            lo, hi = self.t[max(k - 1, 0)], self.t[min(k + 1, len(self.t) - 1)]
+            corner = np.isin([k - 1, k, k + 1], self.corners).any()
+            if not corner and 0 < k < len(self.t) - 1:
+                base = self.heading[k]
+
+                def climb(t: Array, sign: float = sign, base: float = base) -> Array:
+                    first = self.curve.jet(t)[1]
+                    turn = np.arctan2(first[..., 1], first[..., 0]) - base
+                    return -sign * (base + _wrap(turn))
+
+                _, lowest = _golden(climb, np.array([lo]), np.array([hi]))
+                best = max(best, -float(lowest[0]))
+            extremes.append(sign * best)
+        return extremes[1], extremes[0]
+
+
+def trace_curve(curve: Curve) -> Trace:
+    """Sample a curve adaptively and check that it is one.
+
+    Raises
+    ------
+    CurveError
+        If the curve is not finite, jumps, stands still (zero tangent), turns back on itself
+        (a cusp), turns too often to be followed, or is too short.
+    """
+    t = np.union1d(np.linspace(curve.start, curve.stop, FIRST_CELLS + 1), curve.breaks)
+    position, first, _ = _checked_jet(curve, t)
+    smallest = SMALLEST_CELL * (curve.stop - curve.start)
+    while True:
+        bad = _turning_cells(curve, t, position, first) & (np.diff(t) > 2 * smallest)
+        if not bad.any():
+            break
+        if len(t) + np.count_nonzero(bad) > MAX_SAMPLES:
+            at = t[np.argmax(bad)]
+            raise CurveError(
+                "the curve turns too often to be followed",
+                where=f"at parameter {at:g}",
+                expected=f"at most {MAX_SAMPLES * MAX_TURN:g} radians of turning in all",
+            )
+        at = np.flatnonzero(bad) + 1
+        middle = 0.5 * (t[at - 1] + t[at])
+        new_position, new_first, _ = _checked_jet(curve, middle)
+        t = np.insert(t, at, middle)
+        position = np.insert(position, at, new_position, axis=0)
+        first = np.insert(first, at, new_first, axis=0)
+
+    _check_leaps(curve, t, position, first)
+    arc = _arc_length(curve, t)
+    _check_length(curve, position, arc)
+    _check_speed(curve, t, first, arc[-1])
+    heading, arriving = _headings(curve, t, position, first)
+    return Trace(curve, t, position, arc, heading, arriving)
+
+
+def _wrap(angle: Array) -> Array:
+    """Angles wrapped to [-pi, pi)."""
+    wrapped: Array = np.mod(angle + np.pi, 2 * np.pi) - np.pi
+    return wrapped
+
+
+def _angle(u: Array, v: Array) -> Array:
+    """Signed angle from vectors u (..., 2) to v (..., 2)."""
+    angle: Array = np.arctan2(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0], (u * v).sum(axis=-1))
+    return angle
+
+
+def _checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
+    position, first, second = curve.jet(t)
+    for what, array in (
+        ("the curve is not finite", position),
+        ("the tangent is not finite", first),
+    ):
+        good = np.isfinite(array).all(axis=-1)
+        if not good.all():
+            k = int(np.argmin(good))
+            raise CurveError(
+                what,
+                where=f"at parameter {t[k]:g}",
+                got=f"({array[k, 0]:g}, {array[k, 1]:g})",
+                remedy="choose a range without this point"
+                + (", or give x(t) and y(t)" if what.startswith("the tangent") else ""),
+            )
+    return position, first, second
+
+
+def _ends(curve: Curve, t: Array, first: Array) -> tuple[Array, Array]:
+    """Tangents leaving each cell's first sample and arriving at its last, (N-1, 2) each."""
+    leaving, arriving = first[:-1], first[1:]
+    if curve.breaks:
+        at = np.searchsorted(t, curve.breaks)
+        arriving = arriving.copy()
+        arriving[at - 1] = curve.jet(np.nextafter(t[at], -np.inf))[1]
+    return leaving, arriving
+
+
+def _turning_cells(curve: Curve, t: Array, position: Array, first: Array) -> NDArray[np.bool_]:
+    """Cells in which the tangent, or the chord against it, turns by more than MAX_TURN."""
+    leaving, arriving = _ends(curve, t, first)
+    chord = np.diff(position, axis=0)
+    turn = np.maximum(np.abs(_angle(leaving, chord)), np.abs(_angle(chord, arriving)))
+    turning: NDArray[np.bool_] = np.maximum(np.abs(_angle(leaving, arriving)), turn) > MAX_TURN
+    # What is lost in the rounding of the coordinates cannot be refined.
+    seen = np.hypot(*chord.T) > 1e-9 * np.abs(position).max()
+    return np.asarray(turning & seen)
+
+
+def _headings(curve: Curve, t: Array, position: Array, first: Array) -> tuple[Array, Array]:
+    leaving, arriving = _ends(curve, t, first)
+    turn = _angle(leaving, arriving)
+    inside = np.abs(turn) > CORNER  # a corner inside the smallest cell: put it at the cell's end
+    jump = np.zeros(len(t))
+    jump[1:] = np.where(inside, turn, 0.0)
+    jump[1:-1] += _angle(arriving[:-1], leaving[1:])
+    sharp = np.abs(jump) > np.pi - 1e-3
+    if sharp.any():
+        at = t[np.argmax(sharp)]
+        raise CurveError(
+            "the curve turns back on itself", where=f"at parameter {at:g}", remedy="split it there"
+        )
+    smooth_turn = np.where(inside, 0.0, turn)
+    start = np.arctan2(first[0, 1], first[0, 0])
+    heading = start + np.concatenate([[0.0], np.cumsum(smooth_turn)]) + np.cumsum(jump)
+    return heading, heading - jump
+
+
+def _check_leaps(curve: Curve, t: Array, position: Array, first: Array) -> None:
+    """Refuse jumps (a chord longer than the tangents allow) and poles (a chord against them)."""
+    leaving, arriving = _ends(curve, t, first)
+    chord = np.diff(position, axis=0)
+    speed = np.maximum(np.hypot(*leaving.T), np.hypot(*arriving.T))
+    against = ((chord * leaving).sum(axis=1) < 0) & ((chord * arriving).sum(axis=1) < 0)
+    leap = against | (np.hypot(*chord.T) > 10 * speed * np.diff(t))
+    if leap.any():
+        raise CurveError(
+            "the curve jumps",
+            where=f"at parameter {t[np.argmax(leap)]:g}",
+            remedy="choose a range without this point",
+        )
+
+
+def _arc_length(curve: Curve, t: Array) -> Array:
+    """Arc length at the samples (N,), by three-point Gauss quadrature in every cell."""
+    node = np.sqrt(0.6)
+    half = 0.5 * np.diff(t)
+    middle = t[:-1] + half
+    nodes = middle[:, None] + half[:, None] * np.array([-node, 0.0, node])
+    first = curve.jet(nodes)[1]
+    cells = half * (np.hypot(first[..., 0], first[..., 1]) @ np.array([5.0, 8.0, 5.0])) / 9
+    return np.concatenate([[0.0], np.cumsum(cells)])
+
+
+def _check_length(curve: Curve, position: Array, arc: Array) -> None:
+    length, largest = float(arc[-1]), float(np.abs(position).max())
+    if not length > SHORTEST * largest:
+        if length == 0.0:
+            raise CurveError(
+                "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"
+            )
+        raise CurveError(
+            "the curve is too short",
+            got=f"{length:g} long with coordinates up to {largest:g}",
+            expected=f"at least {SHORTEST * largest:g}",
+        )
+
+
+def _check_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
+    """Refuse a zero tangent, also between the samples."""
+    speed = np.hypot(*first.T)
+    padded = np.concatenate([[np.inf], speed, [np.inf]])
+    mean = length / (curve.stop - curve.start)
+    low = np.flatnonzero(
+        (padded[1:-1] <= padded[:-2]) & (padded[1:-1] <= padded[2:]) & (speed < 0.1 * mean)
+    )
+    if len(low) == 0:
+        return
+    lo, hi = t[np.maximum(low - 1, 0)], t[np.minimum(low + 1, len(t) - 1)]
+    where, least = _golden(lambda u: np.hypot(*np.moveaxis(curve.jet(u)[1], -1, 0)), lo, hi)
+    where, least = np.concatenate([where, t[low]]), np.concatenate([least, speed[low]])
+    k = int(np.argmin(least))
+    if least[k] < MIN_SPEED * mean:
+        raise CurveError(
+            "the curve is not regular: its tangent is zero",
+            where=f"at parameter {where[k]:g}",
+            remedy="use a parametrisation that does not stand still",
+        )
+
+
+def _golden(function: Callable[[Array], Array], lo: Array, hi: Array) -> tuple[Array, Array]:
+    """Place and value of the minimum in each interval [lo, hi], by golden section."""
+    ratio = (np.sqrt(5.0) - 1) / 2
+    a, b = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
+    fa, fb = function(a), function(b)
+    for _ in range(70):
+        left = fa < fb
+        lo, hi = np.where(left, lo, a), np.where(left, b, hi)
+        probe = np.where(left, hi - ratio * (hi - lo), lo + ratio * (hi - lo))
+        value = function(probe)
+        a, b = np.where(left, probe, b), np.where(left, a, probe)
+        fa, fb = np.where(left, value, fb), np.where(left, fa, value)
+    return np.where(fa < fb, a, b), np.minimum(fa, fb)

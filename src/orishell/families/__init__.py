@@ -1,0 +1,1 @@
+"""The families of rigid-foldable patterns: each knows the waist, none knows another."""

@@ -1,0 +1,226 @@
+"""From two curves to a mechanism of the parallel repeating type, or to the reason why not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Curve, Trace, trace_curve
+from orishell.design import Design
+from orishell.errors import CurveError, DesignError
+from orishell.families.parallel_repeating.mechanism import FlapSide, ParallelRepeating
+from orishell.families.parallel_repeating.profile import require_staircase, rotate_profile
+from orishell.families.parallel_repeating.row import Row, warn_of_coarse_row
+from orishell.geometry import is_simple_polygon
+from orishell.polylines import (
+    Spacing,
+    Staircase,
+    choose_xi,
+    fit_staircase,
+    measure_closeness,
+    theta_interval,
+    xi_limit,
+)
+from orishell.quoting import in_degrees, inside, tidy_degrees
+
+Array = NDArray[np.float64]
+Auto = Literal["auto"]
+
+SHORTEST_EDGE = 1e-6
+"""A row edge must keep this share of the length it has in the middle row."""
+
+
+def design_parallel_repeating(
+    f: Curve,
+    g: Curve,
+    *,
+    rows: int,
+    columns: int,
+    flap: float | Auto = "auto",
+    xi: float | Auto = "auto",
+    theta: float | Auto = 0.0,
+    plane: float = np.pi / 2,
+    flap_sides: tuple[FlapSide, FlapSide] = ("end", "end"),
+    spacing: Spacing = "curvature",
+) -> Design:
+    """Design a shell that sweeps f along g (the paper's section 2).
+
+    Parameters
+    ----------
+    f, g
+        The swept curve and the curve that it is swept along, in one unit of length. f is run
+        through in the direction of its (rotated) x axis; at lock this axis lies to the right of
+        g, seen along g, and f's y axis points up.
+    rows, columns
+        Inner vertices: rows m, odd; columns n, at least 2.
+    flap
+        Width of the flaps in the flat sheet, square to their column; "auto" takes the mean length
+        of column 1's creases.
+    xi
+        Angle between adjacent creases of column 1 at lock (radians), or "auto".
+    theta
+        Rotation of f in its plane, counter-clockwise (radians), or "auto".
+    plane
+        Angle from f's plane to g's tangent, in (0, pi) (radians).
+    flap_sides
+        End of f to which the left and the right flap fold.
+    spacing
+        How g's vertices are placed.
+
+    Raises
+    ------
+    CurveError
+        If f or g is not a usable curve.
+    DesignError
+        If the family cannot reach the target: the condition, where, by how much, what works.
+
+    Examples
+    --------
+    >>> from orishell.curves import curve_from_formulas, parse_formula
+    >>> f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    >>> g = curve_from_formulas(None, parse_formula("5*sin(pi*x/10)"), 0, 20)
+    >>> design = design_parallel_repeating(f, g, rows=9, columns=11, xi=np.deg2rad(50))
+    >>> design.mechanism.positions(np.pi).shape
+    (11, 13, 3)
+    """
+    f_trace, theta = rotate_profile(_trace("f", f), theta, None if xi == "auto" else xi, rows + 1)
+    require_staircase(f_trace, None if xi == "auto" else xi, theta)
+    if xi == "auto":
+        xi = choose_xi(f_trace, rows + 1)
+    staircase = fit_staircase(f_trace, xi, rows + 1)
+
+    g_trace = _trace("g", g)
+    row = Row.on(g_trace, columns, plane, spacing)
+    row.require_crossing(g_trace, spacing)
+    mechanism = _assemble(staircase, row, flap, flap_sides)
+    _require_row_edges(mechanism)
+    _require_flat_sheet(mechanism, lambda angle: fit_staircase(f_trace, angle, rows + 1))
+
+    closeness = {
+        "f": measure_closeness(f_trace, staircase.vertices),
+        "g": measure_closeness(g_trace, row.vertices),
+    }
+    heading_low, heading_high = f_trace.heading_range()
+    interval = theta_interval(heading_low - theta, heading_high - theta, xi)
+    return Design(
+        mechanism=mechanism,
+        parameters={
+            "xi_deg": tidy_degrees(xi),
+            "xi_limit_deg": tidy_degrees(xi_limit(heading_low, heading_high)),
+            "theta_deg": tidy_degrees(theta),
+            "theta_interval_deg": [tidy_degrees(angle) for angle in interval],
+            "plane_deg": tidy_degrees(plane),
+            "flap": _flap_width(staircase, flap),
+            "flap_side": [str(side) for side in flap_sides],
+            "spacing": spacing,
+        },
+        targets=_place_targets(f_trace, staircase, g_trace, row),
+        closeness=closeness,
+        warnings=warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+    )
+
+
+def _trace(name: str, curve: Curve) -> Trace:
+    try:
+        return trace_curve(curve)
+    except CurveError as error:
+        raise error.located(name) from None
+
+
+def _flap_width(staircase: Staircase, flap: float | Auto) -> float:
+    return float(staircase.lengths.mean()) if flap == "auto" else flap
+
+
+def _assemble(
+    staircase: Staircase,
+    row: Row,
+    flap: float | Auto,
+    flap_sides: tuple[FlapSide, FlapSide],
+) -> ParallelRepeating:
+    mechanism = ParallelRepeating(
+        xi=staircase.xi,
+        lengths=staircase.lengths.copy(),
+        first=staircase.first,
+        points=row.vertices @ np.array([1, 1j]),
+        axes=np.exp(1j * (row.heading - row.plane)),
+        flaps=(0.0, 0.0),
+        flap_sides=flap_sides,
+    )
+    # A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n, of sine cos(xi/2).
+    sectors = mechanism.sector_angles()
+    width = _flap_width(staircase, flap)
+    return replace(
+        mechanism,
+        flaps=(float(width / np.sin(sectors[0, 2])), float(width / np.sin(sectors[-1, 3]))),
+    )
+
+
+def _require_row_edges(mechanism: ParallelRepeating) -> None:
+    """Row edges are affine in the distance from the middle row: look at the outermost rows."""
+    middle = np.abs(np.diff(mechanism.points))
+    rows = (0, len(mechanism.lengths))
+    share = np.stack([mechanism.row_lengths(row) for row in rows]) / middle
+    worst = np.unravel_index(int(share.argmin()), share.shape)
+    if share[worst] > SHORTEST_EDGE:
+        return
+    row, column = rows[int(worst[0])], int(worst[1]) + 1
+    length = share[worst] * middle[worst[1]]
+    reach = abs(mechanism.column_arcs()[row]) * np.sin(mechanism.xi / 2)
+    scale = inside(1 / (1 - share[worst]), 0.0)
+    raise DesignError(
+        "neighbouring columns meet inside the sheet: g bends more sharply than f reaches",
+        place=f"at row {row} between columns {column} and {column + 1}",
+        size=f"the crease there would be {length:.4g} long, where f reaches {reach:.4g} from g",
+        nearest=f"scale = {scale:.4g} in [target.f], or scale = {1 / scale:.4g} in [target.g]",
+    )
+
+
+def _require_flat_sheet(
+    mechanism: ParallelRepeating, staircase: Callable[[float], Staircase]
+) -> None:
+    """The flat sheet must not overlap itself; all panels are convex, so its border decides."""
+    if _is_flat_sheet(mechanism):
+        return
+
+    def works(xi: float) -> bool:
+        other = staircase(xi)
+        trial = replace(mechanism, xi=other.xi, lengths=other.lengths.copy(), first=other.first)
+        return _is_flat_sheet(trial)
+
+    xi = _bisect_down(mechanism.xi, works)
+    raise DesignError(
+        "the flat sheet overlaps itself: g turns too far",
+        nearest=f"xi_deg = {in_degrees(xi)}" if xi else "a shorter g",
+    )
+
+
+def _is_flat_sheet(mechanism: ParallelRepeating) -> bool:
+    flat = mechanism.positions(0.0)[..., :2]
+    # Columns are straight, so their ends are all corners of the border.
+    return is_simple_polygon(np.concatenate([flat[0], flat[-1, ::-1]]))
+
+
+def _bisect_down(bad: float, works: Callable[[float], bool]) -> float | None:
+    """The largest value below ``bad`` that works, or None if not even a twentieth of it does."""
+    good = bad / 20
+    if not works(good):
+        return None
+    while bad - good > 1e-3 * bad:
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if works(middle) else (good, middle)
+    return good
+
+
+def _place_targets(f: Trace, staircase: Staircase, g: Trace, row: Row) -> dict[str, Array]:
+    """f through the middle of its staircase at g's start, and g in the plane z = 0."""
+    axis = np.exp(1j * (row.heading[0] - row.plane))
+    relative = f.points - staircase.vertices[len(staircase.vertices) // 2]
+    across = row.vertices[0] @ np.array([1, 1j]) + relative[:, 0] * axis
+    return {
+        "f": np.stack([across.real, across.imag, relative[:, 1]], axis=-1),
+        "g": np.concatenate([g.points, np.zeros((len(g.points), 1))], axis=-1),
+    }

@@ -1,0 +1,270 @@
+"""Parallel repeating: rows of parallel creases, straight columns (the paper's section 2).
+
+The motion in closed form
+-------------------------
+With rho the fold angle of the flap creases (0 flat, pi locked) write kappa = sin(rho/2),
+q = cos(rho/2). At lock column j is a zigzag of angle xi_j in the vertical plane through t_j. With
+tau_j = tan(xi_j/2) and delta the angles between row segments and t, equation (2) says that the
+*slope* of the panels between two columns,
+
+    nu = tau_j sin delta_{2j-1} = tau_{j+1} sin delta_{2j},
+
+is the same seen from both; a flap has nu = 0. Over the whole motion, in units of cos(xi_j/2),
+
+    cos(psi_j/2) = kappa,   sin(psi_j/2) = sqrt(tau_j^2 + q^2),
+    cos eps sin(psi_j/2) = tau_j cos delta,   sin eps sin(psi_j/2) = sqrt(nu^2 + q^2),
+
+so that nothing but square roots of sums of squares is left: no digits are lost near lock, and
+positions are sums of products of one factor per row and one per column.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from orishell.pattern import CreaseValues, Grid
+from orishell.vertex import column_fold_angle, row_fold_angle
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+FlapSide = Literal["start", "end"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ParallelRepeating:
+    """A folding sheet of the parallel repeating type.
+
+    Directions and points in the horizontal plane are complex numbers x + iy.
+
+    Parameters
+    ----------
+    xi
+        Angle of the first column's zigzag at lock (radians).
+    lengths
+        Edge lengths of the first column (m+1,), m odd.
+    first
+        +1 if the first edge rises at lock, -1 if it falls.
+    points
+        The middle row at lock (n,), n at least 2: vertices of g's polyline.
+    axes
+        Unit direction t of every column's plane (n,), to the right of the row: every row segment
+        must lie counter-clockwise of the axes at both its ends by an angle in (0, pi).
+    flaps
+        Lengths of the row creases across the left and the right flap.
+    flap_sides
+        To which end of f each flap folds: "end" is along +t, "start" along -t.
+    """
+
+    xi: float
+    lengths: Array
+    first: int
+    points: Complex
+    axes: Complex
+    flaps: tuple[float, float]
+    flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
+
+    def __post_init__(self) -> None:
+        for array in (self.lengths, self.points, self.axes):
+            array.flags.writeable = False
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of vertices, flap columns included."""
+        return Grid(len(self.lengths) + 1, len(self.points) + 2)
+
+    @property
+    def lock_drive(self) -> float:
+        """The flaps clash when their creases reach pi."""
+        return float(np.pi)
+
+    def column_arcs(self) -> Array:
+        """Arc length (m+2,) along the first column from its middle vertex."""
+        return _from_middle(self.lengths)
+
+    def locked_heights(self) -> Array:
+        """Height z (m+2,) of every row at lock, 0 at the middle row."""
+        return _from_middle(self._rising() * self.lengths * np.cos(self.xi / 2))
+
+    def sector_angles(self) -> Array:
+        """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).
+
+        In the paper's order RU, LU, LD, RD; every row has the same.
+        """
+        columns = self._columns()
+        w = np.hypot(columns.slope, 1.0)
+        right = np.arctan2(w[1:], columns.tau * columns.cos_right)
+        left = np.arctan2(w[:-1], columns.tau * columns.cos_left)
+        return np.stack([np.pi - right, np.pi - left, left, right], axis=-1)
+
+    def row_lengths(self, row: int) -> Array:
+        """Lengths (n-1,) of the creases between inner columns in a row: affine in its arc.
+
+        Not positive where neighbouring columns meet before they reach the row.
+        """
+        columns = self._columns()
+        # Motion leaves it alone, so take it at lock: reach along t is h tau, h = arc cos(xi/2).
+        closing = (columns.tau * columns.cos_right)[:-1] + (columns.tau * columns.cos_left)[1:]
+        lengths: Array = (
+            np.abs(np.diff(self.points)) - self.column_arcs()[row] * np.cos(self.xi / 2) * closing
+        )
+        return lengths
+
+    def positions(self, drive: ArrayLike) -> Array:
+        """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, pi] (radians).
+
+        At lock the middle row lies on the points, in z = 0. Other states are placed so that the
+        middle row's centroid stays where it is and its segments turn by nothing on average.
+        """
+        drive = np.asarray(drive, dtype=np.float64)
+        kappa, q = _half_turns(drive)
+        columns = self._columns()
+        middle, spread = self._row_and_spread(columns, q[..., None])
+        reach, height = self.column_arcs() * np.cos(self.xi / 2), self.locked_heights()
+
+        grid = self.grid
+        out = np.empty((*drive.shape, grid.rows, grid.columns, 3))
+        flat = out.reshape(*drive.shape, grid.rows, grid.columns * 3)
+        np.multiply(reach[:, None], _interleaved(spread)[..., None, :], out=flat)
+        flat += _interleaved(middle)[..., None, :]
+        out[..., 2] = (height * kappa[..., None])[..., None]
+        return out
+
+    def fold_angles(self, drive: ArrayLike) -> CreaseValues:
+        """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
+        kappa, q = _half_turns(np.asarray(drive, dtype=np.float64))
+        columns = self._columns()
+        c, q = kappa[..., None], q[..., None]
+        w = np.hypot(columns.slope, q)
+        row = row_fold_angle(c, w)
+        column = column_fold_angle(
+            c * np.cos(np.arctan(columns.tau)),
+            columns.tau * columns.cos_left,
+            w[..., :-1],
+            columns.tau * columns.cos_right,
+            w[..., 1:],
+        )
+        rising = self._rising()
+        return CreaseValues(
+            row=-rising[:-1, None] * row[..., None, :],
+            column=-rising[:, None] * column[..., None, :],
+        )
+
+    def _rising(self) -> Array:
+        """+1 for edges of the first column that rise at lock, -1 for those that fall (m+1,)."""
+        return self.first * np.where(np.arange(len(self.lengths)) % 2 == 0, 1.0, -1.0)
+
+    def _columns(self) -> _Columns:
+        """Equation (2): tau and the cosines of delta per column, the slope per panel column."""
+        segment = np.diff(self.points)
+        segment = segment / np.abs(segment)
+        right = segment * self.axes[:-1].conj()  # exp(i delta_{2j-1})
+        left = segment * self.axes[1:].conj()  # -exp(-i delta_{2j})
+        ratio = right.imag / left.imag
+        tau = np.tan(self.xi / 2) * np.concatenate([[1.0], np.cumprod(ratio)])
+        flap = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
+        return _Columns(
+            tau=tau,
+            cos_left=np.concatenate([flap[:1], -left.real]),
+            cos_right=np.concatenate([right.real, flap[1:]]),
+            slope=np.concatenate([[0.0], tau[:-1] * right.imag, [0.0]]),
+            sines=right.imag,
+            sines_next=left.imag,
+        )
+
+    def _row_and_spread(self, columns: _Columns, q: Array) -> tuple[Complex, Complex]:
+        """Middle row (..., n+2) and displacement along t per unit of reach (..., n+2).
+
+        Parameters
+        ----------
+        q
+            cos(rho/2), (..., 1).
+        """
+        w = np.hypot(columns.slope, q)
+        # Turns against the locked state, of a segment from the column at its left, and of a
+        # column from the segment at its left: exp(i (eps - delta)), exactly 1 at lock.
+        inner, slope = w[..., 1:-1], columns.slope[1:-1]
+        gain = q * q / (inner + slope)
+        turn = _unit(_turn(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain))
+        turn_next = _unit(
+            _turn(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
+        )
+        ones = np.ones((*q.shape[:-1], 1), dtype=np.complex128)
+        of_axis = np.concatenate([ones, np.cumprod(turn * turn_next, axis=-1)], axis=-1)
+        of_segment = of_axis[..., :-1] * turn
+
+        edges = np.diff(self.points)
+        shift = np.cumsum(edges * (of_segment - 1), axis=-1)
+        row = self.points + np.concatenate([0 * ones, shift], axis=-1)
+
+        # Placement: no turn on average over the row's length, and the centroid kept.
+        length = np.abs(edges) / np.abs(edges).sum()
+        angle = np.angle(turn)
+        before = np.cumsum(angle + np.angle(turn_next), axis=-1)
+        mean = ((before - np.angle(turn_next)) * length).sum(axis=-1, keepdims=True)
+        back = np.exp(-1j * mean)
+        weight = 0.5 * (np.append(length, 0) + np.append(0, length))
+        home = (weight * self.points).sum()
+        row = row * back + (home - (weight * row).sum(axis=-1, keepdims=True) * back)
+
+        half = np.hypot(columns.tau, q)
+        axis = of_axis * self.axes * back
+        spread = axis * half
+
+        # Flap creases leave along t at lock: exp(-i eps_L) to the left, exp(i eps_R) to the right.
+        left = axis[..., :1] * (columns.tau[0] * columns.cos_left[0] - 1j * q) / half[..., :1]
+        right = axis[..., -1:] * (columns.tau[-1] * columns.cos_right[-1] + 1j * q) / half[..., -1:]
+        row = np.concatenate(
+            [row[..., :1] + self.flaps[0] * left, row, row[..., -1:] + self.flaps[1] * right],
+            axis=-1,
+        )
+        spread = np.concatenate([spread[..., :1], spread, spread[..., -1:]], axis=-1)
+        return row, spread
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Columns:
+    """Locked quantities of equation (2), n columns and n-1 segments, flaps at both ends."""
+
+    tau: Array  # tan(xi_j/2), (n,)
+    cos_left: Array  # cosine of the angle between t and the crease to the left, (n,)
+    cos_right: Array  # and to the right, (n,)
+    slope: Array  # nu of every panel column, (n+1,)
+    sines: Array  # sin delta_{2j-1}, (n-1,)
+    sines_next: Array  # sin delta_{2j}, (n-1,)
+
+
+def _half_turns(drive: Array) -> tuple[Array, Array]:
+    """Sine and cosine of half the drive angle; the cosine is exactly 0 at lock."""
+    return np.sin(drive / 2), np.where(drive == np.pi, 0.0, np.cos(drive / 2))
+
+
+def _turn(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:
+    """exp(i (eps - delta)) up to a positive factor; ``gain`` is w - tau sin(delta)."""
+    turn: Complex = tau * cosine**2 + w * sine + 1j * (cosine * gain)
+    return turn
+
+
+def _unit(z: Complex) -> Complex:
+    """Numbers of modulus 1; exactly 1 where z is real and positive (complex division is not)."""
+    size = np.hypot(z.real, z.imag)
+    unit = np.empty_like(z)
+    unit.real, unit.imag = z.real / size, z.imag / size
+    return unit
+
+
+def _from_middle(steps: Array) -> Array:
+    """Running sums (K+1,) of steps (K,), K even, zero in the middle."""
+    half = len(steps) // 2
+    return np.concatenate([-np.cumsum(steps[:half][::-1])[::-1], [0.0], np.cumsum(steps[half:])])
+
+
+def _interleaved(z: Complex) -> Array:
+    """(..., n) complex numbers as (..., 3 n) coordinates x, y, 0."""
+    coordinates = np.zeros((*z.shape, 3))
+    coordinates[..., 0], coordinates[..., 1] = z.real, z.imag
+    return coordinates.reshape(*z.shape[:-1], -1)

@@ -1,0 +1,92 @@
+"""The curve g that f is swept along: the middle row and the planes of the columns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Trace
+from orishell.errors import DesignError
+from orishell.geometry import rise
+from orishell.polylines import Spacing, place_vertices
+from orishell.quoting import ROUNDING, in_degrees
+
+Array = NDArray[np.float64]
+
+COARSE_SHARE = 0.1
+"""A polyline that leaves g by more than this share of g's rise draws a warning."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Row:
+    """The middle row: g's vertices (n, 2), directions of g and of the column planes (n,)."""
+
+    vertices: Array
+    heading: Array
+    plane: float
+
+    @classmethod
+    def on(cls, trace: Trace, columns: int, plane: float, spacing: Spacing) -> Row:
+        """Place the vertices on g."""
+        t = place_vertices(trace, columns, spacing)
+        return cls(trace.curve.position(t), trace.heading_at(t), plane)
+
+    def turns(self) -> Array:
+        """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
+        chord = np.diff(self.vertices, axis=0)
+        direction = np.arctan2(chord[:, 1], chord[:, 0])
+        turn = direction - np.stack([self.heading[:-1], self.heading[1:]])
+        wrapped: Array = np.mod(turn + np.pi, 2 * np.pi) - np.pi
+        return wrapped
+
+    def require_crossing(self, trace: Trace, spacing: Spacing) -> None:
+        """Every chord must leave both its column planes to the same side (0 < delta < pi)."""
+        delta = self.turns() + self.plane
+        outside = np.maximum(-delta, delta - np.pi)
+        worst = np.unravel_index(int(outside.argmax()), outside.shape)
+        if outside[worst] < 0:
+            return
+        column = int(worst[1]) + 1
+        low, high = float((-self.turns()).max()), float(np.pi - self.turns().max())
+        margin = ROUNDING * (high - low)
+        nearest = (
+            f"plane_deg between {in_degrees(low + margin)} and {in_degrees(high - margin)}"
+            if low < high
+            else self._enough_columns(trace, spacing)
+        )
+        raise DesignError(
+            "f's plane does not cross the chord of g",
+            place=f"between columns {column} and {column + 1}",
+            size=f"delta is {in_degrees(delta[worst])} degrees, and must lie between 0 and 180",
+            nearest=nearest,
+        )
+
+    def _enough_columns(self, trace: Trace, spacing: Spacing) -> str:
+        def works(columns: int) -> bool:
+            delta = Row.on(trace, columns, self.plane, spacing).turns() + self.plane
+            return bool((delta > 0).all() and (delta < np.pi).all())
+
+        columns = len(self.vertices)
+        for _ in range(8):
+            columns *= 2
+            if works(columns):
+                low, high = columns // 2, columns
+                while high - low > 1:
+                    middle = (low + high) // 2
+                    low, high = (low, middle) if works(middle) else (middle, high)
+                return f"columns = {high}"
+        return "a smoother g: its corners are too sharp for any number of columns"
+
+
+def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str, ...]:
+    """Warn of a polyline that steps over the shape of g."""
+    size = rise(trace.points)
+    if distance <= COARSE_SHARE * size + 1e-9 * trace.length:
+        return ()
+    return (
+        f"the polyline of g with {columns} columns leaves g by {distance:.4g}, "
+        f"{distance / size:.0%} of g's rise of {size:.4g} (more than {COARSE_SHARE:.0%}): "
+        "the shell will not show g's shape; take more columns",
+    )

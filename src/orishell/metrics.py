@@ -1,0 +1,157 @@
+"""Residuals and sizes, measured on positions: what decides whether a result is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.motion import FoldedState, measure_fold_angles, panel_normals
+from orishell.pattern import CreaseValues, crease_signs
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Residuals:
+    """Worst departures from a rigid folding of a flat sheet, over the states measured.
+
+    Parameters
+    ----------
+    panel_length
+        Change of the six distances of a panel's corners against the flat sheet, relative to the
+        sheet's diagonal.
+    planarity
+        Distance between a panel's two diagonals, relative to the sheet's diagonal.
+    sector_sum_rad
+        Difference of the four sector angles at an inner vertex from 2 pi (radians).
+    fold_angle_rad
+        Difference of the fold angles measured from the positions from the closed form (radians).
+    """
+
+    panel_length: float
+    planarity: float
+    sector_sum_rad: float
+    fold_angle_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class AssignmentCheck:
+    """Mountains and valleys over the states measured.
+
+    Parameters
+    ----------
+    constant
+        Whether every crease keeps its sign in all folded states.
+    three_to_one
+        Whether each inner vertex has three creases of one sign and one of the other; a vertex
+        with unfolded creases has two of one sign.
+    """
+
+    constant: bool
+    three_to_one: bool
+
+
+def measure_residuals(
+    states: Iterable[FoldedState], flat: FoldedState
+) -> tuple[Residuals, AssignmentCheck]:
+    """Measure every state against the flat sheet, one state in memory at a time."""
+    distances = _panel_distances(flat.positions)
+    size = diagonal(flat.positions)
+    length = planarity = sector = fold = 0.0
+    signs: CreaseValues | None = None
+    constant = True
+    for state in states:
+        change = [
+            np.abs(now - before).max()
+            for now, before in zip(_panel_distances(state.positions), distances, strict=True)
+        ]
+        length = max(length, float(max(change)) / size)
+        planarity = max(planarity, _planarity(state.positions) / size)
+        sector = max(sector, float(np.abs(_sector_sums(state.positions) - 2 * np.pi).max()))
+        measured = measure_fold_angles(state.positions)
+        fold = max(
+            fold,
+            _largest_turn(measured.row, state.fold_angles.row),
+            _largest_turn(measured.column, state.fold_angles.column),
+        )
+        if state.drive > 0:
+            now = crease_signs(state.fold_angles)
+            if signs is not None:
+                constant = constant and bool(
+                    np.array_equal(now.row, signs.row) and np.array_equal(now.column, signs.column)
+                )
+            signs = now
+    check = AssignmentCheck(constant, signs is None or _three_to_one(signs))
+    return Residuals(length, planarity, sector, fold), check
+
+
+def diagonal(flat: Array) -> float:
+    """Diagonal of the flat sheet's bounding box, the length that residuals are relative to."""
+    return float(np.hypot(*extents(flat)[:2]))
+
+
+def extents(positions: Array) -> tuple[float, float, float]:
+    """Size of the bounding box along x, y and z."""
+    size = np.ptp(positions.reshape(-1, 3), axis=0)
+    return float(size[0]), float(size[1]), float(size[2])
+
+
+def sheet_area(positions: Array) -> float:
+    """Area of all panels: half the cross product of the diagonals of each."""
+    p, q, r, s = _corners(positions)
+    return float(0.5 * np.linalg.norm(np.cross(r - p, s - q), axis=-1).sum())
+
+
+def _corners(positions: Array) -> tuple[Array, Array, Array, Array]:
+    """Top left, bottom left, bottom right and top right corner of every panel."""
+    return positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]
+
+
+def _panel_distances(positions: Array) -> list[Array]:
+    """The six distances of every panel's corners."""
+    corners = _corners(positions)
+    return [
+        np.asarray(np.linalg.norm(corners[a] - corners[b], axis=-1))
+        for a in range(4)
+        for b in range(a)
+    ]
+
+
+def _planarity(positions: Array) -> float:
+    p, q, _, _ = _corners(positions)
+    gap = np.einsum("...i,...i->...", panel_normals(positions), q - p)
+    return float(np.abs(gap).max())
+
+
+def _sector_sums(positions: Array) -> Array:
+    """Sum of the four sector angles at every inner vertex (radians)."""
+    corners = _corners(positions)
+
+    def angle(k: int) -> Array:
+        u = corners[(k + 1) % 4] - corners[k]
+        v = corners[(k - 1) % 4] - corners[k]
+        return np.asarray(np.arctan2(np.linalg.norm(np.cross(u, v), axis=-1), (u * v).sum(axis=-1)))
+
+    return angle(0)[1:, 1:] + angle(1)[:-1, 1:] + angle(2)[:-1, :-1] + angle(3)[1:, :-1]
+
+
+def _largest_turn(first: Array, second: Array) -> float:
+    """Largest difference of two arrays of angles, seen on the circle."""
+    turn = np.mod(first - second + np.pi, 2 * np.pi) - np.pi
+    return float(np.abs(turn).max(initial=0.0))
+
+
+def _three_to_one(signs: CreaseValues) -> bool:
+    """Maekawa's theorem at every inner vertex, unfolded column creases left out."""
+    around = np.stack(
+        [
+            signs.row[:, :-1],
+            signs.row[:, 1:],
+            signs.column[:-1],
+            signs.column[1:],
+        ]
+    )
+    return bool((np.abs(around.sum(axis=0)) == 2).all())

@@ -1,0 +1,148 @@
+"""The waist of the house: what a family gives, and what everything else works on.
+
+A family implements :class:`Mechanism`: positions and fold angles in closed form at any drive
+angle. The flat sheet is the mechanism at drive 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from orishell.pattern import CreaseValues, Grid, crease_signs
+
+Array = NDArray[np.float64]
+
+
+class Mechanism(Protocol):
+    """A folding sheet with one degree of freedom, the drive angle (radians)."""
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of vertices."""
+        ...
+
+    @property
+    def lock_drive(self) -> float:
+        """The drive angle at which the motion ends by design; the flat sheet is drive 0."""
+        ...
+
+    def positions(self, drive: ArrayLike) -> Array:
+        """Positions (..., rows, columns, 3) of all vertices at drive angles (...)."""
+        ...
+
+    def fold_angles(self, drive: ArrayLike) -> CreaseValues:
+        """Fold angles of all creases at drive angles (...), in closed form (radians)."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoldedState:
+    """One state of a mechanism.
+
+    Parameters
+    ----------
+    drive
+        Drive angle (radians).
+    positions
+        Vertices (rows, columns, 3), read-only.
+    fold_angles
+        Fold angles of all creases from the closed form (radians).
+    """
+
+    drive: float
+    positions: Array
+    fold_angles: CreaseValues
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, drive: float) -> FoldedState:
+        """The state of a mechanism at one drive angle."""
+        positions = mechanism.positions(drive)
+        positions.flags.writeable = False
+        return cls(drive, positions, mechanism.fold_angles(drive))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoldingMotion:
+    """States of a mechanism from flat to locked.
+
+    Parameters
+    ----------
+    mechanism
+        The folding sheet.
+    frames
+        Number of states, at least 2, at equal steps of the drive angle.
+    """
+
+    mechanism: Mechanism
+    frames: int
+
+    @property
+    def drives(self) -> Array:
+        """Drive angles (frames,), from 0 to the mechanism's lock (radians)."""
+        return np.linspace(0.0, self.mechanism.lock_drive, self.frames)
+
+    def __len__(self) -> int:
+        return self.frames
+
+    def __iter__(self) -> Iterator[FoldedState]:
+        """States one after the other, so that only one need be in memory."""
+        for drive in self.drives:
+            yield FoldedState.of(self.mechanism, float(drive))
+
+    @property
+    def flat(self) -> FoldedState:
+        """The flat sheet."""
+        return FoldedState.of(self.mechanism, 0.0)
+
+    @property
+    def locked(self) -> FoldedState:
+        """The state at lock."""
+        return FoldedState.of(self.mechanism, self.mechanism.lock_drive)
+
+
+def find_assignment(mechanism: Mechanism) -> CreaseValues:
+    """Signs of all creases at lock: +1 valley, -1 mountain, 0 unfolded."""
+    return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
+
+
+def panel_normals(positions: Array) -> Array:
+    """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet."""
+    p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
+    r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
+    normal = np.cross(r - p, s - q)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    return np.asarray(normal)
+
+
+def measure_fold_angles(positions: Array) -> CreaseValues:
+    """Fold angles of all creases measured from the positions (..., rows, columns, 3).
+
+    Signed angles between the normals of the two panels at each crease, valley positive, in
+    (-pi, pi] (radians). At pi the sign is undetermined.
+    """
+    normal = panel_normals(positions)
+    return CreaseValues(
+        row=_angle_about(
+            normal[..., :-1, :, :],
+            normal[..., 1:, :, :],
+            positions[..., 1:-1, :-1, :] - positions[..., 1:-1, 1:, :],
+        ),
+        column=_angle_about(
+            normal[..., :-1, :],
+            normal[..., 1:, :],
+            positions[..., 1:, 1:-1, :] - positions[..., :-1, 1:-1, :],
+        ),
+    )
+
+
+def _angle_about(first: Array, second: Array, axis: Array) -> Array:
+    """Angle (...) that turns unit vectors ``first`` into ``second`` about ``axis`` (..., 3)."""
+    axis = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    sine = np.einsum("...i,...i->...", np.cross(first, second), axis)
+    angle: Array = np.arctan2(sine, np.einsum("...i,...i->...", first, second))
+    return angle

@@ -1,0 +1,235 @@
+"""The overview picture: crease pattern, three states, the locked shell on its target curves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.motion import FoldingMotion, find_assignment, panel_normals
+from orishell.pattern import CreaseValues
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+MOUNTAIN, VALLEY, BORDER, UNFOLDED = "#d62728", "#1f5fbf", "#000000", "#9a9a9a"
+F_COLOUR, G_COLOUR = "#0a8f3c", "#b5179e"
+PAPER = np.array([0.957, 0.937, 0.894])
+BACK = np.array([0.72, 0.78, 0.86])
+LIGHT = np.array([-0.45, -0.55, 0.70])
+STATE_SHARES = (0.25, 0.5, 0.75)
+"""States shown between flat and locked, as shares of the drive at lock."""
+MAX_DRAWN = 160
+"""Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
+DPI = 200
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Camera:
+    """Parallel projection from a direction given by azimuth and elevation (radians)."""
+
+    azimuth: float
+    elevation: float
+
+    def axes(self) -> tuple[Array, Array, Array]:
+        """Unit vectors to the right, up, and towards the viewer."""
+        ca, sa = np.cos(self.azimuth), np.sin(self.azimuth)
+        ce, se = np.cos(self.elevation), np.sin(self.elevation)
+        towards = np.array([ca * ce, sa * ce, se])
+        right = np.array([-sa, ca, 0.0])
+        return right, np.cross(towards, right), towards
+
+    def project(self, points: Array) -> tuple[Array, Array]:
+        """Picture coordinates (..., 2) and depth towards the viewer (...)."""
+        right, up, towards = self.axes()
+        return points @ np.stack([right, up], axis=-1), points @ towards
+
+
+def plot_overview(
+    path: Path, motion: FoldingMotion, targets: Mapping[str, Array], title: str
+) -> None:
+    """Write the overview picture as PNG.
+
+    Parameters
+    ----------
+    path
+        The file.
+    motion
+        Its flat, half folded and locked states are shown.
+    targets
+        Target curves "f" and "g" (N, 3), drawn with the locked shell.
+    title
+        Heading.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    lock = motion.mechanism.lock_drive
+    locked = motion.locked.positions
+    camera = _choose_camera(locked)
+    drives = [share * lock for share in STATE_SHARES]
+    states = [motion.mechanism.positions(drive) for drive in drives]
+
+    width = 13.0
+    above = _row_height(width / 2, [motion.flat.positions[..., :2], camera.project(locked)[0]])
+    below = _row_height(width / 3, [camera.project(positions)[0] for positions in states])
+    figure = Figure(figsize=(width, above + below), facecolor="white", layout="constrained")
+    FigureCanvasAgg(figure)
+    grid = figure.add_gridspec(2, 6, height_ratios=(above, below))
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.set(h_pad=0.12, w_pad=0.08)  # type: ignore[call-arg]
+    figure.suptitle(title, fontsize=15, fontweight="bold")
+
+    _draw_pattern(figure.add_subplot(grid[0, :3]), motion)
+    shell = figure.add_subplot(grid[0, 3:])
+    _draw_shell(shell, locked, camera)
+    _draw_targets(shell, targets, camera)
+    shell.set_title("Locked, with the target curves f and g")
+    frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(len(states))]
+    for axes, drive, positions in zip(frames, drives, states, strict=True):
+        _draw_shell(axes, positions, camera)
+        axes.set_title(f"Flap creases at {np.rad2deg(drive):.0f}°")
+    _same_scale(frames)
+    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+
+
+def _thin(positions: Array, signs: CreaseValues) -> tuple[Array, CreaseValues, int, int]:
+    """Every k-th row and column of a sheet too fine to draw, k odd so that signs alternate."""
+    rows, columns = positions.shape[:2]
+    down, right = (_stride(count - 3) for count in (rows, columns))
+    i = np.unique(np.concatenate([[0], np.arange(1, rows - 1, down), [rows - 2, rows - 1]]))
+    j = np.unique(
+        np.concatenate([[0], np.arange(1, columns - 1, right), [columns - 2, columns - 1]])
+    )
+    row = signs.row[np.ix_(i[1:-1] - 1, j[:-1])]
+    column = signs.column[np.ix_(i[:-1], j[1:-1] - 1)]
+    return positions[np.ix_(i, j)], CreaseValues(row, column), down, right
+
+
+def _stride(count: int) -> int:
+    stride = max(1, -(-count // MAX_DRAWN))
+    return stride + 1 - stride % 2
+
+
+def _draw_pattern(axes: Axes, motion: FoldingMotion) -> None:
+    from matplotlib.collections import LineCollection
+
+    signs = find_assignment(motion.mechanism)
+    sheet, signs, down, right = _thin(motion.flat.positions[..., :2], signs)
+    width = float(np.clip(60 / max(sheet.shape[:2]), 0.25, 1.3))
+    rows = np.stack([sheet[1:-1, :-1], sheet[1:-1, 1:]], axis=-2)
+    columns = np.stack([sheet[:-1, 1:-1], sheet[1:, 1:-1]], axis=-2)
+    for sign, colour, style in ((-1, MOUNTAIN, "-"), (1, VALLEY, "-"), (0, UNFOLDED, (0, (3, 2)))):
+        segments = np.concatenate([rows[signs.row == sign], columns[signs.column == sign]])
+        if len(segments):
+            axes.add_collection(
+                LineCollection(list(segments), colors=colour, linewidths=width, linestyles=[style])
+            )
+    border = np.concatenate([sheet[0], sheet[1:, -1], sheet[-1, -2::-1], sheet[-2::-1, 0]])
+    axes.plot(*border.T, color=BORDER, linewidth=max(1.2, width), solid_joinstyle="miter")
+    axes.fill(*border.T, color=PAPER, zorder=0)
+    axes.set_aspect("equal")
+    axes.axis("off")
+    thinned = f" (every {down}th row, every {right}th column drawn)" if down * right > 1 else ""
+    axes.set_title("Crease pattern" + thinned)
+    names = [(MOUNTAIN, "mountain"), (VALLEY, "valley"), (BORDER, "border")]
+    if (signs.row == 0).any() or (signs.column == 0).any():
+        names.insert(2, (UNFOLDED, "unfolded"))
+    for colour, name in names:
+        axes.plot([], [], color=colour, label=name, linestyle="--" if colour == UNFOLDED else "-")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=len(names), frameon=False)
+
+
+def _choose_camera(positions: Array) -> Camera:
+    """From above, looking across the longer side of the shell's plan."""
+    plan = positions[..., :2].reshape(-1, 2)
+    centred = plan - plan.mean(axis=0)
+    along = np.linalg.svd(centred, full_matrices=False)[2][0]
+    along = along if along[0] >= 0 else -along
+    azimuth = np.arctan2(along[1], along[0]) - np.deg2rad(58)
+    return Camera(float(azimuth), float(np.deg2rad(40)))
+
+
+def _row_height(width: float, pictures: list[Array]) -> float:
+    """Height (inches) that shows pictures (..., 2) as wide as they may be, within reason."""
+    spans = [np.ptp(picture.reshape(-1, 2), axis=0) for picture in pictures]
+    return float(np.clip(width * max(span[1] / span[0] for span in spans), 1.6, 7.0)) + 0.9
+
+
+def _draw_shell(axes: Axes, positions: Array, camera: Camera) -> None:
+    """Panels, painted from the farthest to the nearest."""
+    from matplotlib.collections import PolyCollection
+
+    empty = CreaseValues(
+        np.zeros((positions.shape[0] - 2, positions.shape[1] - 1)),
+        np.zeros((positions.shape[0] - 1, positions.shape[1] - 2)),
+    )
+    positions = _thin(positions, empty)[0]
+    corners = np.stack(
+        [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
+    ).reshape(-1, 4, 3)
+    picture, depth = camera.project(corners)
+    order = np.argsort(depth.mean(axis=-1), kind="stable")
+    colours = _shade(panel_normals(positions).reshape(-1, 3), camera)
+    width = float(np.clip(25 / max(positions.shape[:2]), 0.1, 0.6))
+    axes.add_collection(
+        PolyCollection(
+            list(picture[order]),
+            facecolors=colours[order],
+            edgecolors=(0.2, 0.2, 0.24, 0.9),
+            linewidths=width,
+        )
+    )
+    _frame(axes, picture.reshape(-1, 2))
+
+
+def _draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> None:
+    """Target curves on top of the shell, with a pale outline."""
+    from matplotlib.patheffects import Normal, Stroke
+
+    names = {"f": (F_COLOUR, "f, the swept curve"), "g": (G_COLOUR, "g, swept along")}
+    for name, (colour, label) in names.items():
+        if name in targets:
+            curve = camera.project(targets[name])[0]
+            outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.8), Normal()]
+            axes.plot(*curve.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
+
+
+def _frame(axes: Axes, picture: Array) -> None:
+    low, high = picture.min(axis=0), picture.max(axis=0)
+    margin = 0.03 * (high - low).max()
+    axes.set_xlim(low[0] - margin, high[0] + margin)
+    axes.set_ylim(low[1] - margin, high[1] + margin)
+    axes.set_aspect("equal")
+    axes.axis("off")
+
+
+def _shade(normals: Array, camera: Camera) -> Array:
+    """Colours (F, 4): the paper's front and back, lit from the upper left."""
+    towards = camera.axes()[2]
+    front = normals @ towards >= 0
+    facing = np.where(front[:, None], normals, -normals)
+    light = LIGHT / np.linalg.norm(LIGHT)
+    right, up, _ = camera.axes()
+    lamp = light[0] * right + light[2] * up + 0.75 * towards
+    brightness = 0.55 + 0.45 * np.clip(facing @ (lamp / np.linalg.norm(lamp)), 0, 1)
+    colour = np.where(front[:, None], PAPER, BACK) * brightness[:, None]
+    return np.concatenate([colour, np.ones((len(colour), 1))], axis=-1)
+
+
+def _same_scale(frames: list[Axes]) -> None:
+    """Give all states the window of the largest, each about its own middle."""
+    spans = [(np.ptp(a.get_xlim()), np.ptp(a.get_ylim())) for a in frames]
+    width, height = max(s[0] for s in spans), max(s[1] for s in spans)
+    for axes in frames:
+        x, y = np.mean(axes.get_xlim()), np.mean(axes.get_ylim())
+        axes.set_xlim(x - width / 2, x + width / 2)
+        axes.set_ylim(y - height / 2, y + height / 2)

@@ -1,0 +1,211 @@
+"""Staircases: polylines of constant angle xi that follow a curve.
+
+Edges alternate between the two directions that enclose half the angle pi - xi on either side of
+the axis t (the x axis of the curve as it is given here). In the oblique coordinates along those
+two directions the curve is monotone (the paper's condition under equation (1)) and the polyline
+is a staircase that crosses it on every edge.
+
+The Hausdorff distance of such a staircase to the curve is the largest distance of its corners to
+the curve: along an edge the signed distance is monotone, and a point of the curve between two
+crossings is never farther from the edges than the corner between them is from the curve. It is
+least when all corners are equally far, alternately on both sides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.curves import Trace
+from orishell.curves.jets import Array
+from orishell.curves.nearest import Nearest
+
+MAX_ITERATIONS = 60
+SMALLEST_STEP = 1e-3
+"""Share of a Newton step that is taken even if it does not bring the corners closer to balance."""
+BALANCE = 1e-9
+"""Corners are balanced when their distances agree to this, relative to the distance."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Staircase:
+    """A polyline of constant angle from the curve's first point to its last.
+
+    Parameters
+    ----------
+    xi
+        Angle between adjacent edges (radians).
+    first
+        +1 if the first edge leaves to the left of the axis (upwards), -1 if to the right.
+    lengths
+        Edge lengths (m+1,).
+    vertices
+        Vertices (m+2, 2).
+    distance
+        Hausdorff distance to the curve.
+    balanced
+        Whether all corners reached the same distance (they do unless the curve is pathological;
+        otherwise the distance is the largest, and not proved least).
+    """
+
+    xi: float
+    first: int
+    lengths: Array
+    vertices: Array
+    distance: float
+    balanced: bool
+
+    @property
+    def evenness(self) -> float:
+        """Shortest edge relative to the mean."""
+        return float(self.lengths.min() / self.lengths.mean())
+
+
+def fit_staircase(trace: Trace, xi: float, edges: int) -> Staircase:
+    """The staircase of least Hausdorff distance to a curve, ends kept.
+
+    Parameters
+    ----------
+    trace
+        The curve; its tangents must lie within (pi - xi)/2 of the x axis.
+    xi
+        Angle between adjacent edges, in (0, limit) (radians).
+    edges
+        Number of edges, even and at least 2.
+
+    Returns
+    -------
+    Staircase
+        The better one of those that begin upwards and downwards.
+    """
+    nearest = Nearest.to(trace)
+    candidates = [_balance(_Levels.of(trace, nearest, xi, edges, first)) for first in (1, -1)]
+    return min(candidates, key=lambda staircase: staircase.distance)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Levels:
+    """Staircases along one curve, described by the levels of their edges.
+
+    Edge e (0 ... m) lies at a constant value, its level, of one oblique coordinate: v for even e,
+    which run along ``up``, u for odd e, which run along ``down``. Corner i (1 ... m) is where
+    edges i-1 and i meet; odd ones lie on the side of the curve that ``up`` leads to.
+    """
+
+    trace: Trace
+    nearest: Nearest
+    xi: float
+    first: int
+    edges: int
+    up: Array
+    down: Array
+    u: Array
+    v: Array
+
+    @classmethod
+    def of(cls, trace: Trace, nearest: Nearest, xi: float, edges: int, first: int) -> _Levels:
+        """Directions of the edges, and the curve's samples in the oblique coordinates."""
+        sin, cos = np.sin(xi / 2), np.cos(xi / 2)
+        x, y = (trace.points - trace.points[0]).T
+        u, v = 0.5 * (x / sin + first * y / cos), 0.5 * (x / sin - first * y / cos)
+        up, down = np.array([sin, first * cos]), np.array([sin, -first * cos])
+        return cls(trace, nearest, xi, first, edges, up, down, u, v)
+
+    @property
+    def side(self) -> Array:
+        """+1 for odd corners, -1 for even ones (m,)."""
+        return np.where(np.arange(self.edges - 1) % 2 == 0, 1.0, -1.0)
+
+    def signed_distances(self, level: Array) -> tuple[Array, Array, Array]:
+        """Signed distances (m,) of the corners, and their derivatives by both levels of each."""
+        uv = np.stack([level[:-1], level[1:]], axis=-1)
+        uv[0::2] = uv[0::2, ::-1]
+        points = self.trace.points[0] + uv[:, :1] * self.up + uv[:, 1:] * self.down
+        foot, distance = self.nearest(points)
+        sign = np.where(uv[:, 0] >= np.interp(uv[:, 1], self.v, self.u), 1.0, -1.0)
+        normal = sign[:, None] * (points - foot) / np.maximum(distance, 1e-300)[:, None]
+        slope = np.stack([normal @ self.up, normal @ self.down], axis=-1)
+        slope[0::2] = slope[0::2, ::-1]
+        return sign * distance, slope[:, 0], slope[:, 1]
+
+    def first_guess(self) -> Array:
+        """Levels (m+1,) that balance a nearly straight curve.
+
+        A pair of edges of overshoot h advances by 2 h sin(2 b)/(sin(b - w) sin(b + w)) along a
+        curve of direction w, with b = (pi - xi)/2: spread the crossings evenly in its inverse.
+        """
+        trace, count = self.trace, self.edges
+        cone = (np.pi - self.xi) / 2
+        middle = 0.5 * (trace.heading[:-1] + trace.arriving[1:])
+        density = np.sin(cone - middle) * np.sin(cone + middle)
+        density = np.maximum(density, 1e-3 * density.max())
+        progress = np.concatenate([[0.0], np.cumsum(density * np.diff(trace.arc))])
+        crossing = np.linspace(0.0, progress[-1], count)
+        level = np.where(
+            np.arange(count) % 2 == 0,
+            np.interp(crossing, progress, self.v),
+            np.interp(crossing, progress, self.u),
+        )
+        level[0], level[-1] = 0.0, self.u[-1]
+        return level
+
+    def staircase(self, level: Array, distance: float, balanced: bool) -> Staircase:
+        """The polyline: each edge runs between its neighbours' levels, or the curve's ends."""
+        ends = np.concatenate([[0.0], level, [self.v[-1]]])
+        lengths = ends[2:] - ends[:-2]
+        directions = np.where((np.arange(self.edges) % 2 == 0)[:, None], self.up, self.down)
+        along = np.cumsum(lengths[:, None] * directions, axis=0)
+        vertices = self.trace.points[0] + np.concatenate([np.zeros((1, 2)), along])
+        return Staircase(self.xi, self.first, lengths, vertices, distance, balanced)
+
+
+def _balance(levels: _Levels) -> Staircase:
+    """Move the inner edges until all corners are equally far from the curve (damped Newton)."""
+    side, level = levels.side, levels.first_guess()
+    distance, by_before, by_after = levels.signed_distances(level)
+    height = float(np.abs(distance).mean())
+    best = (float(np.abs(distance).max()), level)
+    for _ in range(MAX_ITERATIONS):
+        residual = side * distance - height
+        if np.abs(residual).max() <= BALANCE * abs(height):
+            return levels.staircase(best[1], best[0], balanced=True)
+        change, rise = _newton_step(side, by_before, by_after, residual)
+        step = _longest_step(level, change)
+        while True:
+            trial = level.copy()
+            trial[1:-1] += step * change
+            distance, by_before, by_after = levels.signed_distances(trial)
+            new = side * distance - (height + step * rise)
+            if new @ new < residual @ residual or step < SMALLEST_STEP:
+                break
+            step *= 0.5
+        level, height = trial, height + step * rise
+        worst = float(np.abs(distance).max())
+        if worst < best[0]:
+            best = (worst, level)
+    return levels.staircase(best[1], best[0], balanced=False)
+
+
+def _newton_step(side: Array, before: Array, after: Array, residual: Array) -> tuple[Array, float]:
+    """Changes of the inner levels and of the common distance that cancel the residual."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.linalg import spsolve
+
+    m = len(side)
+    corner = np.arange(m)
+    rows = np.concatenate([corner[:-1], corner[1:], corner])
+    columns = np.concatenate([corner[:-1], corner[:-1], np.full(m, m - 1)])
+    entries = np.concatenate([(side * after)[:-1], (side * before)[1:], np.full(m, -1.0)])
+    matrix = coo_array((entries, (rows, columns)), shape=(m, m)).tocsc()
+    solution = np.asarray(spsolve(matrix, -residual))
+    return solution[:-1], float(solution[-1])
+
+
+def _longest_step(level: Array, change: Array) -> float:
+    """The part of a step, at most 1, that keeps every inner edge's length positive."""
+    lengths = level[2:] - level[:-2]
+    padded = np.concatenate([[0.0], change, [0.0]])
+    shrink = padded[:-2] - padded[2:]
+    closing = shrink > 0
+    return float(min(1.0, 0.9 * np.min(lengths[closing] / shrink[closing], initial=np.inf)))

@@ -1,0 +1,137 @@
+"""The two angles of a staircase: which ones exist, and which ones are best.
+
+``xi`` is the angle between adjacent edges, ``theta`` the rotation of the curve in its plane. A
+staircase exists when every tangent of the rotated curve lies within (pi - xi)/2 of the x axis.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.curves import Trace
+from orishell.polylines.staircase import Staircase, fit_staircase
+
+MIN_EVENNESS = 0.25
+""""auto" keeps the shortest edge above this fraction of the mean (0.5 is usual: the two end edges
+overshoot the curve on one side only)."""
+WIDEST_XI = np.deg2rad(150.0)
+"""The widest angle that "auto" takes: beyond it the corrugation is too shallow to stiffen."""
+MARGIN = 1e-4
+"""How far "auto" stays inside an open interval, relative to it."""
+XI_ACCURACY = 1e-6
+"""How near "auto" comes to the widest xi (radians)."""
+WORTHWHILE = 1e-3
+""""auto" leaves a curve unrotated unless a rotation brings it closer by this share."""
+COARSE_EDGES = 24
+"""Edges used while searching theta: the best rotation hardly depends on their number."""
+
+
+def xi_limit(low: float, high: float) -> float:
+    """The angle below which a staircase exists.
+
+    Parameters
+    ----------
+    low, high
+        Range of the curve's tangent directions, measured from the x axis (radians).
+
+    Returns
+    -------
+    float
+        A staircase exists for every xi in (0, limit); for none if the limit is not positive.
+    """
+    return float(np.pi - 2 * max(abs(low), abs(high)))
+
+
+def theta_interval(low: float, high: float, xi: float) -> tuple[float, float]:
+    """Rotations theta for which a staircase of angle ``xi`` exists.
+
+    Parameters
+    ----------
+    low, high
+        Range of the unrotated curve's tangent directions (radians).
+    xi
+        Angle between adjacent edges (radians).
+
+    Returns
+    -------
+    tuple
+        The open interval; empty (first >= second) where the tangents spread over pi - xi or more.
+    """
+    cone = (np.pi - xi) / 2
+    return float(-cone - low), float(cone - high)
+
+
+def choose_xi(trace: Trace, edges: int) -> float:
+    """The angle of the closest staircase whose shortest edge is not too short.
+
+    The distance falls as xi opens, so this is the widest admissible xi, at most
+    :data:`WIDEST_XI`, whose staircase keeps :data:`MIN_EVENNESS`; where none does, the most even.
+
+    Parameters
+    ----------
+    trace
+        The rotated curve; some staircase must exist.
+    edges
+        Number of edges.
+    """
+    widest = min(xi_limit(*trace.heading_range()) * (1 - MARGIN), WIDEST_XI)
+
+    def evenness(xi: float) -> float:
+        return fit_staircase(trace, xi, edges).evenness
+
+    tried: list[tuple[float, float]] = []
+    for trial in np.linspace(widest, 0.1 * widest, 19):
+        tried.append((evenness(float(trial)), float(trial)))
+        if tried[-1][0] >= MIN_EVENNESS:
+            break
+    else:
+        return max(tried)[1]
+    good, bad = tried[-1][1], tried[max(len(tried) - 2, 0)][1]
+    # Bisection on the even side: the evenness may jump where another first edge becomes better.
+    while bad - good > XI_ACCURACY:
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if evenness(middle) >= MIN_EVENNESS else (good, middle)
+    return good
+
+
+def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
+    """The rotation of the closest staircase whose shortest edge is not too short.
+
+    Parameters
+    ----------
+    trace
+        The unrotated curve; some rotation must admit a staircase.
+    edges
+        Number of edges.
+    xi
+        The angle between edges, or None to take the best one (:func:`choose_xi`) for each theta.
+    """
+    from scipy.optimize import minimize_scalar
+
+    low, high = trace.heading_range()
+    begin, end = theta_interval(low, high, xi if xi is not None else 0.0)
+    margin = MARGIN * (end - begin)
+    begin, end = begin + margin, end - margin
+    coarse = min(edges, COARSE_EDGES)
+
+    def cost(theta: float, edges: int = coarse) -> float:
+        staircase = _best(trace.rotated(theta), edges, xi)
+        lacking = MIN_EVENNESS - staircase.evenness
+        # Rotations that keep the edges even come first; the size of the curve separates them.
+        return staircase.distance if lacking < 1e-6 else trace.length * (10 + lacking)
+
+    # The scan is symmetric about the middle, where a symmetric curve has its optimum.
+    scan = np.linspace(begin, end, 13)
+    costs = [cost(float(theta)) for theta in scan]
+    k = int(np.argmin(costs))
+    bracket = (float(scan[max(k - 1, 0)]), float(scan[min(k + 1, len(scan) - 1)]))
+    found = minimize_scalar(cost, bounds=bracket, method="bounded", options={"xatol": 1e-4})
+    candidates = [float(scan[k]), float(found.x)]
+    if begin < 0 < end:
+        candidates.insert(0, 0.0)  # unrotated, unless another rotation is really closer
+    finals = [cost(theta, edges) for theta in candidates]
+    return candidates[int(np.argmin(np.array(finals) > (1 + WORTHWHILE) * min(finals)))]
+
+
+def _best(rotated: Trace, edges: int, xi: float | None) -> Staircase:
+    return fit_staircase(rotated, choose_xi(rotated, edges) if xi is None else xi, edges)

@@ -1,0 +1,188 @@
+"""From a design file to a verified shell, its report and its files."""
+
+from __future__ import annotations
+
+import json
+import math
+import time
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from orishell.design import Design
+from orishell.errors import InputError, VerificationError
+from orishell.io import OutputDirectory, write_fold
+from orishell.metrics import extents, measure_residuals, sheet_area
+from orishell.motion import FoldedState, FoldingMotion, find_assignment
+from orishell.pattern import CreaseValues
+from orishell.plot import plot_overview
+from orishell.quoting import tidy_degrees
+from orishell.spec import DesignFile, read_design_file
+
+RESIDUAL_LIMIT = 1e-9
+"""Residuals above this (relative lengths, or radians) mean that the program, not the design, is
+wrong."""
+
+
+class Watched(Protocol):
+    """Passes states on and shows how far it has come: the command line's progress bar."""
+
+    def __call__(self, motion: FoldingMotion, what: str) -> Iterable[FoldedState]:
+        """Yield the states of the motion."""
+        ...
+
+
+def unwatched(motion: FoldingMotion, what: str) -> Iterable[FoldedState]:
+    """Pass states on and show nothing."""
+    return motion
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shell:
+    """A designed and verified shell.
+
+    Parameters
+    ----------
+    file
+        The design file.
+    design
+        What the family made of it.
+    motion
+        Its states.
+    report
+        The fields of ``report.json``.
+    seconds
+        Time spent by step; printed, but not part of any file.
+    """
+
+    file: DesignFile
+    design: Design
+    motion: FoldingMotion
+    report: dict[str, Any]
+    seconds: dict[str, float]
+
+
+def design_shell(path: Path, watched: Watched = unwatched) -> Shell:
+    """Read a design file, design the shell and verify every state of its motion.
+
+    Parameters
+    ----------
+    path
+        The design file.
+    watched
+        Shows progress over the states.
+
+    Raises
+    ------
+    InputError
+        If the file or a curve in it is not usable.
+    DesignError
+        If the family cannot reach the target.
+    VerificationError
+        If the result is not rigid: a fault of the program.
+    """
+    clock = _Clock()
+    file = read_design_file(path)
+    try:
+        design = file.pattern.design(file.f, file.g)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+    clock.lap("design")
+
+    motion = FoldingMotion(design.mechanism, file.frames)
+    boxes: list[tuple[float, tuple[float, float, float]]] = []
+
+    def recorded(states: Iterable[FoldedState]) -> Iterable[FoldedState]:
+        for state in states:
+            boxes.append((state.drive, extents(state.positions)))
+            yield state
+
+    flat = motion.flat
+    residuals, assignment = measure_residuals(recorded(watched(motion, "verifying")), flat)
+    if not residuals.panel_length <= RESIDUAL_LIMIT:
+        raise VerificationError(
+            f"the panels change by {residuals.panel_length:.3g} of the sheet's diagonal during the "
+            f"motion (at most {RESIDUAL_LIMIT:g} is rounding): this is a fault of the program"
+        )
+    clock.lap("fold")
+
+    signs = find_assignment(design.mechanism)
+    drive, packed = min(boxes, key=lambda entry: math.hypot(*entry[1]))
+    width, height, _ = extents(flat.positions)
+    report = {
+        "family": file.family,
+        "unit": file.unit,
+        "rows": file.pattern.rows,
+        "columns": file.pattern.columns,
+        "parameters": dict(design.parameters),
+        "feasible": True,
+        "warnings": list(design.warnings),
+        "residuals": asdict(residuals),
+        "assignment": {**_count(signs), **asdict(assignment)},
+        "lock": {
+            "drive_deg": tidy_degrees(design.mechanism.lock_drive),
+            "cause": "flaps",
+        },
+        "not_checked": ["contact between panels before lock"],
+        "deviation": {name: asdict(closeness) for name, closeness in design.closeness.items()},
+        "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
+        "deployed": _box(boxes[-1][1]),
+        "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},
+    }
+    return Shell(file, design, motion, report, clock.seconds)
+
+
+def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> list[Path]:
+    """Write ``shell.fold``, ``report.json`` and ``overview.png``: all of them or none.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to.
+    """
+    clock = _Clock()
+    output = OutputDirectory(directory)
+    with output.writing() as draft:
+        states = watched(shell.motion, "writing shell.fold")
+        write_fold(draft / "shell.fold", shell.motion, shell.file.unit, states)
+        (draft / "report.json").write_text(json.dumps(shell.report, indent=2) + "\n")
+        plot_overview(draft / "overview.png", shell.motion, shell.design.targets, _title(shell))
+        names = sorted(file.name for file in draft.iterdir())
+    clock.lap("write")
+    shell.seconds.update(clock.seconds)
+    return [directory / name for name in names]
+
+
+def _title(shell: Shell) -> str:
+    pattern = shell.file.pattern
+    family = shell.file.family.replace("-", " ").capitalize()
+    return f"{family}, {pattern.rows} × {pattern.columns} inner vertices"
+
+
+def _box(size: tuple[float, float, float]) -> dict[str, float]:
+    return dict(zip(("width", "depth", "height"), size, strict=True))
+
+
+def _count(signs: CreaseValues) -> dict[str, int]:
+    creases = np.concatenate([signs.row.ravel(), signs.column.ravel()])
+    return {
+        "mountain": int((creases < 0).sum()),
+        "valley": int((creases > 0).sum()),
+        "unfolded": int((creases == 0).sum()),
+    }
+
+
+class _Clock:
+    """Seconds by step."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def lap(self, step: str) -> None:
+        now = time.perf_counter()
+        self.seconds[step] = now - self._last
+        self._last = now

@@ -1,0 +1,214 @@
+"""The design file: TOML checked against the contract."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BaseModel, Field, ValidationError, model_validator
+from pydantic_core import PydanticCustomError
+
+from orishell.curves import (
+    Curve,
+    Formula,
+    curve_from_formulas,
+    curve_from_points,
+    parse_formula,
+    read_points,
+)
+from orishell.errors import InputError
+from orishell.spec.families import FAMILIES, Pattern, require_family
+from orishell.spec.faults import Location, explain
+from orishell.spec.table import Number, Table
+
+MAX_VERTICES = 4_000_000
+MAX_BYTES = 1_000_000
+Unit = Literal["mm", "cm", "m", "in", "ft"]
+
+
+class _Shell(Table):
+    family: str
+    unit: Unit
+
+
+class _Target(Table):
+    formula: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
+    range: Annotated[list[Number], Field(min_length=2, max_length=2)] | None = None
+    points: str | None = None
+    smooth: bool = True
+    scale: Annotated[Number, Field(gt=0)] = 1.0
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if (self.formula is None) == (self.points is None):
+            raise PydanticCustomError(
+                "source",
+                "a curve is either a formula or points",
+                {"found": "neither" if self.formula is None else "both"},
+            )
+        if self.formula is not None and self.range is None:
+            raise PydanticCustomError(
+                "range_missing", "a formula needs its range, as in range = [0, 1]"
+            )
+        if self.points is not None and self.range is not None:
+            raise PydanticCustomError("range_unused", "points have no range")
+        return self
+
+    def curve(self, directory: Path) -> Curve:
+        """The curve that the table describes; paths are relative to the directory."""
+        if self.points is not None:
+            curve = curve_from_points(read_points(directory / self.points), smooth=self.smooth)
+        else:
+            texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
+            *x, y = [_formula(text) for text in texts]
+            start, stop = self.range or [0.0, 0.0]
+            curve = curve_from_formulas(x[0] if x else None, y, start, stop)
+        return curve.scaled(self.scale) if self.scale != 1.0 else curve
+
+
+class _Targets(Table):
+    f: _Target
+    g: _Target
+
+
+class _Motion(Table):
+    frames: Annotated[int, Field(ge=2, le=1000)] = 25
+
+
+class _File(Table):
+    shell: _Shell
+    target: _Targets
+    pattern: dict[str, Any]
+    motion: _Motion = _Motion()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DesignFile:
+    """A checked design file.
+
+    Parameters
+    ----------
+    path
+        Where it was read from.
+    family
+        The family's name.
+    unit
+        Unit of length of the curves and of all files written.
+    f, g
+        The target curves.
+    pattern
+        The family's parameters.
+    frames
+        Number of states to write.
+    """
+
+    path: Path
+    family: str
+    unit: str
+    f: Curve
+    g: Curve
+    pattern: Pattern
+    frames: int
+
+
+def read_design_file(path: Path) -> DesignFile:
+    """Read and check a design file.
+
+    Raises
+    ------
+    InputError
+        Naming the file, the key, what was found and what is expected.
+    """
+    raw = _read_toml(path)
+    try:
+        file = _File.model_validate(raw)
+    except ValidationError as error:
+        raise explain(path, raw, error, _keys(Pattern)) from None
+    family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
+    try:
+        pattern = family.pattern.model_validate(file.pattern)
+    except ValidationError as error:
+        raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
+    _require_memory(path, pattern)
+    curves = {}
+    for name, target in (("f", file.target.f), ("g", file.target.g)):
+        try:
+            curves[name] = target.curve(path.parent)
+        except InputError as error:
+            raise error.located(f"{path}: [target.{name}]") from None
+    return DesignFile(
+        path,
+        file.shell.family,
+        file.shell.unit,
+        curves["f"],
+        curves["g"],
+        pattern,
+        file.motion.frames,
+    )
+
+
+def _formula(text: str) -> Formula:
+    try:
+        return parse_formula(text)
+    except InputError as error:
+        raise error.located("formula") from None
+
+
+def _require_memory(path: Path, pattern: Pattern) -> None:
+    vertices = (pattern.rows + 2) * (pattern.columns + 2)
+    if vertices > MAX_VERTICES:
+        raise InputError(
+            "the pattern is too large",
+            where=f"{path}: [pattern] rows, columns",
+            got=f"{pattern.rows} x {pattern.columns}, which need {_bytes(24 * vertices)} of memory "
+            "for the coordinates of every state",
+            expected=f"at most {MAX_VERTICES} vertices ({_bytes(24 * MAX_VERTICES)})",
+        )
+
+
+def _bytes(number: float) -> str:
+    units = ("B", "kB", "MB", "GB", "TB", "PB")
+    power = min(len(units) - 1, int(math.log10(number)) // 3)
+    return f"{number / 1000**power:.3g} {units[power]}"
+
+
+def _read_toml(path: Path) -> dict[str, Any]:
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError("this is too large for a design file", where=str(path))
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise InputError(
+            "the design file does not exist",
+            where=str(path),
+            remedy="orishell new parallel-repeating writes one to begin with",
+        ) from None
+    except tomllib.TOMLDecodeError as error:
+        raise InputError("this is not TOML", where=str(path), got=str(error)) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(
+            "the design file cannot be read", where=str(path), got=str(error)
+        ) from None
+
+
+def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
+    """The keys that each table of the file may hold, given the family's pattern."""
+    tables: dict[str, type[BaseModel]] = {"shell": _Shell, "motion": _Motion, "pattern": model}
+
+    def keys(location: Location) -> list[str]:
+        match location:
+            case (_,):
+                table: type[BaseModel] = _File
+            case ("target", _):
+                table = _Targets
+            case ("target", *_):
+                table = _Target
+            case _:
+                table = tables[str(location[0])]
+        return list(table.model_fields)
+
+    return keys

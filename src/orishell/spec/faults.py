@@ -1,0 +1,122 @@
+"""What pydantic finds wrong with a design file, in the words of our messages."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from orishell.errors import InputError
+
+Location = tuple[str | int, ...]
+"""Keys and indices from the outermost table to the value."""
+
+
+def explain(
+    path: Path,
+    raw: dict[str, Any],
+    error: ValidationError,
+    keys: Callable[[Location], list[str]],
+    inside: tuple[str, ...] = (),
+) -> InputError:
+    """One message for the first fault; the others follow, a line each."""
+    faults: dict[Location, list[ErrorDetails]] = {}
+    for details in error.errors():
+        location = _key_path(raw, (*inside, *details["loc"]), details["type"])
+        faults.setdefault(location, []).append(details)
+    messages = [_fault(path, raw, location, group, keys) for location, group in faults.items()]
+    first = messages[0]
+    if len(messages) > 1:
+        first.detail = "\n".join(str(message) for message in messages[1:])
+    return first
+
+
+def _key_path(raw: dict[str, Any], location: Location, kind: str) -> Location:
+    """The part of a location that is in the file; what follows names alternatives of a type."""
+    if kind == "missing":
+        return location
+    value: Any = raw
+    for depth, key in enumerate(location):
+        try:
+            value = value[key]
+        except (KeyError, IndexError, TypeError):
+            return location[:depth]
+    return location
+
+
+def _fault(
+    path: Path,
+    raw: dict[str, Any],
+    location: Location,
+    group: list[ErrorDetails],
+    keys: Callable[[Location], list[str]],
+) -> InputError:
+    details = group[0]
+    context = details.get("ctx", {})
+    if "key" in context:
+        location = (*location, str(context["key"]))
+    where = f"{path}: {_spell(location)}"
+    kind = details["type"]
+    if kind == "missing":
+        return InputError("this key is missing", where=where)
+    if kind == "extra_forbidden":
+        close = difflib.get_close_matches(str(location[-1]), keys(location), n=1)
+        return InputError(
+            "unknown key",
+            where=where,
+            expected="one of " + ", ".join(keys(location)),
+            remedy=f"write {close[0]}, if that is what was meant" if close else "remove it",
+        )
+    if kind in {"source", "range_missing", "range_unused"}:
+        return InputError(details["msg"], where=where, got=str(context.get("found", "")))
+    got = context.get("got", details["input"])
+    expected = " or ".join(dict.fromkeys(_expected(each) for each in group))
+    return InputError("this value does not fit", where=where, got=_shown(got), expected=expected)
+
+
+_EXPECTED = {
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "float_type": "a number",
+    "finite_number": "a finite number",
+    "string_type": "a text",
+    "bool_type": "true or false",
+    "list_type": "a list",
+    "dict_type": "a table",
+    "model_type": "a table",
+    "model_attributes_type": "a table",
+    "greater_than": "a value greater than {gt}",
+    "greater_than_equal": "a value of at least {ge}",
+    "less_than": "a value less than {lt}",
+    "less_than_equal": "a value of at most {le}",
+    "too_short": "{min_length} entries",
+    "too_long": "{max_length} entries",
+    "literal_error": "{expected}",
+}
+
+
+def _expected(details: ErrorDetails) -> str:
+    text = _EXPECTED.get(details["type"])
+    return text.format(**details.get("ctx", {})) if text else details["msg"]
+
+
+def _shown(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _spell(location: Location) -> str:
+    """("target", "f", "range", 0) as "[target.f] range[0]"."""
+    names = [str(part) for part in location if isinstance(part, str)]
+    index = "".join(f"[{part}]" for part in location if isinstance(part, int))
+    if len(names) == 1:
+        return f"[{names[0]}]"
+    table = names[:2] if names[0] == "target" and len(names) > 2 else names[:1]
+    rest = names[len(table) :]
+    if names[0] == "target" and len(names) == 2:
+        return f"[{'.'.join(names)}]"
+    return f"[{'.'.join(table)}] {' '.join(rest)}{index}"

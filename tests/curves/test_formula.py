@@ -1,0 +1,131 @@
+"""Formulas: values and derivatives, and everything that must be refused."""
+
+import math
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from orishell.curves.formula import MAX_DEPTH, MAX_LENGTH, parse_formula
+from orishell.errors import FormulaError
+
+FUNCTIONS: dict[str, Callable[[float], float]] = {
+    "5*sin(pi*x/10)": lambda x: 5 * math.sin(math.pi * x / 10),
+    "-x**2": lambda x: -(x**2),
+    "2**x - e**(-x)": lambda x: 2**x - math.exp(-x),
+    "sqrt(1 + x**2)/(2 + cos(x))": lambda x: math.sqrt(1 + x**2) / (2 + math.cos(x)),
+    "tanh(x)*atan(x) + sinh(x/3) - cosh(x/4)": lambda x: (
+        math.tanh(x) * math.atan(x) + math.sinh(x / 3) - math.cosh(x / 4)
+    ),
+    "asin(x/9) + acos(x/8) + tan(x/5)": lambda x: (
+        math.asin(x / 9) + math.acos(x / 8) + math.tan(x / 5)
+    ),
+    "log(4 + x) + exp(x/5) + abs(x - 7)": lambda x: math.log(4 + x) + math.exp(x / 5) + abs(x - 7),
+    "(x + 4)**-1.5 + 3": lambda x: (x + 4) ** -1.5 + 3,
+    "7": lambda _: 7.0,
+}
+
+
+@pytest.mark.parametrize("text", FUNCTIONS)
+@given(x=st.floats(-3, 3).map(lambda x: round(x, 3)))
+def test_value_and_derivatives(text: str, x: float) -> None:
+    # Derivatives against central differences of Python's own evaluation (error about h**2).
+    exact = FUNCTIONS[text]
+    value, first, second = (float(part) for part in parse_formula(text).jet(np.array(x)))
+    h = 1e-4
+    assert value == pytest.approx(exact(x), rel=1e-13, abs=1e-13)
+    assert first == pytest.approx((exact(x + h) - exact(x - h)) / (2 * h), rel=1e-5, abs=1e-5)
+    differences = (exact(x + h) - 2 * exact(x) + exact(x - h)) / h**2
+    assert second == pytest.approx(differences, rel=1e-4, abs=1e-4)
+
+
+def test_polynomials_have_derivatives_at_zero() -> None:
+    value, first, second = parse_formula("x**1 + x**2 + x**3").jet(np.array(0.0))
+    assert (float(value), float(first), float(second)) == (0.0, 1.0, 2.0)
+
+
+def test_shape_is_kept() -> None:
+    value, first, second = parse_formula("3").jet(np.zeros((2, 5)))
+    assert value.shape == first.shape == second.shape == (2, 5)
+
+
+@pytest.mark.parametrize(
+    ("text", "column"),
+    [
+        ("", 0),
+        ("   ", 0),
+        ("x +", 3),
+        ("(x", 0),
+        ("x)", 1),
+        ("x^2", 2),
+        ("2 + sn(x)", 4),
+        ("x + y", 4),
+        ("x*t", 2),
+        ("foo + 1", 0),
+        ("sin", 0),
+        ("sin(x, x)", 0),
+        ("sin(x=1)", 5),
+        ("x**x", 3),
+        ("x**101", 3),
+        ("1e999*x", 0),
+        ("1j*x", 0),
+        ("True", 0),
+        ("x if x else 2", 0),
+        ("x and 1", 0),
+        ("x//2", 0),
+        ("x@x", 1),
+        ("x.real", 0),
+        ("x.__class__", 0),
+        ("__import__('os').system('ls')", 11),
+        ("(lambda: 1)()", 7),
+        ("[x]", 0),
+        ("{x}", 0),
+        ("x := 1", 2),
+        ("exec(x)", 0),
+        ("sin(x)(x)", 0),
+        ("()", 1),
+        ("ｘ", 0),
+        ("x\n+ 1", 1),
+        ("9**9**9**9", 6),
+        ("2**(9**99)", 3),
+        ("sin x", 0),
+    ],
+)
+def test_refused_with_the_place(text: str, column: int) -> None:
+    with pytest.raises(FormulaError) as caught:
+        parse_formula(text)
+    assert abs(caught.value.column - column) <= 1
+    message = str(caught.value)
+    assert f"character {caught.value.column + 1}" in message
+    assert message.splitlines()[-1].strip() == "^"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x" + " + x" * MAX_LENGTH,
+        "(" * (MAX_DEPTH + 1) + "x" + ")" * (MAX_DEPTH + 1),
+        "-" * (MAX_DEPTH + 20) + "x",
+        "sin(" * (MAX_DEPTH + 1) + "x" + ")" * (MAX_DEPTH + 1),
+        "9**9**9**9**9**9**9",
+        "1" * 400 + "*x",
+        "x**(10**90)",
+    ],
+)
+def test_attacks_by_size_are_refused_at_once(text: str) -> None:
+    begin = time.perf_counter()
+    with pytest.raises(FormulaError):
+        parse_formula(text)
+    assert time.perf_counter() - begin < 2  # a hang, not a benchmark
+
+
+@given(st.text(alphabet="x+-*/().,0123456789e pisncoqrt^_[]'\"", max_size=40))
+def test_any_text_is_a_formula_or_a_formula_error(text: str) -> None:
+    try:
+        formula = parse_formula(text)
+    except FormulaError:
+        return
+    assert formula.jet(np.array([0.5]))[0].shape == (1,)

@@ -1,0 +1,181 @@
+"""What the family refuses, what it says, and that what it says works."""
+
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+
+from orishell.curves import Curve, curve_from_points
+from orishell.errors import CurveError, DesignError
+from strategies import Request, graph, pair
+
+PARABOLA = graph("-x**2", -1, 1)
+WAVE = graph("5*sin(pi*x/10)", 0, 20)
+STRAIGHT = graph("0*x", 0, 20)
+
+
+def request(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Request:
+    return Request(f, g, {"rows": 9, "columns": 11, "xi": np.deg2rad(50), "flap": 0.3, **options})
+
+
+def refusal(what: Request) -> DesignError:
+    with pytest.raises(DesignError) as caught:
+        what.design()
+    return caught.value
+
+
+def test_figure_1_needs_no_mending() -> None:
+    design = request().design()
+    assert design.warnings == ()
+    assert design.parameters["xi_deg"] == 50.0
+    assert design.parameters["xi_limit_deg"] == pytest.approx(53.1301, abs=1e-4)
+
+
+def test_too_large_xi_names_the_limit() -> None:
+    error = refusal(request(xi=np.deg2rad(60)))
+    assert "53.13" in error.nearest
+    assert "xi_deg = 60 is too large" in error.condition
+    assert request(xi=np.deg2rad(60)).mended(error).design()
+
+
+def test_too_large_xi_offers_the_rotations_that_work() -> None:
+    what = request(f=graph("exp(x)", -2, 1), xi=np.deg2rad(60))
+    error = refusal(what)
+    match = re.search(r"theta_deg between (\S+) and (\S+)$", error.nearest)
+    assert match is not None
+    middle = np.deg2rad(0.5 * (float(match[1]) + float(match[2])))
+    assert request(f=what.f, xi=np.deg2rad(60), theta=middle).design()
+
+
+def test_rotation_that_admits_no_xi() -> None:
+    what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi="auto", theta=np.deg2rad(40))
+    error = refusal(what)
+    assert "no staircase for theta_deg = 40" in error.condition
+    assert what.mended(error).design()
+
+
+def test_f_that_turns_too_much() -> None:
+    circle = pair("cos(t)", "sin(t)", 0, 3.3)
+    asked: list[dict[str, Any]] = [
+        {"xi": "auto"},
+        {"theta": "auto"},
+        {"xi": "auto", "theta": "auto"},
+    ]
+    for options in asked:
+        error = refusal(request(f=circle, **options))
+        assert "turns too much" in error.condition
+    match = re.search(r"from parameter (\S+) to (\S+)$", error.nearest)
+    assert match is not None
+    shorter = pair("cos(t)", "sin(t)", float(match[1]), float(match[2]))
+    assert request(f=shorter, g=STRAIGHT, xi="auto", theta="auto").design()
+
+
+def test_bend_tighter_than_the_reach_of_f() -> None:
+    what = request(g=graph("exp(-(x-10)**2)", 0, 20), columns=99)
+    error = refusal(what)
+    assert "bends more sharply" in error.condition
+    assert re.search(r"at row (0|10) between columns \d+ and \d+", error.place)
+    # The quoted scale works, and 1 % more does not.
+    match = re.search(r"scale = (\S+) in \[target.f\]", error.nearest)
+    assert match is not None
+    assert what.mended(error).design()
+    refusal(request(f=PARABOLA.scaled(1.01 * float(match[1])), g=what.g, columns=99))
+    # So does the scale of g.
+    match = re.search(r"scale = (\S+) in \[target.g\]", error.nearest)
+    assert match is not None
+    assert request(g=what.g.scaled(float(match[1]) * 1.001), columns=99).design()
+
+
+def test_plane_that_does_not_cross_g() -> None:
+    what = request(plane=np.deg2rad(10))
+    error = refusal(what)
+    assert "does not cross" in error.condition
+    assert what.mended(error).design()
+    low, high = (float(x) for x in re.findall(r"[\d.]+", error.nearest))
+    for plane in (low, high):  # both ends of the quoted interval are admissible
+        try:
+            request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(plane)).design()
+        except DesignError as other:
+            assert "does not cross" not in other.condition  # noqa: PT017
+    refusal(request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(low - 0.3)))
+
+
+def test_too_few_columns_for_any_plane() -> None:
+    what = request(g=pair("20*cos(t)", "20*sin(t)", 0, 6), columns=2)
+    error = refusal(what)
+    match = re.match(r"columns = (\d+)$", error.nearest)
+    assert match is not None
+    columns = int(match[1])
+    assert request(g=what.g, columns=columns, f=PARABOLA.scaled(0.1)).design()
+    refusal(request(g=what.g, columns=columns - 1, f=PARABOLA.scaled(0.1)))
+
+
+def test_flat_sheet_that_overlaps_itself() -> None:
+    # The flat sheet turns by sin(xi/2) of what g turns: 7 * 0.97 is more than a full turn.
+    ring = pair("20*cos(t)", "20*sin(t)", 0, 7)
+    what = request(f=graph("0.1*x", -1, 1), g=ring, columns=60, xi=np.deg2rad(150))
+    error = refusal(what)
+    assert "overlaps itself" in error.condition
+    assert what.mended(error).design()
+
+
+def test_too_few_columns_are_said_aloud() -> None:
+    # Ten periods on nine columns (the issue's example): equal spacing gives a straight line.
+    ten_periods = graph("sin(x)", 0, 20 * np.pi)
+    for spacing in ("curvature", "equal"):
+        design = request(g=ten_periods, columns=9, spacing=spacing).design()
+        (warning,) = design.warnings
+        assert "9 columns leaves g by" in warning
+        assert design.closeness["g"].max > 0.9
+    assert request(g=ten_periods, columns=161, f=PARABOLA.scaled(0.5)).design().warnings == ()
+    assert request(g=STRAIGHT, columns=2).design().warnings == ()
+
+
+def test_unusable_curve_is_named() -> None:
+    with pytest.raises(CurveError, match=r"^f at parameter"):
+        request(f=graph("1/x", -1, 1)).design()
+    with pytest.raises(CurveError, match=r"^g at parameter"):
+        request(g=graph("1/x", -1, 1)).design()
+
+
+def test_f_may_run_either_way() -> None:
+    leftwards = request(f=pair("cos(t)", "sin(t)", 0.8, 2.3)).design()
+    rightwards = request(f=pair("-cos(t)", "sin(t)", np.pi - 2.3, np.pi - 0.8)).design()
+    np.testing.assert_allclose(
+        leftwards.mechanism.positions(1.0), rightwards.mechanism.positions(1.0), atol=1e-6
+    )
+
+
+def test_asymmetric_f_stands_to_the_right_of_g_and_upright() -> None:
+    # Contract: f's y axis is +z; f's x axis lies to the right, seen along g.
+    f = graph("0.3*x + 0.1*sin(x)", 0, 2)
+    design = request(f=f, g=STRAIGHT, xi=1.0).design()
+    locked = design.mechanism.positions(np.pi)
+    column = locked[:, 1]
+    assert column[-1, 2] > column[0, 2]
+    assert column[-1, 1] < column[0, 1]
+    end = f.position(2.0) - f.position(0.0)
+    np.testing.assert_allclose(column[-1] - column[0], [0.0, -end[0], end[1]], atol=1e-12)
+
+
+def test_targets_are_placed_on_the_locked_shell() -> None:
+    for plane in (np.pi / 2, 1.1):
+        design = request(plane=plane, theta=0.01).design()
+        locked = design.mechanism.positions(np.pi)
+        np.testing.assert_allclose(design.targets["f"][[0, -1]], locked[[0, -1], 1], atol=1e-12)
+        np.testing.assert_allclose(design.targets["g"][[0, -1]], locked[5, [1, -2]], atol=1e-12)
+
+
+def test_polyline_g_is_followed_exactly() -> None:
+    corners = [[0, 0], [6, 1], [12, -1], [20, 0]]
+    g = curve_from_points(corners, smooth=False)
+    design = request(g=g, columns=10).design()
+    assert design.closeness["g"].max < 1e-12
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (1, 11), (9, 2), (3, 3)])
+def test_smallest_sheets(rows: int, columns: int) -> None:
+    f = PARABOLA.scaled(0.2)
+    design = request(f=f, g=graph("x**2/40", 0, 10), rows=rows, columns=columns).design()
+    assert design.mechanism.positions(1.0).shape == (rows + 2, columns + 2, 3)

@@ -1,0 +1,28 @@
+"""One form for every message."""
+
+from orishell.errors import DesignError, FormulaError, InputError
+
+
+def test_input_error_says_all_it_knows() -> None:
+    error = InputError("this is wrong", where="rows", got="8", expected="odd", remedy="write 9")
+    assert str(error.located("shell.toml:")) == (
+        "shell.toml: rows: this is wrong; got 8, expected odd. Remedy: write 9."
+    )
+    assert error.exit_status == 2
+
+
+def test_bare_messages() -> None:
+    assert str(InputError("this is wrong")) == "this is wrong."
+    assert str(DesignError("it cannot be")) == "it cannot be."
+
+
+def test_design_error_says_where_how_much_and_what_works() -> None:
+    error = DesignError("too large", place="at row 3", size="by 2", nearest="xi_deg = 50")
+    assert str(error) == "too large, at row 3: by 2. Nearest that works: xi_deg = 50."
+    assert error.exit_status == 1
+
+
+def test_caret_stands_under_the_fault_also_in_long_formulas() -> None:
+    text = "x + " * 40 + "$"
+    lines = str(FormulaError("this is wrong", text, len(text) - 1)).splitlines()
+    assert lines[1][lines[2].index("^")] == "$"

@@ -1,0 +1,40 @@
+"""The overview picture, by its pixels."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.motion import FoldingMotion
+from orishell.plot import plot_overview
+from strategies import graph
+
+
+def picture(path: Path, rows: int, columns: int, g: str) -> np.ndarray:
+    design = design_parallel_repeating(
+        graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=0.3
+    )
+    plot_overview(path, FoldingMotion(design.mechanism, 2), design.targets, "Title")
+    return np.asarray(Image.open(path).convert("RGB")).astype(int)
+
+
+def share_of(pixels: np.ndarray, colour: tuple[int, int, int]) -> float:
+    return float((np.abs(pixels - colour).max(axis=-1) < 25).mean())
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (9, 11), (201, 301)])
+def test_colours_are_there(tmp_path: Path, rows: int, columns: int) -> None:
+    pixels = picture(tmp_path / "overview.png", rows, columns, "x**2/60")
+    assert pixels.shape[1] == 2600
+    assert 800 < pixels.shape[0] < 3400
+    for name, colour in {
+        "mountain": (214, 39, 40),
+        "valley": (31, 95, 191),
+        "f": (10, 143, 60),
+        "g": (181, 23, 158),
+        "border": (0, 0, 0),
+    }.items():
+        assert share_of(pixels, colour) > 1e-4, name
+    assert 0.3 < share_of(pixels, (255, 255, 255)) < 0.97
