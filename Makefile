@@ -48,13 +48,16 @@ $(VENV)/bin/python:
 	  exit 1; }
 
 $(VENV)/.run: $(VENV)/bin/python pyproject.toml constraints.txt
-	$(PIP) --editable .
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable .
 	@touch $@
 
 $(VENV)/.test: $(VENV)/.run
-	$(PIP) --editable ".[test]"
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable ".[test]"
 	@touch $@
 
 $(VENV)/.quality: $(VENV)/.test
-	$(PIP) --editable ".[test,quality]"
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable ".[test,quality]"
 	@touch $@

@@ -25,7 +25,7 @@ BACK = np.array([0.72, 0.78, 0.86])
 LIGHT = np.array([-0.45, -0.55, 0.70])
 STATE_SHARES = (0.25, 0.5, 0.75)
 """States shown between flat and locked, as shares of the drive at lock."""
-MAX_DRAWN = 160
+PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
 DPI = 200
 
@@ -100,10 +100,10 @@ def plot_overview(
     figure.savefig(path, dpi=DPI, metadata={"Software": None})
 
 
-def _thin(positions: Array, signs: CreaseValues) -> tuple[Array, CreaseValues, int, int]:
+def _thin(positions: Array, signs: CreaseValues, most: int) -> tuple[Array, CreaseValues, int, int]:
     """Every k-th row and column of a sheet too fine to draw, k odd so that signs alternate."""
     rows, columns = positions.shape[:2]
-    down, right = (_stride(count - 3) for count in (rows, columns))
+    down, right = (_stride(count - 3, most) for count in (rows, columns))
     i = np.unique(np.concatenate([[0], np.arange(1, rows - 1, down), [rows - 2, rows - 1]]))
     j = np.unique(
         np.concatenate([[0], np.arange(1, columns - 1, right), [columns - 2, columns - 1]])
@@ -113,8 +113,8 @@ def _thin(positions: Array, signs: CreaseValues) -> tuple[Array, CreaseValues, i
     return positions[np.ix_(i, j)], CreaseValues(row, column), down, right
 
 
-def _stride(count: int) -> int:
-    stride = max(1, -(-count // MAX_DRAWN))
+def _stride(count: int, most: int) -> int:
+    stride = max(1, -(-count // most))
     return stride + 1 - stride % 2
 
 
@@ -122,7 +122,7 @@ def _draw_pattern(axes: Axes, motion: FoldingMotion) -> None:
     from matplotlib.collections import LineCollection
 
     signs = find_assignment(motion.mechanism)
-    sheet, signs, down, right = _thin(motion.flat.positions[..., :2], signs)
+    sheet, signs, down, right = _thin(motion.flat.positions[..., :2], signs, PATTERN_DRAWN)
     width = float(np.clip(60 / max(sheet.shape[:2]), 0.25, 1.3))
     rows = np.stack([sheet[1:-1, :-1], sheet[1:-1, 1:]], axis=-2)
     columns = np.stack([sheet[:-1, 1:-1], sheet[1:, 1:-1]], axis=-2)
@@ -171,14 +171,14 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera) -> None:
         np.zeros((positions.shape[0] - 2, positions.shape[1] - 1)),
         np.zeros((positions.shape[0] - 1, positions.shape[1] - 2)),
     )
-    positions = _thin(positions, empty)[0]
+    positions = _thin(positions, empty, SHELL_DRAWN)[0]
     corners = np.stack(
         [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
     ).reshape(-1, 4, 3)
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
     colours = _shade(panel_normals(positions).reshape(-1, 3), camera)
-    width = float(np.clip(25 / max(positions.shape[:2]), 0.1, 0.6))
+    width = float(np.clip(15 / max(positions.shape[:2]), 0.1, 0.6))
     axes.add_collection(
         PolyCollection(
             list(picture[order]),

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from shapely import STRtree
 
 POLISHING_STEPS = 6
+POLISHED = 1e-13
+"""A step in the parameter below this, relative to its range, ends the polishing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,7 +51,11 @@ class Nearest:
         for _ in range(POLISHING_STEPS):
             position, first, _ = trace.curve.jet(t)
             step = ((points - position) * first).sum(axis=-1) / (first * first).sum(axis=-1)
-            t = np.clip(t + step, low, high)
+            better = np.clip(t + step, low, high)
+            moved = np.abs(better - t).max()
+            t = better
+            if moved <= POLISHED * (trace.t[-1] - trace.t[0]):
+                break
         feet = trace.curve.position(t)
         distances = np.hypot(*np.moveaxis(feet - points, -1, 0))
         best = distances.argmin(axis=0)

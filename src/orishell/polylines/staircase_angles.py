@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.curves import Trace
-from orishell.polylines.staircase import Staircase, fit_staircase
+from orishell.polylines.staircase import fit_staircase
 
 MIN_EVENNESS = 0.25
 """"auto" keeps the shortest edge above this fraction of the mean (0.5 is usual: the two end edges
@@ -20,6 +20,8 @@ MARGIN = 1e-4
 """How far "auto" stays inside an open interval, relative to it."""
 XI_ACCURACY = 1e-6
 """How near "auto" comes to the widest xi (radians)."""
+COARSE_ACCURACY = 2e-3
+"""The same while searching theta."""
 WORTHWHILE = 1e-3
 """"auto" leaves a curve unrotated unless a rotation brings it closer by this share."""
 COARSE_EDGES = 24
@@ -61,7 +63,7 @@ def theta_interval(low: float, high: float, xi: float) -> tuple[float, float]:
     return float(-cone - low), float(cone - high)
 
 
-def choose_xi(trace: Trace, edges: int) -> float:
+def choose_xi(trace: Trace, edges: int, accuracy: float = XI_ACCURACY) -> float:
     """The angle of the closest staircase whose shortest edge is not too short.
 
     The distance falls as xi opens, so this is the widest admissible xi, at most
@@ -73,6 +75,8 @@ def choose_xi(trace: Trace, edges: int) -> float:
         The rotated curve; some staircase must exist.
     edges
         Number of edges.
+    accuracy
+        How near to come to the widest (radians).
     """
     widest = min(xi_limit(*trace.heading_range()) * (1 - MARGIN), WIDEST_XI)
 
@@ -80,7 +84,7 @@ def choose_xi(trace: Trace, edges: int) -> float:
         return fit_staircase(trace, xi, edges).evenness
 
     tried: list[tuple[float, float]] = []
-    for trial in np.linspace(widest, 0.1 * widest, 19):
+    for trial in np.linspace(widest, 0.1 * widest, 13):
         tried.append((evenness(float(trial)), float(trial)))
         if tried[-1][0] >= MIN_EVENNESS:
             break
@@ -88,7 +92,7 @@ def choose_xi(trace: Trace, edges: int) -> float:
         return max(tried)[1]
     good, bad = tried[-1][1], tried[max(len(tried) - 2, 0)][1]
     # Bisection on the even side: the evenness may jump where another first edge becomes better.
-    while bad - good > XI_ACCURACY:
+    while bad - good > accuracy:
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if evenness(middle) >= MIN_EVENNESS else (good, middle)
     return good
@@ -115,23 +119,21 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
     coarse = min(edges, COARSE_EDGES)
 
     def cost(theta: float, edges: int = coarse) -> float:
-        staircase = _best(trace.rotated(theta), edges, xi)
+        rotated = trace.rotated(theta)
+        angle = choose_xi(rotated, edges, COARSE_ACCURACY) if xi is None else xi
+        staircase = fit_staircase(rotated, angle, edges)
         lacking = MIN_EVENNESS - staircase.evenness
         # Rotations that keep the edges even come first; the size of the curve separates them.
         return staircase.distance if lacking < 1e-6 else trace.length * (10 + lacking)
 
     # The scan is symmetric about the middle, where a symmetric curve has its optimum.
-    scan = np.linspace(begin, end, 13)
+    scan = np.linspace(begin, end, 11)
     costs = [cost(float(theta)) for theta in scan]
     k = int(np.argmin(costs))
     bracket = (float(scan[max(k - 1, 0)]), float(scan[min(k + 1, len(scan) - 1)]))
-    found = minimize_scalar(cost, bounds=bracket, method="bounded", options={"xatol": 1e-4})
+    found = minimize_scalar(cost, bounds=bracket, method="bounded", options={"xatol": 1e-3})
     candidates = [float(scan[k]), float(found.x)]
     if begin < 0 < end:
         candidates.insert(0, 0.0)  # unrotated, unless another rotation is really closer
     finals = [cost(theta, edges) for theta in candidates]
     return candidates[int(np.argmin(np.array(finals) > (1 + WORTHWHILE) * min(finals)))]
-
-
-def _best(rotated: Trace, edges: int, xi: float | None) -> Staircase:
-    return fit_staircase(rotated, choose_xi(rotated, edges) if xi is None else xi, edges)
