@@ -167,6 +167,16 @@ def test_targets_are_placed_on_the_locked_shell() -> None:
         np.testing.assert_allclose(design.targets["g"][[0, -1]], locked[5, [1, -2]], atol=1e-12)
 
 
+def test_column_scales() -> None:
+    # Rows stay parallel to g, so (lambda t)' is parallel to g': lambda'/lambda is cot(delta) times
+    # the turning of t, t being to the right of g. On a circle lambda grows as exp(cot(delta) turn).
+    arc = pair("20*cos(t)", "20*sin(t)", 0, 1)
+    oblique = request(g=arc, columns=81, plane=np.deg2rad(60)).design().parameters["column_scale"]
+    assert oblique == pytest.approx([1, np.exp(1 / np.tan(np.pi / 3))], rel=1e-3)
+    square = request(g=arc, columns=81).design().parameters["column_scale"]
+    assert square == pytest.approx([1, 1], abs=1e-9)
+
+
 def test_polyline_g_is_followed_exactly() -> None:
     corners = [[0, 0], [6, 1], [12, -1], [20, 0]]
     g = curve_from_points(corners, smooth=False)

@@ -105,6 +105,7 @@ def design_parallel_repeating(
         "g": measure_closeness(g_trace, row.vertices),
     }
     heading_low, heading_high = f_trace.heading_range()
+    scales = mechanism.column_scales()
     interval = theta_interval(heading_low - theta, heading_high - theta, xi)
     return Design(
         mechanism=mechanism,
@@ -114,6 +115,7 @@ def design_parallel_repeating(
             "theta_deg": tidy_degrees(theta),
             "theta_interval_deg": [tidy_degrees(angle) for angle in interval],
             "plane_deg": tidy_degrees(plane),
+            "column_scale": [float(scales.min()), float(scales.max())],
             "flap": _flap_width(staircase, flap),
             "flap_side": [str(side) for side in flap_sides],
             "spacing": spacing,

@@ -101,6 +101,11 @@ class ParallelRepeating:
         left = np.arctan2(w[:-1], columns.tau * columns.cos_left)
         return np.stack([np.pi - right, np.pi - left, left, right], axis=-1)
 
+    def column_scales(self) -> Array:
+        """Size (n,) of every column's image of f along its t, column 1's being 1 (at lock)."""
+        tau = self._columns().tau
+        return np.asarray(tau / tau[0])
+
     def row_lengths(self, row: int) -> Array:
         """Lengths (n-1,) of the creases between inner columns in a row: affine in its arc.
 
