@@ -91,8 +91,14 @@ class Request:
             options["plane"] = np.deg2rad(0.5 * (float(match[1]) + float(match[2])))
         elif match := re.search(r"^columns = (\d+)$", error.nearest):
             options["columns"] = int(match[1])
-        elif match := re.search(r"^xi_deg = (\S+)$", error.nearest):
-            options["xi"] = np.deg2rad(float(match[1]))
+        elif match := re.search(r'^spacing = "curvature" with columns = (\d+)$', error.nearest):
+            options["spacing"], options["columns"] = "curvature", int(match[1])
+        elif match := re.search(r"^plane_deg = (\S+) with columns = (\d+)$", error.nearest):
+            options["plane"], options["columns"] = np.deg2rad(float(match[1])), int(match[2])
+        elif match := re.search(r"^flap = (\S+)$", error.nearest):
+            options["flap"] = float(match[1])
+        elif match := re.search(r"part of g from parameter (\S+) to (\S+)$", error.nearest):
+            return replace(self, g=replace(self.g, start=float(match[1]), stop=float(match[2])))
         elif match := re.search(r"^xi_deg below ([^\s,]+)", error.nearest):
             options["xi"] = np.deg2rad(0.98 * float(match[1]))
         elif match := re.search(r"theta_deg between (\S+) and (\S+)$", error.nearest):

@@ -44,7 +44,7 @@ class AssignmentCheck:
     Parameters
     ----------
     constant
-        Whether every crease keeps its sign in all folded states.
+        Whether no crease is a mountain in one state and a valley in another.
     three_to_one
         Whether each inner vertex has three creases of one sign and one of the other; a vertex
         with unfolded creases has two of one sign.
@@ -77,13 +77,14 @@ def measure_residuals(
             _largest_turn(measured.row, state.fold_angles.row),
             _largest_turn(measured.column, state.fold_angles.column),
         )
-        if state.drive > 0:
-            now = crease_signs(state.fold_angles)
-            if signs is not None:
-                constant = constant and bool(
-                    np.array_equal(now.row, signs.row) and np.array_equal(now.column, signs.column)
-                )
-            signs = now
+        now = crease_signs(state.fold_angles)
+        if signs is not None:
+            constant = constant and not _opposite(now, signs)
+            now = CreaseValues(
+                np.where(now.row == 0, signs.row, now.row),
+                np.where(now.column == 0, signs.column, now.column),
+            )
+        signs = now
     check = AssignmentCheck(constant, signs is None or _three_to_one(signs))
     return Residuals(length, planarity, sector, fold), check
 
@@ -142,6 +143,11 @@ def _largest_turn(first: Array, second: Array) -> float:
     """Largest difference of two arrays of angles, seen on the circle."""
     turn = np.mod(first - second + np.pi, 2 * np.pi) - np.pi
     return float(np.abs(turn).max(initial=0.0))
+
+
+def _opposite(first: CreaseValues, second: CreaseValues) -> bool:
+    """Whether some crease has opposite signs."""
+    return bool((first.row * second.row < 0).any() or (first.column * second.column < 0).any())
 
 
 def _three_to_one(signs: CreaseValues) -> bool:

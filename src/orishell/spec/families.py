@@ -39,7 +39,7 @@ class ParallelRepeatingPattern(Pattern):
 
     flap: Annotated[Number, Field(gt=0)] | Auto = "auto"
     flap_side: FlapSide | Annotated[list[FlapSide], Field(min_length=2, max_length=2)] = "end"
-    xi_deg: Annotated[Number, Field(gt=0, lt=180)] | Auto = "auto"
+    xi_deg: Annotated[Number, Field(ge=0.1, le=179.9)] | Auto = "auto"
     theta_deg: Annotated[Number, Field(ge=-360, le=360)] | Auto = 0.0
     plane_deg: Annotated[Number, Field(gt=0, lt=180)] = 90.0
     spacing: Spacing = "curvature"

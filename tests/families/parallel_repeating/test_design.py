@@ -118,6 +118,18 @@ def test_flat_sheet_that_overlaps_itself() -> None:
     error = refusal(what)
     assert "overlaps itself" in error.condition
     assert what.mended(error).design()
+    match = re.match(r"xi_deg = ([\d.]+),", error.nearest)
+    assert match is not None
+    assert request(f=what.f, g=ring, columns=60, xi=np.deg2rad(float(match[1]))).design()
+
+
+def test_flaps_that_overlap_in_the_flat_sheet() -> None:
+    # Flat, the ring turns by 6.2 * sin(80 degrees) = 6.1: almost a full turn.
+    ring = pair("20*cos(t)", "20*sin(t)", 0, 6.2)
+    what = request(f=graph("0.05*x", -1, 1), g=ring, columns=60, xi=np.deg2rad(160), flap=4.0)
+    error = refusal(what)
+    assert "flaps overlap" in error.condition
+    assert what.mended(error).design()
 
 
 def test_too_few_columns_are_said_aloud() -> None:
@@ -165,6 +177,13 @@ def test_targets_are_placed_on_the_locked_shell() -> None:
         locked = design.mechanism.positions(np.pi)
         np.testing.assert_allclose(design.targets["f"][[0, -1]], locked[[0, -1], 1], atol=1e-12)
         np.testing.assert_allclose(design.targets["g"][[0, -1]], locked[5, [1, -2]], atol=1e-12)
+
+
+def test_panels_lost_in_rounding_are_refused() -> None:
+    error = refusal(request(flap=1e-12))
+    assert "rounding" in error.condition
+    assert "crease across a flap" in error.place
+    refusal(request(f=graph("-(x-1e8)**2", 1e8 - 1, 1e8 + 1), g=graph("x/5", 1e9, 1e9 + 20)))
 
 
 def test_column_scales() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Literal
 
@@ -11,11 +10,15 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design
-from orishell.errors import CurveError, DesignError
+from orishell.errors import CurveError
 from orishell.families.parallel_repeating.mechanism import FlapSide, ParallelRepeating
 from orishell.families.parallel_repeating.profile import require_staircase, rotate_profile
 from orishell.families.parallel_repeating.row import Row, warn_of_coarse_row
-from orishell.geometry import is_simple_polygon
+from orishell.families.parallel_repeating.sheet import (
+    require_flat_sheet,
+    require_resolution,
+    require_row_edges,
+)
 from orishell.polylines import (
     Spacing,
     Staircase,
@@ -25,13 +28,10 @@ from orishell.polylines import (
     theta_interval,
     xi_limit,
 )
-from orishell.quoting import in_degrees, inside, tidy_degrees
+from orishell.quoting import tidy_degrees
 
 Array = NDArray[np.float64]
 Auto = Literal["auto"]
-
-SHORTEST_EDGE = 1e-6
-"""A row edge must keep this share of the length it has in the middle row."""
 
 
 def design_parallel_repeating(
@@ -97,8 +97,14 @@ def design_parallel_repeating(
     row = Row.on(g_trace, columns, plane, spacing)
     row.require_crossing(g_trace, spacing)
     mechanism = _assemble(staircase, row, flap, flap_sides)
-    _require_row_edges(mechanism)
-    _require_flat_sheet(mechanism, lambda angle: fit_staircase(f_trace, angle, rows + 1))
+    require_row_edges(mechanism)
+    require_resolution(mechanism)
+    require_flat_sheet(
+        mechanism,
+        _flap_width(staircase, flap),
+        row.parameters,
+        lambda angle: fit_staircase(f_trace, angle, rows + 1),
+    )
 
     closeness = {
         "f": measure_closeness(f_trace, staircase.vertices),
@@ -159,62 +165,6 @@ def _assemble(
         mechanism,
         flaps=(float(width / np.sin(sectors[0, 2])), float(width / np.sin(sectors[-1, 3]))),
     )
-
-
-def _require_row_edges(mechanism: ParallelRepeating) -> None:
-    """Row edges are affine in the distance from the middle row: look at the outermost rows."""
-    middle = np.abs(np.diff(mechanism.points))
-    rows = (0, len(mechanism.lengths))
-    share = np.stack([mechanism.row_lengths(row) for row in rows]) / middle
-    worst = np.unravel_index(int(share.argmin()), share.shape)
-    if share[worst] > SHORTEST_EDGE:
-        return
-    row, column = rows[int(worst[0])], int(worst[1]) + 1
-    length = share[worst] * middle[worst[1]]
-    reach = abs(mechanism.column_arcs()[row]) * np.sin(mechanism.xi / 2)
-    scale = inside(1 / (1 - share[worst]), 0.0)
-    raise DesignError(
-        "neighbouring columns meet inside the sheet: g bends more sharply than f reaches",
-        place=f"at row {row} between columns {column} and {column + 1}",
-        size=f"the crease there would be {length:.4g} long, where f reaches {reach:.4g} from g",
-        nearest=f"scale = {scale:.4g} in [target.f], or scale = {1 / scale:.4g} in [target.g]",
-    )
-
-
-def _require_flat_sheet(
-    mechanism: ParallelRepeating, staircase: Callable[[float], Staircase]
-) -> None:
-    """The flat sheet must not overlap itself; all panels are convex, so its border decides."""
-    if _is_flat_sheet(mechanism):
-        return
-
-    def works(xi: float) -> bool:
-        other = staircase(xi)
-        trial = replace(mechanism, xi=other.xi, lengths=other.lengths.copy(), first=other.first)
-        return _is_flat_sheet(trial)
-
-    xi = _bisect_down(mechanism.xi, works)
-    raise DesignError(
-        "the flat sheet overlaps itself: g turns too far",
-        nearest=f"xi_deg = {in_degrees(xi)}" if xi else "a shorter g",
-    )
-
-
-def _is_flat_sheet(mechanism: ParallelRepeating) -> bool:
-    flat = mechanism.positions(0.0)[..., :2]
-    # Columns are straight, so their ends are all corners of the border.
-    return is_simple_polygon(np.concatenate([flat[0], flat[-1, ::-1]]))
-
-
-def _bisect_down(bad: float, works: Callable[[float], bool]) -> float | None:
-    """The largest value below ``bad`` that works, or None if not even a twentieth of it does."""
-    good = bad / 20
-    if not works(good):
-        return None
-    while bad - good > 1e-3 * bad:
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if works(middle) else (good, middle)
-    return good
 
 
 def _place_targets(f: Trace, staircase: Staircase, g: Trace, row: Row) -> dict[str, Array]:

@@ -21,8 +21,9 @@ COARSE_SHARE = 0.1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Row:
-    """The middle row: g's vertices (n, 2), directions of g and of the column planes (n,)."""
+    """The middle row: g's vertices (n, 2), their parameters and directions (n,), plane angle."""
 
+    parameters: Array
     vertices: Array
     heading: Array
     plane: float
@@ -31,7 +32,7 @@ class Row:
     def on(cls, trace: Trace, columns: int, plane: float, spacing: Spacing) -> Row:
         """Place the vertices on g."""
         t = place_vertices(trace, columns, spacing)
-        return cls(trace.curve.position(t), trace.heading_at(t), plane)
+        return cls(t, trace.curve.position(t), trace.heading_at(t), plane)
 
     def turns(self) -> Array:
         """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
@@ -64,7 +65,7 @@ class Row:
         )
 
     def _enough_columns(self, trace: Trace, spacing: Spacing) -> str:
-        def works(columns: int) -> bool:
+        def works(columns: int, spacing: Spacing = spacing) -> bool:
             delta = Row.on(trace, columns, self.plane, spacing).turns() + self.plane
             return bool((delta > 0).all() and (delta < np.pi).all())
 
@@ -77,7 +78,14 @@ class Row:
                     middle = (low + high) // 2
                     low, high = (low, middle) if works(middle) else (middle, high)
                 return f"columns = {high}"
-        return "a smoother g: its corners are too sharp for any number of columns"
+        for more in (len(self.vertices), columns):
+            if spacing == "equal" and works(more, "curvature"):
+                return f'spacing = "curvature" with columns = {more}'
+        turns = Row.on(trace, columns, self.plane, spacing).turns()
+        least, most = float((-turns).max()), float(np.pi - turns.max())
+        if least < most:
+            return f"plane_deg = {in_degrees(0.5 * (least + most))} with columns = {columns}"
+        return "a g with blunter corners"
 
 
 def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str, ...]:
