@@ -69,6 +69,7 @@ def plot_overview(
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     lock = motion.mechanism.lock_drive
     locked = motion.locked.positions
@@ -79,12 +80,10 @@ def plot_overview(
     width = 13.0
     above = _row_height(width / 2, [motion.flat.positions[..., :2], camera.project(locked)[0]])
     below = _row_height(width / 3, [camera.project(positions)[0] for positions in states])
-    figure = Figure(figsize=(width, above + below), facecolor="white", layout="constrained")
+    layout = ConstrainedLayoutEngine(h_pad=0.12, w_pad=0.08)
+    figure = Figure(figsize=(width, above + below), facecolor="white", layout=layout)
     FigureCanvasAgg(figure)
     grid = figure.add_gridspec(2, 6, height_ratios=(above, below))
-    engine = figure.get_layout_engine()
-    if engine is not None:
-        engine.set(h_pad=0.12, w_pad=0.08)  # type: ignore[call-arg]
     figure.suptitle(title, fontsize=15, fontweight="bold")
 
     _draw_pattern(figure.add_subplot(grid[0, :3]), motion)

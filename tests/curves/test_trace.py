@@ -1,5 +1,7 @@
 """Curves and their traces: lengths, tangents, corners, and what is refused."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -123,6 +125,6 @@ def test_nearest_on_a_spike_is_not_fooled_by_the_other_flank() -> None:
         (lambda: curve_from_points([[0.0, 0.0], [float("nan"), 0.0]], smooth=True), "not finite"),
     ],
 )
-def test_unusable_curves_are_refused(curve: object, says: str) -> None:
+def test_unusable_curves_are_refused(curve: Callable[[], Curve], says: str) -> None:
     with pytest.raises(CurveError, match=says):
-        trace_curve(curve())  # type: ignore[operator]
+        trace_curve(curve())
