@@ -85,7 +85,7 @@ class Request:
     def mended(self, error: DesignError) -> Request:
         """The request with the nearest value that the error says works."""
         options = dict(self.options)
-        if match := re.search(r"scale = (\S+) in \[target.f\]", error.nearest):
+        if match := re.search(r"scale in \[target.f\] times ([^\s,]+)", error.nearest):
             return replace(self, f=self.f.scaled(float(match[1])))
         if match := re.search(r"plane_deg between (\S+) and (\S+)$", error.nearest):
             options["plane"] = np.deg2rad(0.5 * (float(match[1]) + float(match[2])))
@@ -95,6 +95,8 @@ class Request:
             options["spacing"], options["columns"] = "curvature", int(match[1])
         elif match := re.search(r"^plane_deg = (\S+) with columns = (\d+)$", error.nearest):
             options["plane"], options["columns"] = np.deg2rad(float(match[1])), int(match[2])
+        elif match := re.search(r"^flap between (\S+) and (\S+)$", error.nearest):
+            options["flap"] = float(np.sqrt(float(match[1]) * float(match[2])))
         elif match := re.search(r"^flap = (\S+)$", error.nearest):
             options["flap"] = float(match[1])
         elif match := re.search(r"part of g from parameter (\S+) to (\S+)$", error.nearest):

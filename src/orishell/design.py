@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from orishell.motion import Mechanism
 from orishell.polylines import Closeness
 
 Array = NDArray[np.float64]
+
+FlapSide = Literal["start", "end"]
+"""To which end of f a flap folds."""
 
 Parameter = float | int | str | list[float] | list[str]
 

@@ -13,6 +13,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from orishell.errors import InputError
 from orishell.pattern import CreaseValues, Grid, crease_signs
 
 Array = NDArray[np.float64]
@@ -80,6 +81,10 @@ class FoldingMotion:
 
     mechanism: Mechanism
     frames: int
+
+    def __post_init__(self) -> None:
+        if self.frames < 2:
+            raise InputError("too few frames", got=str(self.frames), expected="at least 2")
 
     @property
     def drives(self) -> Array:

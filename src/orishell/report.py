@@ -15,16 +15,17 @@ import numpy as np
 from orishell.design import Design
 from orishell.errors import InputError, VerificationError
 from orishell.io import OutputDirectory, write_fold
-from orishell.metrics import extents, measure_residuals, sheet_area
+from orishell.metrics import AssignmentCheck, Residuals, extents, measure_residuals, sheet_area
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.pattern import CreaseValues
 from orishell.plot import plot_overview
 from orishell.quoting import tidy_degrees
 from orishell.spec import DesignFile, read_design_file
 
-RESIDUAL_LIMIT = 1e-9
-"""Residuals above this (relative lengths, or radians) mean that the program, not the design, is
-wrong."""
+LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
+"""Residuals above these (relative lengths, radians) mean that the program, not the design, is
+wrong: a panel may be as small as a hundred-millionth of the coordinates, and the rounding of
+coordinates turns it by so much."""
 
 
 class Watched(Protocol):
@@ -102,11 +103,7 @@ def design_shell(path: Path, watched: Watched = unwatched) -> Shell:
 
     flat = motion.flat
     residuals, assignment = measure_residuals(recorded(watched(motion, "verifying")), flat)
-    if not residuals.panel_length <= RESIDUAL_LIMIT:
-        raise VerificationError(
-            f"the panels change by {residuals.panel_length:.3g} of the sheet's diagonal during the "
-            f"motion (at most {RESIDUAL_LIMIT:g} is rounding): this is a fault of the program"
-        )
+    _require_verified(residuals, assignment)
     clock.lap("fold")
 
     signs = find_assignment(design.mechanism)
@@ -148,12 +145,30 @@ def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> 
     with output.writing() as draft:
         states = watched(shell.motion, "writing shell.fold")
         write_fold(draft / "shell.fold", shell.motion, shell.file.unit, states)
-        (draft / "report.json").write_text(json.dumps(shell.report, indent=2) + "\n")
+        (draft / "report.json").write_text(
+            json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
+        )
         plot_overview(draft / "overview.png", shell.motion, shell.design.targets, _title(shell))
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
     shell.seconds.update(clock.seconds)
     return [directory / name for name in names]
+
+
+def _require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
+    lengths = max(residuals.panel_length, residuals.planarity)
+    angles = max(residuals.sector_sum_rad, residuals.fold_angle_rad)
+    if lengths <= LENGTH_LIMIT and angles <= ANGLE_LIMIT:
+        if assignment.constant and assignment.three_to_one:
+            return
+        raise VerificationError(
+            "mountains and valleys do not fit the motion: this is a fault of the program"
+        )
+    raise VerificationError(
+        f"the states are not those of rigid panels: lengths change by {lengths:.3g} of the sheet's "
+        f"diagonal (limit {LENGTH_LIMIT:g}), angles are wrong by {angles:.3g} rad (limit "
+        f"{ANGLE_LIMIT:g}); this is a fault of the program"
+    )
 
 
 def _title(shell: Shell) -> str:

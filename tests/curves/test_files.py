@@ -38,6 +38,8 @@ def test_reads_the_usual_spellings(tmp_path: Path, text: str) -> None:
         ("0,0\n1,nan\n", "not finite"),
         ("0,0\ninf,1\n", "not finite"),
         ("a,b\nc,d\n1,2\n3,4\n", "line 2"),
+        ("O.0,0\n1,2\n3,4\n", "line 1"),
+        ("1,2\n" + "9" * 200_000 + ",1\n", "not finite"),
     ],
 )
 def test_refuses_what_is_not_points(tmp_path: Path, text: str, says: str) -> None:
@@ -50,8 +52,12 @@ def test_refuses_what_is_not_points(tmp_path: Path, text: str, says: str) -> Non
 def test_missing_and_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         read_points(tmp_path / "none.csv")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="not a file"):
         read_points(tmp_path)
+    with pytest.raises(InputError, match="not a file"):
+        read_points(Path("/dev/zero"))
+    with pytest.raises(InputError, match="cannot be read"):
+        read_points(tmp_path / "a\0b.csv")
     binary = tmp_path / "binary.csv"
     binary.write_bytes(b"\xff\xfe\x00\x81")
     with pytest.raises(InputError, match="cannot be read"):

@@ -70,6 +70,20 @@ def test_corners_of_a_polyline_and_of_a_formula() -> None:
     np.testing.assert_allclose(roof.points[roof.corners], [[0.3, 0]], atol=1e-6)
 
 
+@given(curves())
+def test_reversed_trace_is_the_trace_of_the_reversed_curve(curve: Curve) -> None:
+    back, again = trace_curve(curve).reversed(), trace_curve(curve.reversed())
+    assert back.length == pytest.approx(again.length, rel=1e-12)
+    assert len(back.corners) == len(again.corners)
+    np.testing.assert_allclose(back.points[back.corners], again.points[again.corners], atol=1e-6)
+    turn = back.heading[0] - again.heading[0]
+    assert np.cos(turn) == pytest.approx(1, abs=1e-9)
+    assert back.heading_range() == pytest.approx(
+        tuple(turn + bound for bound in again.heading_range()), abs=1e-6
+    )
+    assert back.drawn_parameter(float(back.t[0])) == curve.stop
+
+
 def test_spline_passes_through_its_points() -> None:
     points = np.array([[0, 0], [1, 0.5], [2, 0.4], [3, 1]])
     curve = curve_from_points(points, smooth=True)
@@ -115,6 +129,8 @@ def test_nearest_on_a_spike_is_not_fooled_by_the_other_flank() -> None:
         (lambda: graph("x", 1e9, 1e9 + 0.1), "too short"),
         (lambda: graph("sin(1e6*x)", 0, 1), "turns too often"),
         (lambda: curve_from_points([[0, 0], [1, 0], [0, 0]], smooth=False), "turns back"),
+        (lambda: graph("x", 0, 1).scaled(1e300), "not finite"),
+        (lambda: graph("x", 0, 1).scaled(1e-300), "too short"),
         (lambda: graph("x", 2, 1), "reversed"),
         (lambda: graph("x", 1, 1), "empty"),
         (lambda: graph("x", 0, np.inf), "not a finite number"),

@@ -33,8 +33,20 @@ def test_nothing_is_left_after_an_error(tmp_path: Path) -> None:
 
     with pytest.raises(ZeroDivisionError):
         fail()
-    assert not (tmp_path / "deep" / "out").exists()
-    assert not list((tmp_path / "deep").iterdir())
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_directory_in_the_way_of_a_file_stops_all(tmp_path: Path) -> None:
+    (tmp_path / "b").mkdir()
+
+    def fail() -> None:
+        with OutputDirectory(tmp_path).writing() as draft:
+            (draft / "a").write_text("new")
+            (draft / "b").write_text("new")
+
+    with pytest.raises(InputError, match="in the way"):
+        fail()
+    assert [path.name for path in tmp_path.iterdir()] == ["b"]
 
 
 def test_a_file_in_the_way_is_refused(tmp_path: Path) -> None:

@@ -102,6 +102,29 @@ def test_faults(tmp_path: Path, name: str) -> None:
     assert caught.value.exit_status == 2
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("rows = 9", "rows = " + "9" * 5000),
+        ("columns = 11", "columns = " + "1" * 400),
+        ("rows = 9", "rows = " + "[" * 100_000),
+        ('formula = "-x**2"\nrange = [-1, 1]', 'points = "a\\u0000b.csv"'),
+        ("range = [-1, 1]", "range = [-1, 1]\nscale = -1"),
+        ("[pattern]", "[motion]\nframes = 1000\n[pattern]"),
+    ],
+)
+def test_attacks_are_refused(tmp_path: Path, old: str, new: str) -> None:
+    text = GOOD.replace(old, new)
+    if "frames" in new:
+        text = text.replace("rows = 9", "rows = 999").replace("columns = 11", "columns = 999")
+    with pytest.raises(InputError, match=r"shell\.toml|b\.csv"):
+        read_design_file(write(tmp_path, text))
+
+
+def test_byte_order_mark_is_passed_over(tmp_path: Path) -> None:
+    assert read_design_file(write(tmp_path, "\ufeff" + GOOD)).family == "parallel-repeating"
+
+
 def test_all_faults_are_named_at_once(tmp_path: Path) -> None:
     text = GOOD.replace("rows = 9", "rows = 8.5").replace("columns = 11", "colums = 11")
     with pytest.raises(InputError) as caught:
@@ -113,7 +136,7 @@ def test_all_faults_are_named_at_once(tmp_path: Path) -> None:
 def test_missing_and_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         read_design_file(tmp_path / "none.toml")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="not a file"):
         read_design_file(tmp_path)
     (tmp_path / "binary.toml").write_bytes(b"\xff\x00\xfe")
     with pytest.raises(InputError, match="cannot be read"):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+import traceback
+from pathlib import Path
 
 import typer
 
@@ -27,6 +29,14 @@ def run() -> None:
     except OrishellError as error:
         print(f"orishell: {error}", file=sys.stderr)
         sys.exit(error.exit_status)
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        print(
+            f"orishell: a fault of the program, please report it: {type(error).__name__}: {error} "
+            f"({Path(place.filename).name}, line {place.lineno})",
+            file=sys.stderr,
+        )
+        sys.exit(1)
 
 
 if __name__ == "__main__":

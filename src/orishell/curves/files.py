@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 
 import numpy as np
@@ -16,8 +15,8 @@ MAX_BYTES = 20_000_000
 def read_points(path: Path) -> Array:
     """Points (N, 2) from the first two columns of a text file.
 
-    Columns are separated by commas, semicolons, tabs or blanks. One header line, empty lines and
-    lines that begin with ``#`` are passed over.
+    Columns are separated by commas, semicolons, tabs or blanks. A header line without numbers,
+    empty lines and lines that begin with ``#`` are passed over.
 
     Raises
     ------
@@ -26,6 +25,8 @@ def read_points(path: Path) -> Array:
     """
     where = str(path)
     try:
+        if path.exists() and not path.is_file():
+            raise InputError("this is not a file", where=where)
         if path.stat().st_size > MAX_BYTES:
             raise InputError(
                 "the file of points is too large",
@@ -39,7 +40,7 @@ def read_points(path: Path) -> Array:
             where=where,
             remedy="the path is read relative to the design file",
         ) from None
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:
         raise InputError("the file of points cannot be read", where=where, got=str(error)) from None
 
     points: list[tuple[float, float]] = []
@@ -52,7 +53,7 @@ def read_points(path: Path) -> Array:
         try:
             pair = float(fields[0]), float(fields[1])
         except (ValueError, IndexError):
-            if header_allowed:
+            if header_allowed and not any(_is_number(field) for field in fields):
                 header_allowed = False
                 continue
             raise InputError(
@@ -80,6 +81,13 @@ def read_points(path: Path) -> Array:
 def _split(line: str) -> list[str]:
     for separator in (";", ",", "\t"):
         if separator in line:
-            fields = next(csv.reader([line], delimiter=separator))
-            return [field.strip() for field in fields]
+            return [field.strip().strip('"') for field in line.split(separator)]
     return line.split()
+
+
+def _is_number(field: str) -> bool:
+    try:
+        float(field)
+    except ValueError:
+        return False
+    return True

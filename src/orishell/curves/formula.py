@@ -247,8 +247,7 @@ def parse_formula(text: str) -> Formula:
     _check_characters(text)
     compiler = _Compiler(text)
     lead = len(text) - len(text.lstrip())
-    # Leading blanks would be an indentation error: stand them in with an open parenthesis's
-    # inside, so that column offsets stay those of the text.
+    # Inside parentheses the parser minds neither leading blanks nor line ends.
     source = "(" + text[lead:] + "\n)"
     try:
         with warnings.catch_warnings():

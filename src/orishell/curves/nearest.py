@@ -43,20 +43,24 @@ class Nearest:
         trace = self.trace
         last = len(trace.t) - 2
         cell = self.cells.query_nearest(shapely.points(points), all_matches=False)[1]
-        # The chord's nearest point is next to the curve's: Gauss-Newton there and in both
-        # neighbouring cells, each on its own so that corners between cells do no harm.
+        # The chord's nearest point is next to the curve's: Newton there and in both
+        # neighbouring cells, each on its own so that corners between cells do no harm, and the
+        # samples themselves.
         cell = np.clip(cell + np.array([[-1], [0], [1]]), 0, last)
         low, high = trace.t[cell], trace.t[cell + 1]
         t = 0.5 * (low + high)
         for _ in range(POLISHING_STEPS):
-            position, first, _ = trace.curve.jet(t)
-            step = ((points - position) * first).sum(axis=-1) / (first * first).sum(axis=-1)
+            position, first, second = trace.curve.jet(t)
+            away, speed = points - position, (first * first).sum(axis=-1)
+            bend = speed - (away * second).sum(axis=-1)
+            # Newton; Gauss-Newton where the curve bends around the point, or more than is finite.
+            step = (away * first).sum(axis=-1) / np.where(bend > 0.1 * speed, bend, speed)
             better = np.clip(t + step, low, high)
             moved = np.abs(better - t).max()
             t = better
             if moved <= POLISHED * (trace.t[-1] - trace.t[0]):
                 break
-        feet = trace.curve.position(t)
+        feet = np.concatenate([trace.curve.position(t), trace.points[cell], trace.points[cell + 1]])
         distances = np.hypot(*np.moveaxis(feet - points, -1, 0))
         best = distances.argmin(axis=0)
         column = np.arange(len(points))

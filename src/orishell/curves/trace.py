@@ -24,6 +24,8 @@ FIRST_CELLS = 1024
 SMALLEST_CELL = 2.0**-24
 """Smallest distance of samples in the parameter, relative to the range."""
 MAX_SAMPLES = 400_000
+LARGEST = 1e100
+"""Coordinates and derivatives beyond this count as not finite."""
 MIN_SPEED = 1e-7
 """A tangent shorter than this, relative to the mean, counts as zero."""
 SHORTEST = 1e-9
@@ -49,6 +51,8 @@ class Trace:
         where it jumps by the corner's turn.
     arriving
         Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
+    backwards
+        Whether the curve is run through against the direction in which it was drawn.
     """
 
     curve: Curve
@@ -57,6 +61,7 @@ class Trace:
     arc: Array
     heading: Array
     arriving: Array
+    backwards: bool = False
 
     @property
     def length(self) -> float:
@@ -68,6 +73,22 @@ class Trace:
         """Indices of the inner samples at which the tangent jumps."""
         return np.flatnonzero(np.abs(self.heading - self.arriving) > 1e-9)
 
+    def reversed(self) -> Trace:
+        """The same points, run through from the last to the first."""
+        return Trace(
+            self.curve.reversed(),
+            (self.curve.start + self.curve.stop) - self.t[::-1],
+            self.points[::-1],
+            self.arc[-1] - self.arc[::-1],
+            self.arriving[::-1] + np.pi,
+            self.heading[::-1] + np.pi,
+            not self.backwards,
+        )
+
+    def drawn_parameter(self, t: float) -> float:
+        """The parameter as the curve was drawn, for messages."""
+        return self.curve.start + self.curve.stop - t if self.backwards else t
+
     def rotated(self, angle: float) -> Trace:
         """The trace of the curve turned counter-clockwise about the origin (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)
@@ -78,6 +99,7 @@ class Trace:
             self.arc,
             self.heading + angle,
             self.arriving + angle,
+            self.backwards,
         )
 
     def bounding_box(self) -> tuple[Array, Array]:
@@ -142,6 +164,7 @@ def trace_curve(curve: Curve) -> Trace:
                 "the curve turns too often to be followed",
                 where=f"at parameter {at:g}",
                 expected=f"at most {MAX_SAMPLES * MAX_TURN:g} radians of turning in all",
+                remedy="smooth it, give fewer points, or set smooth = false",
             )
         at = np.flatnonzero(bad) + 1
         middle = 0.5 * (t[at - 1] + t[at])
@@ -176,7 +199,7 @@ def _checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
         ("the curve is not finite", position),
         ("the tangent is not finite", first),
     ):
-        good = np.isfinite(array).all(axis=-1)
+        good = (np.abs(array) < LARGEST).all(axis=-1)  # false for nan, too
         if not good.all():
             k = int(np.argmin(good))
             raise CurveError(
@@ -238,7 +261,7 @@ def _check_leaps(curve: Curve, t: Array, position: Array, first: Array) -> None:
     leap = against | (np.hypot(*chord.T) > 10 * speed * np.diff(t))
     if leap.any():
         raise CurveError(
-            "the curve jumps",
+            "the curve jumps, or swings faster than it can be followed",
             where=f"at parameter {t[np.argmax(leap)]:g}",
             remedy="choose a range without this point",
         )
@@ -257,7 +280,7 @@ def _arc_length(curve: Curve, t: Array) -> Array:
 
 def _check_length(curve: Curve, position: Array, arc: Array) -> None:
     length, largest = float(arc[-1]), float(np.abs(position).max())
-    if not length > SHORTEST * largest:
+    if not length > max(SHORTEST * largest, 1 / LARGEST):
         if length == 0.0:
             raise CurveError(
                 "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"
@@ -265,7 +288,7 @@ def _check_length(curve: Curve, position: Array, arc: Array) -> None:
         raise CurveError(
             "the curve is too short",
             got=f"{length:g} long with coordinates up to {largest:g}",
-            expected=f"at least {SHORTEST * largest:g}",
+            expected=f"at least {max(SHORTEST * largest, 1 / LARGEST):g}",
         )
 
 

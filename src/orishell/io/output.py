@@ -49,20 +49,33 @@ class OutputDirectory:
     @contextlib.contextmanager
     def writing(self) -> Iterator[Path]:
         """A temporary directory whose files are moved to the path if nothing is raised."""
+        made = [path for path in (self.path, *self.path.parents) if not path.exists()]
+        done = False
         try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            draft = Path(tempfile.mkdtemp(prefix=".orishell-", dir=self.path.parent))
-        except OSError as error:
-            raise _unwritable(self.path, error) from None
-        try:
-            yield draft
-            self.path.mkdir(exist_ok=True)
-            for file in sorted(draft.iterdir()):
-                file.replace(self.path / file.name)
+            self.path.mkdir(parents=True, exist_ok=True)
+            draft = Path(tempfile.mkdtemp(prefix=".orishell-", dir=self.path))
+            try:
+                yield draft
+                self._move(sorted(draft.iterdir()))
+                done = True
+            finally:
+                shutil.rmtree(draft, ignore_errors=True)
         except OSError as error:
             raise _unwritable(self.path, error) from None
         finally:
-            shutil.rmtree(draft, ignore_errors=True)
+            if not done:
+                for path in made:
+                    with contextlib.suppress(OSError):
+                        path.rmdir()
+
+    def _move(self, files: list[Path]) -> None:
+        for file in files:
+            if (self.path / file.name).is_dir():
+                raise InputError(
+                    "a directory is in the way of a file", where=str(self.path / file.name)
+                )
+        for file in files:
+            file.replace(self.path / file.name)
 
 
 def _unwritable(path: Path, error: OSError) -> InputError:

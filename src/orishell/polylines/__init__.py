@@ -2,18 +2,34 @@
 
 from orishell.polylines.chords import Spacing, place_vertices
 from orishell.polylines.closeness import Closeness, measure_closeness
+from orishell.polylines.coarse import warn_of_coarse_row
 from orishell.polylines.staircase import Staircase, fit_staircase
 from orishell.polylines.staircase_angles import choose_theta, choose_xi, theta_interval, xi_limit
+from orishell.polylines.zigzag import (
+    Zigzag,
+    alternating,
+    choose_depth,
+    place_zigzag,
+    place_zigzags,
+    smallest_radius,
+)
 
 __all__ = [
     "Closeness",
     "Spacing",
     "Staircase",
+    "Zigzag",
+    "alternating",
+    "choose_depth",
     "choose_theta",
     "choose_xi",
     "fit_staircase",
     "measure_closeness",
     "place_vertices",
+    "place_zigzag",
+    "place_zigzags",
+    "smallest_radius",
     "theta_interval",
+    "warn_of_coarse_row",
     "xi_limit",
 ]

@@ -27,6 +27,9 @@ from orishell.spec.table import Number, Table
 
 MAX_VERTICES = 4_000_000
 MAX_BYTES = 1_000_000
+MAX_FOLD = 5_000_000_000
+"""Largest shell.fold that is written, in bytes, and what a vertex takes in each frame of it."""
+FOLD_BYTES = 170
 Unit = Literal["mm", "cm", "m", "in", "ft"]
 
 
@@ -133,7 +136,7 @@ def read_design_file(path: Path) -> DesignFile:
         pattern = family.pattern.model_validate(file.pattern)
     except ValidationError as error:
         raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
-    _require_memory(path, pattern)
+    _require_memory(path, pattern, file.motion.frames)
     curves = {}
     for name, target in (("f", file.target.f), ("g", file.target.g)):
         try:
@@ -158,7 +161,7 @@ def _formula(text: str) -> Formula:
         raise error.located("formula") from None
 
 
-def _require_memory(path: Path, pattern: Pattern) -> None:
+def _require_memory(path: Path, pattern: Pattern, frames: int) -> None:
     vertices = (pattern.rows + 2) * (pattern.columns + 2)
     if vertices > MAX_VERTICES:
         raise InputError(
@@ -167,6 +170,15 @@ def _require_memory(path: Path, pattern: Pattern) -> None:
             got=f"{pattern.rows} x {pattern.columns}, which need {_bytes(24 * vertices)} of memory "
             "for the coordinates of every state",
             expected=f"at most {MAX_VERTICES} vertices ({_bytes(24 * MAX_VERTICES)})",
+        )
+    size = FOLD_BYTES * vertices * frames
+    if size > MAX_FOLD:
+        raise InputError(
+            "shell.fold would be too large",
+            where=f"{path}: [motion] frames",
+            got=f"{frames} frames of {vertices} vertices, about {_bytes(size)}",
+            expected=f"at most {_bytes(MAX_FOLD)}",
+            remedy=f"set frames to at most {MAX_FOLD // (FOLD_BYTES * vertices)}",
         )
 
 
@@ -178,9 +190,11 @@ def _bytes(number: float) -> str:
 
 def _read_toml(path: Path) -> dict[str, Any]:
     try:
+        if path.exists() and not path.is_file():
+            raise InputError("this is not a file", where=str(path))
         if path.stat().st_size > MAX_BYTES:
             raise InputError("this is too large for a design file", where=str(path))
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except FileNotFoundError:
         raise InputError(
             "the design file does not exist",
@@ -189,7 +203,7 @@ def _read_toml(path: Path) -> dict[str, Any]:
         ) from None
     except tomllib.TOMLDecodeError as error:
         raise InputError("this is not TOML", where=str(path), got=str(error)) from None
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise InputError(
             "the design file cannot be read", where=str(path), got=str(error)
         ) from None

@@ -14,9 +14,9 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.curves import Curve
-from orishell.design import Design
+from orishell.design import Design, FlapSide
 from orishell.errors import InputError
-from orishell.families.parallel_repeating import FlapSide, design_parallel_repeating
+from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.polylines import Spacing
 from orishell.spec.table import Number, Table
 
@@ -26,8 +26,8 @@ Auto = Literal["auto"]
 class Pattern(Table):
     """What every family asks for: rows and columns of inner vertices."""
 
-    rows: Annotated[int, Field(ge=1)]
-    columns: Annotated[int, Field(ge=2)]
+    rows: Annotated[int, Field(ge=1, le=10**15)]
+    columns: Annotated[int, Field(ge=2, le=10**15)]
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and two target curves ask for."""

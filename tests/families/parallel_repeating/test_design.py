@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from orishell.curves import Curve, curve_from_points
-from orishell.errors import CurveError, DesignError
+from orishell.errors import CurveError, DesignError, InputError
 from strategies import Request, graph, pair
 
 PARABOLA = graph("-x**2", -1, 1)
@@ -65,7 +65,7 @@ def test_f_that_turns_too_much() -> None:
     for options in asked:
         error = refusal(request(f=circle, **options))
         assert "turns too much" in error.condition
-    match = re.search(r"from parameter (\S+) to (\S+)$", error.nearest)
+    match = re.search(r"from parameter (\S+) to (\S+) with theta_deg", error.nearest)
     assert match is not None
     shorter = pair("cos(t)", "sin(t)", float(match[1]), float(match[2]))
     assert request(f=shorter, g=STRAIGHT, xi="auto", theta="auto").design()
@@ -77,12 +77,12 @@ def test_bend_tighter_than_the_reach_of_f() -> None:
     assert "bends more sharply" in error.condition
     assert re.search(r"at row (0|10) between columns \d+ and \d+", error.place)
     # The quoted scale works, and 1 % more does not.
-    match = re.search(r"scale = (\S+) in \[target.f\]", error.nearest)
+    match = re.search(r"scale in \[target.f\] times ([^\s,]+)", error.nearest)
     assert match is not None
     assert what.mended(error).design()
     refusal(request(f=PARABOLA.scaled(1.01 * float(match[1])), g=what.g, columns=99))
     # So does the scale of g.
-    match = re.search(r"scale = (\S+) in \[target.g\]", error.nearest)
+    match = re.search(r"scale in \[target.g\] times (\S+)", error.nearest)
     assert match is not None
     assert request(g=what.g.scaled(float(match[1]) * 1.001), columns=99).design()
 
@@ -137,8 +137,7 @@ def test_too_few_columns_are_said_aloud() -> None:
     ten_periods = graph("sin(x)", 0, 20 * np.pi)
     for spacing in ("curvature", "equal"):
         design = request(g=ten_periods, columns=9, spacing=spacing).design()
-        (warning,) = design.warnings
-        assert "9 columns leaves g by" in warning
+        assert "9 columns leaves g by" in design.warnings[0]
         assert design.closeness["g"].max > 0.9
     assert request(g=ten_periods, columns=161, f=PARABOLA.scaled(0.5)).design().warnings == ()
     assert request(g=STRAIGHT, columns=2).design().warnings == ()
@@ -181,9 +180,48 @@ def test_targets_are_placed_on_the_locked_shell() -> None:
 
 def test_panels_lost_in_rounding_are_refused() -> None:
     error = refusal(request(flap=1e-12))
-    assert "rounding" in error.condition
-    assert "crease across a flap" in error.place
+    assert "flaps are no flaps" in error.condition
+    assert request().mended(error).design()
+    refusal(request(flap=1e300))
     refusal(request(f=graph("-(x-1e8)**2", 1e8 - 1, 1e8 + 1), g=graph("x/5", 1e9, 1e9 + 20)))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("rows", 8),
+        ("rows", 0),
+        ("columns", 1),
+        ("flap", -1.0),
+        ("flap", float("nan")),
+        ("xi", -1.0),
+        ("xi", np.pi),
+        ("theta", float("nan")),
+        ("plane", 0.0),
+        ("flap_sides", ("left", "right")),
+        ("spacing", "even"),
+    ],
+)
+def test_parameters_without_meaning_are_refused(name: str, value: Any) -> None:
+    with pytest.raises(InputError, match=f"^{name}: "):
+        request(**{name: value}).design()
+
+
+def test_places_are_named_as_f_was_drawn() -> None:
+    # Steepest at t = 1, where the curve drawn from right to left is at (-1, -1).
+    error = refusal(request(f=pair("-t", "-t**2", -0.2, 1), xi=np.deg2rad(80)))
+    assert error.place == "at the point (-1, -1) of f"
+
+
+def test_a_shell_that_lies_over_itself_draws_a_warning() -> None:
+    ring = pair("6*cos(t)", "6*sin(t)", 0, 9)
+    design = request(g=ring, columns=61, xi=np.deg2rad(30)).design()
+    assert any("lies over itself" in warning for warning in design.warnings)
+
+
+def test_a_coarse_row_that_stretches_f_draws_a_warning() -> None:
+    design = request(columns=5).design()
+    assert any("f is stretched" in warning for warning in design.warnings)
 
 
 def test_column_scales() -> None:

@@ -1,6 +1,6 @@
 """Parallel repeating: f swept along g by rows of parallel creases and straight columns."""
 
 from orishell.families.parallel_repeating.design import design_parallel_repeating
-from orishell.families.parallel_repeating.mechanism import FlapSide, ParallelRepeating
+from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 
-__all__ = ["FlapSide", "ParallelRepeating", "design_parallel_repeating"]
+__all__ = ["ParallelRepeating", "design_parallel_repeating"]

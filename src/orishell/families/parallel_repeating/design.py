@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, trace_curve
-from orishell.design import Design
-from orishell.errors import CurveError
-from orishell.families.parallel_repeating.mechanism import FlapSide, ParallelRepeating
+from orishell.design import Design, FlapSide
+from orishell.errors import CurveError, InputError
+from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.parallel_repeating.profile import require_staircase, rotate_profile
-from orishell.families.parallel_repeating.row import Row, warn_of_coarse_row
+from orishell.families.parallel_repeating.row import Row
 from orishell.families.parallel_repeating.sheet import (
     require_flat_sheet,
     require_resolution,
     require_row_edges,
+    warn_of_contact_at_lock,
+    warn_of_stretched_columns,
+    warn_of_unbalanced_staircase,
 )
 from orishell.polylines import (
     Spacing,
@@ -26,6 +28,7 @@ from orishell.polylines import (
     fit_staircase,
     measure_closeness,
     theta_interval,
+    warn_of_coarse_row,
     xi_limit,
 )
 from orishell.quoting import tidy_degrees
@@ -73,6 +76,8 @@ def design_parallel_repeating(
 
     Raises
     ------
+    InputError
+        If a parameter has no meaning.
     CurveError
         If f or g is not a usable curve.
     DesignError
@@ -87,6 +92,16 @@ def design_parallel_repeating(
     >>> design.mechanism.positions(np.pi).shape
     (11, 13, 3)
     """
+    _check_request(
+        rows=rows,
+        columns=columns,
+        flap=flap,
+        xi=xi,
+        theta=theta,
+        plane=plane,
+        flap_sides=flap_sides,
+        spacing=spacing,
+    )
     f_trace, theta = rotate_profile(_trace("f", f), theta, None if xi == "auto" else xi, rows + 1)
     require_staircase(f_trace, None if xi == "auto" else xi, theta)
     if xi == "auto":
@@ -96,14 +111,12 @@ def design_parallel_repeating(
     g_trace = _trace("g", g)
     row = Row.on(g_trace, columns, plane, spacing)
     row.require_crossing(g_trace, spacing)
-    mechanism = _assemble(staircase, row, flap, flap_sides)
+    width = float(staircase.lengths.mean()) if flap == "auto" else flap
+    mechanism = _assemble(staircase, row, flap_sides).with_flaps(width)
     require_row_edges(mechanism)
-    require_resolution(mechanism)
+    require_resolution(mechanism, width)
     require_flat_sheet(
-        mechanism,
-        _flap_width(staircase, flap),
-        row.parameters,
-        lambda angle: fit_staircase(f_trace, angle, rows + 1),
+        mechanism, width, row.parameters, lambda angle: fit_staircase(f_trace, angle, rows + 1)
     )
 
     closeness = {
@@ -122,13 +135,18 @@ def design_parallel_repeating(
             "theta_interval_deg": [tidy_degrees(angle) for angle in interval],
             "plane_deg": tidy_degrees(plane),
             "column_scale": [float(scales.min()), float(scales.max())],
-            "flap": _flap_width(staircase, flap),
+            "flap": width,
             "flap_side": [str(side) for side in flap_sides],
             "spacing": spacing,
         },
         targets=_place_targets(f_trace, staircase, g_trace, row),
         closeness=closeness,
-        warnings=warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+        warnings=(
+            *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+            *warn_of_stretched_columns(mechanism, plane),
+            *warn_of_contact_at_lock(mechanism),
+            *warn_of_unbalanced_staircase(staircase),
+        ),
     )
 
 
@@ -139,31 +157,53 @@ def _trace(name: str, curve: Curve) -> Trace:
         raise error.located(name) from None
 
 
-def _flap_width(staircase: Staircase, flap: float | Auto) -> float:
-    return float(staircase.lengths.mean()) if flap == "auto" else flap
+def _check_request(
+    *,
+    rows: int,
+    columns: int,
+    flap: float | Auto,
+    xi: float | Auto,
+    theta: float | Auto,
+    plane: float,
+    flap_sides: tuple[FlapSide, FlapSide],
+    spacing: Spacing,
+) -> None:
+    """Refuse what has no meaning, once and at the door."""
+    checks = (
+        ("rows", rows, rows >= 1 and rows % 2 == 1, "an odd number of at least 1"),
+        ("columns", columns, columns >= 2, "at least 2"),
+        ("flap", flap, flap == "auto" or 0 < flap < np.inf, 'a positive length or "auto"'),
+        ("xi", xi, xi == "auto" or 0 < xi < np.pi, 'an angle in (0, pi) or "auto"'),
+        ("theta", theta, theta == "auto" or np.isfinite(theta), 'a finite angle or "auto"'),
+        ("plane", plane, 0 < plane < np.pi, "an angle in (0, pi)"),
+        (
+            "flap_sides",
+            flap_sides,
+            len(flap_sides) == 2 and set(flap_sides) <= {"start", "end"},
+            '"start" or "end", for each flap',
+        ),
+        ("spacing", spacing, spacing in ("curvature", "equal"), '"curvature" or "equal"'),
+    )
+    for name, value, good, expected in checks:
+        if not good:
+            raise InputError(
+                "this value does not fit", where=name, got=repr(value), expected=expected
+            )
 
 
 def _assemble(
     staircase: Staircase,
     row: Row,
-    flap: float | Auto,
     flap_sides: tuple[FlapSide, FlapSide],
 ) -> ParallelRepeating:
-    mechanism = ParallelRepeating(
+    return ParallelRepeating(
         xi=staircase.xi,
-        lengths=staircase.lengths.copy(),
+        lengths=staircase.lengths,
         first=staircase.first,
         points=row.vertices @ np.array([1, 1j]),
         axes=np.exp(1j * (row.heading - row.plane)),
         flaps=(0.0, 0.0),
         flap_sides=flap_sides,
-    )
-    # A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n, of sine cos(xi/2).
-    sectors = mechanism.sector_angles()
-    width = _flap_width(staircase, flap)
-    return replace(
-        mechanism,
-        flaps=(float(width / np.sin(sectors[0, 2])), float(width / np.sin(sectors[-1, 3]))),
     )
 
 

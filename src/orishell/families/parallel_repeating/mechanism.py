@@ -20,19 +20,17 @@ positions are sums of products of one factor per row and one per column.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from orishell.design import FlapSide
 from orishell.pattern import CreaseValues, Grid
 from orishell.vertex import column_fold_angle, row_fold_angle
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-
-FlapSide = Literal["start", "end"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,8 +67,19 @@ class ParallelRepeating:
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
 
     def __post_init__(self) -> None:
-        for array in (self.lengths, self.points, self.axes):
+        for name in ("lengths", "points", "axes"):
+            array = np.array(getattr(self, name))
             array.flags.writeable = False
+            object.__setattr__(self, name, array)
+
+    def with_flaps(self, width: float) -> ParallelRepeating:
+        """The sheet with flaps of this width, square to their column in the flat sheet.
+
+        A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n.
+        """
+        sectors = self.sector_angles()
+        left, right = width / np.sin(sectors[0, 2]), width / np.sin(sectors[-1, 3])
+        return replace(self, flaps=(float(left), float(right)))
 
     @property
     def grid(self) -> Grid:

@@ -9,14 +9,10 @@ from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.errors import DesignError
-from orishell.geometry import rise
 from orishell.polylines import Spacing, place_vertices
 from orishell.quoting import ROUNDING, in_degrees
 
 Array = NDArray[np.float64]
-
-COARSE_SHARE = 0.1
-"""A polyline that leaves g by more than this share of g's rise draws a warning."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,15 +82,3 @@ class Row:
         if least < most:
             return f"plane_deg = {in_degrees(0.5 * (least + most))} with columns = {columns}"
         return "a g with blunter corners"
-
-
-def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str, ...]:
-    """Warn of a polyline that steps over the shape of g."""
-    size = rise(trace.points)
-    if distance <= COARSE_SHARE * size + 1e-9 * trace.length:
-        return ()
-    return (
-        f"the polyline of g with {columns} columns leaves g by {distance:.4g}, "
-        f"{distance / size:.0%} of g's rise of {size:.4g} (more than {COARSE_SHARE:.0%}): "
-        "the shell will not show g's shape; take more columns",
-    )

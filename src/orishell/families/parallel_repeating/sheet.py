@@ -18,6 +18,8 @@ Array = NDArray[np.float64]
 
 RESOLUTION = 1e-8
 """A crease must be at least this long relative to the largest coordinate."""
+STRETCH = 0.1
+"""Logarithm of the stretch of f along g that draws a warning where f's plane is perpendicular."""
 SHORTEST_EDGE = 1e-6
 """A row edge must keep this share of the length it has in the middle row."""
 
@@ -38,29 +40,45 @@ def require_row_edges(mechanism: ParallelRepeating) -> None:
         "neighbouring columns meet inside the sheet: g bends more sharply than f reaches",
         place=f"at row {row} between columns {column} and {column + 1}",
         size=f"the crease there would be {length:.4g} long, where f reaches {reach:.4g} from g",
-        nearest=f"scale = {scale:.4g} in [target.f], or scale = {1 / scale:.4g} in [target.g]",
+        nearest=f"scale in [target.f] times {scale:.4g}, or scale in [target.g] times "
+        f"{1 / scale:.4g} (scale is 1 where none is given)",
     )
 
 
-def require_resolution(mechanism: ParallelRepeating) -> None:
-    """Panels so small that the rounding of coordinates would bend them are refused."""
+def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
+    """Panels so small that the rounding of coordinates would bend them are refused.
+
+    Parameters
+    ----------
+    flap
+        Width of the flaps.
+    """
     rows = (0, len(mechanism.lengths))
-    edges = {
-        "crease of a row": min(float(mechanism.row_lengths(row).min()) for row in rows),
-        "crease of column 1": float(mechanism.lengths.min()),
-        "crease across a flap": min(mechanism.flaps),
-    }
-    name = min(edges, key=lambda each: edges[each])
-    flat = mechanism.positions(0.0)
-    smallest = RESOLUTION * float(np.abs(flat).max())
-    if edges[name] < smallest:
+    sheet = mechanism.positions(0.0)[:, 1:-1]
+    size, width = float(np.abs(sheet).max()), float(np.ptp(sheet[..., :2]))
+    limits = (RESOLUTION * size * flap / min(mechanism.flaps), width)
+    if not limits[0] <= flap <= limits[1]:
         raise DesignError(
-            "a panel is so small that the rounding of coordinates would bend it",
-            place=f"at the shortest {name}",
-            size=f"it is {edges[name]:.4g} long with coordinates up to {np.abs(flat).max():.4g}",
-            nearest=f"a length of {smallest:.4g}: change rows, columns, flap or xi_deg, or move "
-            "the curves nearer to the origin",
+            "the flaps are no flaps for this sheet",
+            size=f"they are {flap:.4g} wide, the sheet is {width:.4g}",
+            nearest=f"flap between {limits[0]:.4g} and {limits[1]:.4g}",
         )
+    for name, shortest, remedy in (
+        (
+            "crease of a row",
+            min(float(mechanism.row_lengths(row).min()) for row in rows),
+            "columns",
+        ),
+        ("crease of column 1", float(mechanism.lengths.min()), "rows"),
+    ):
+        if shortest < RESOLUTION * size:
+            raise DesignError(
+                "a panel is so small that the rounding of coordinates would bend it",
+                place=f"at the shortest {name}",
+                size=f"it is {shortest:.4g} long with coordinates up to {size:.4g}",
+                nearest=f"a length of {RESOLUTION * size:.4g}: take fewer {remedy}, another xi_deg "
+                "or curves nearer to the origin",
+            )
 
 
 def require_flat_sheet(
@@ -85,9 +103,7 @@ def require_flat_sheet(
     if _is_flat_sheet(mechanism, flaps=False):
         share = _bisect_down(
             1.0,
-            lambda share: _is_flat_sheet(
-                replace(mechanism, flaps=(share * mechanism.flaps[0], share * mechanism.flaps[1]))
-            ),
+            lambda share: _is_flat_sheet(mechanism.with_flaps(share * flap)),
         )
         raise DesignError(
             "the flaps overlap in the flat sheet",
@@ -97,23 +113,52 @@ def require_flat_sheet(
 
     def works(xi: float) -> bool:
         other = staircase(xi)
-        return _is_flat_sheet(
-            replace(mechanism, xi=other.xi, lengths=other.lengths.copy(), first=other.first)
-        )
+        trial = replace(mechanism, xi=other.xi, lengths=other.lengths, first=other.first)
+        return _is_flat_sheet(trial.with_flaps(flap))
 
     def fits(columns: int) -> bool:
-        points, axes = mechanism.points[:columns].copy(), mechanism.axes[:columns].copy()
-        return _is_flat_sheet(replace(mechanism, points=points, axes=axes))
+        trial = replace(mechanism, points=mechanism.points[:columns], axes=mechanism.axes[:columns])
+        return _is_flat_sheet(trial.with_flaps(flap))
 
     xi = _bisect_down(mechanism.xi, works)
-    columns = max((c for c in range(2, len(parameters)) if fits(c)), default=2)
-    end = inside(parameters[columns - 1], parameters[0])
+    columns = next(c for c in range(3, len(parameters) + 1) if not fits(c)) - 1
+    # Shorter by a column, for the vertices will stand elsewhere on the part.
+    end = parameters[max(columns - 2, 1)]
     part = f"the part of g from parameter {parameters[0]:.6g} to {end:.6g}"
     raise DesignError(
         "the flat sheet overlaps itself: g turns too far",
         place=f"first at column {columns + 1}",
         nearest=f"xi_deg = {in_degrees(xi)}, or {part}" if xi else part,
     )
+
+
+def warn_of_contact_at_lock(mechanism: ParallelRepeating) -> tuple[str, ...]:
+    """Warn of a locked shell that lies over itself: heights depend on the row alone."""
+    locked = mechanism.positions(mechanism.lock_drive)[:, 1:-1]
+    if _is_simple(locked):
+        return ()
+    return (
+        "the locked shell lies over itself in plan: its panels meet before it locks, which is not "
+        "checked yet; shorten g, or make f narrower",
+    )
+
+
+def warn_of_stretched_columns(mechanism: ParallelRepeating, plane: float) -> tuple[str, ...]:
+    """Warn of columns that a coarse g stretches although f's plane is perpendicular to it."""
+    scales = mechanism.column_scales()
+    if plane != np.pi / 2 or np.abs(np.log(scales)).max() <= STRETCH:
+        return ()
+    return (
+        f"f is stretched to between {scales.min():.3g} and {scales.max():.3g} of its width along "
+        "g, because g turns too much from column to column; take more columns",
+    )
+
+
+def warn_of_unbalanced_staircase(staircase: Staircase) -> tuple[str, ...]:
+    """Warn of a staircase that is not proved to be the closest."""
+    if staircase.balanced:
+        return ()
+    return (f"a staircase closer to f than {staircase.distance:.4g} may exist; it was not found",)
 
 
 def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
