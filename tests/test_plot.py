@@ -16,7 +16,7 @@ def picture(path: Path, rows: int, columns: int, g: str) -> np.ndarray:
     design = design_parallel_repeating(
         graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=0.3
     )
-    plot_overview(path, FoldingMotion(design.mechanism, 2), design.targets, "Title")
+    plot_overview(path, FoldingMotion(design.mechanism, 2), design.targets, "Title", "m")
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
 
 

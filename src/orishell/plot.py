@@ -52,7 +52,7 @@ class Camera:
 
 
 def plot_overview(
-    path: Path, motion: FoldingMotion, targets: Mapping[str, Array], title: str
+    path: Path, motion: FoldingMotion, targets: Mapping[str, Array], title: str, unit: str
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -66,6 +66,8 @@ def plot_overview(
         Target curves "f" and "g" (N, 3), drawn with the locked shell.
     title
         Heading.
+    unit
+        Unit of length, for the sizes under the heading.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -78,7 +80,8 @@ def plot_overview(
     states = [motion.mechanism.positions(drive) for drive in drives]
 
     width = 13.0
-    above = _row_height(width / 2, [motion.flat.positions[..., :2], camera.project(locked)[0]])
+    sheet = _landscape(motion.flat.positions[..., :2])
+    above = _row_height(width / 2, [sheet, camera.project(locked)[0]])
     below = _row_height(width / 3, [camera.project(positions)[0] for positions in states])
     layout = ConstrainedLayoutEngine(h_pad=0.12, w_pad=0.08)
     figure = Figure(figsize=(width, above + below), facecolor="white", layout=layout)
@@ -86,14 +89,18 @@ def plot_overview(
     grid = figure.add_gridspec(2, 6, height_ratios=(above, below))
     figure.suptitle(title, fontsize=15, fontweight="bold")
 
-    _draw_pattern(figure.add_subplot(grid[0, :3]), motion)
+    pattern = figure.add_subplot(grid[0, :3])
+    thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), width / 2)
+    size = np.ptp(sheet.reshape(-1, 2), axis=0)
+    pattern.set_title(f"Crease pattern, {size[0]:.3g} × {size[1]:.3g} {unit}{thinned}")
     shell = figure.add_subplot(grid[0, 3:])
-    _draw_shell(shell, locked, camera)
+    _draw_shell(shell, locked, camera, width / 2)
     _draw_targets(shell, targets, camera)
-    shell.set_title("Locked, with the target curves f and g")
+    sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
+    shell.set_title(f"Locked, with f and g, {sizes} {unit}")
     frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(len(states))]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
-        _draw_shell(axes, positions, camera)
+        _draw_shell(axes, positions, camera, width / 3)
         axes.set_title(f"Flap creases at {np.rad2deg(drive):.0f}°")
     _same_scale(frames)
     figure.savefig(path, dpi=DPI, metadata={"Software": None})
@@ -117,12 +124,25 @@ def _stride(count: int, most: int) -> int:
     return stride + 1 - stride % 2
 
 
-def _draw_pattern(axes: Axes, motion: FoldingMotion) -> None:
+def _landscape(sheet: Array) -> Array:
+    """The sheet (rows, columns, 2), turned by a quarter if it is taller than wide."""
+    wide, tall = np.ptp(sheet.reshape(-1, 2), axis=0)
+    return sheet if wide >= tall else np.stack([-sheet[..., 1], sheet[..., 0]], axis=-1)
+
+
+def _line_width(picture: Array, inches: float, widest: float, share: float) -> float:
+    """Width (points) of a grid's edges (rows, columns, 2), drawn so wide: a part of its step."""
+    points = 72 * inches / float(np.ptp(picture[..., 0]))
+    steps = [np.linalg.norm(np.diff(picture, axis=axis), axis=-1) for axis in (0, 1)]
+    return float(np.clip(share * points * min(np.median(step) for step in steps), 0.1, widest))
+
+
+def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) -> str:
+    """Draw the sheet (rows, columns, 2), and say which rows and columns are left out."""
     from matplotlib.collections import LineCollection
 
-    signs = find_assignment(motion.mechanism)
-    sheet, signs, down, right = _thin(motion.flat.positions[..., :2], signs, PATTERN_DRAWN)
-    width = float(np.clip(60 / max(sheet.shape[:2]), 0.25, 1.3))
+    sheet, signs, down, right = _thin(sheet, signs, PATTERN_DRAWN)
+    width = _line_width(sheet, inches, 1.3, 0.35)
     rows = np.stack([sheet[1:-1, :-1], sheet[1:-1, 1:]], axis=-2)
     columns = np.stack([sheet[:-1, 1:-1], sheet[1:, 1:-1]], axis=-2)
     for sign, colour, style in ((-1, MOUNTAIN, "-"), (1, VALLEY, "-"), (0, UNFOLDED, (0, (3, 2)))):
@@ -136,14 +156,13 @@ def _draw_pattern(axes: Axes, motion: FoldingMotion) -> None:
     axes.fill(*border.T, color=PAPER, zorder=0)
     axes.set_aspect("equal")
     axes.axis("off")
-    thinned = f" (every {down}th row, every {right}th column drawn)" if down * right > 1 else ""
-    axes.set_title("Crease pattern" + thinned)
     names = [(MOUNTAIN, "mountain"), (VALLEY, "valley"), (BORDER, "border")]
     if (signs.row == 0).any() or (signs.column == 0).any():
         names.insert(2, (UNFOLDED, "unfolded"))
     for colour, name in names:
         axes.plot([], [], color=colour, label=name, linestyle="--" if colour == UNFOLDED else "-")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=len(names), frameon=False)
+    return f" (every {down}th row, every {right}th column drawn)" if down * right > 1 else ""
 
 
 def _choose_camera(positions: Array) -> Camera:
@@ -162,7 +181,7 @@ def _row_height(width: float, pictures: list[Array]) -> float:
     return float(np.clip(width * max(span[1] / span[0] for span in spans), 1.6, 7.0)) + 0.9
 
 
-def _draw_shell(axes: Axes, positions: Array, camera: Camera) -> None:
+def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> None:
     """Panels, painted from the farthest to the nearest."""
     from matplotlib.collections import PolyCollection
 
@@ -177,7 +196,7 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera) -> None:
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
     colours = _shade(panel_normals(positions).reshape(-1, 3), camera)
-    width = float(np.clip(15 / max(positions.shape[:2]), 0.1, 0.6))
+    width = _line_width(camera.project(positions)[0], inches, 0.6, 0.15)
     axes.add_collection(
         PolyCollection(
             list(picture[order]),

@@ -148,7 +148,13 @@ def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> 
         (draft / "report.json").write_text(
             json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
         )
-        plot_overview(draft / "overview.png", shell.motion, shell.design.targets, _title(shell))
+        plot_overview(
+            draft / "overview.png",
+            shell.motion,
+            shell.design.targets,
+            _title(shell),
+            shell.file.unit,
+        )
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
     shell.seconds.update(clock.seconds)
