@@ -12,6 +12,11 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design
+from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
+from orishell.families.longitudinal_linear_repeating.even_lengths import InnerLengths
+from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
+from orishell.families.longitudinal_linear_repeating.tessellation import Directions, repeat_columns
+from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.metrics import measure_residuals
 from orishell.motion import FoldingMotion
@@ -40,6 +45,32 @@ def test_one_state_of_999_x_999(benchmark: BenchmarkFixture) -> None:
     benchmark.extra_info["ratio to copying"] = ratio
     print(f"\none state of 999 x 999: {ratio:.2f} times copying its coordinates (target 8)")
     assert ratio < 8
+
+
+def test_one_state_of_999_x_999_orthodiagonal(benchmark: BenchmarkFixture) -> None:
+    f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)
+    mechanism = design_orthodiagonal(f, g, rows=999, columns=999).mechanism
+    other = design(999, 999).mechanism
+    benchmark(mechanism.positions, 1.0)
+    ratio = best_time(lambda: mechanism.positions(1.0)) / best_time(lambda: other.positions(1.0))
+    benchmark.extra_info["ratio to parallel repeating"] = ratio
+    print(f"\none orthodiagonal state: {ratio:.2f} times a parallel repeating one (target 4)")
+    assert ratio < 4
+
+
+def test_one_longitudinal_state_of_999_x_999(benchmark: BenchmarkFixture) -> None:
+    # Sector angles so near to 90 degrees that a sheet of this size exists with equal lengths.
+    angles = Sectors.from_degrees((89.9995, 89.999, 90.0005, 90.001))
+    columns = repeat_columns(find_solutions(angles)[0], 999)
+    directions = Directions.of(columns, 999, "F")
+    inner = InnerLengths.marched(directions, np.ones(998), np.ones(998))
+    mechanism = with_fitting_border(columns, "F", inner, (0.02, 0.02), "auto")
+    other = design(999, 999).mechanism
+    benchmark(mechanism.positions, 1.0)
+    ratio = best_time(lambda: mechanism.positions(1.0), 3) / best_time(lambda: other.positions(1.0))
+    benchmark.extra_info["ratio to parallel repeating"] = ratio
+    print(f"\none longitudinal state: {ratio:.0f} times a parallel repeating one (target 1 s)")
 
 
 def test_memory_of_one_state_of_999_x_999(benchmark: BenchmarkFixture) -> None:

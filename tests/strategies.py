@@ -18,6 +18,7 @@ from orishell.curves import (
 )
 from orishell.design import Design
 from orishell.errors import DesignError
+from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 
 
@@ -145,3 +146,74 @@ def feasible_design(request: Request) -> Design:
         except DesignError as error:
             request = request.mended(error)
     return request.design()
+
+
+@dataclass(frozen=True)
+class OrthodiagonalRequest:
+    """Arguments of ``design_orthodiagonal``."""
+
+    f: Curve
+    g: Curve
+    options: dict[str, Any]
+
+    def design(self) -> Design:
+        return design_orthodiagonal(self.f, self.g, **self.options)
+
+    def remedies(self, error: DesignError) -> list[OrthodiagonalRequest]:
+        """The requests with each of the nearest values that the error says work."""
+        mended = []
+        for text in error.nearest.split(", or "):
+            options = dict(self.options)
+            remedy = text.removesuffix(' with flap = "auto"')
+            if remedy != text:
+                options["flap"] = "auto"
+            f, g = self.f, self.g
+            if match := re.match(r"heading_deg between (\S+) and (\S+)$", remedy):
+                mended += [
+                    replace(self, options={**options, "heading": np.deg2rad(float(degrees))})
+                    for degrees in match.groups()
+                ]
+                continue
+            if match := re.match(r"(depth|flap) = (\S+)$", remedy):
+                options[match[1]] = float(match[2])
+            elif match := re.match(r"scale in \[target.g\] times (\S+) ", remedy):
+                g = g.scaled(float(match[1]))
+            elif match := re.match(r'rows = (\d+) with depth = "auto"$', remedy):
+                options |= {"rows": int(match[1]), "depth": "auto"}
+            elif match := re.match(r"the part of g from parameter (\S+) to (\S+) with", remedy):
+                g = replace(g, start=float(match[1]), stop=float(match[2]), breaks=())
+                options["heading"] = "auto"
+            else:
+                raise error
+            mended.append(OrthodiagonalRequest(f, g, options))
+        return mended
+
+    def feasible(self) -> Design:
+        """The design, mended as the errors say as often as needed (at most 4 times)."""
+        request = self
+        for _ in range(4):
+            try:
+                return request.design()
+            except DesignError as error:
+                request = request.remedies(error)[0]
+        return request.design()
+
+
+@st.composite
+def orthodiagonal_requests(draw: st.DrawFn) -> OrthodiagonalRequest:
+    """Any two curves, any depth and heading: most need the values that the errors name."""
+    f = draw(curves())
+    g = draw(curves()).scaled(draw(numbers(0.2, 3)))
+    length = trace_curve(f).length
+    rows = 2 * draw(st.integers(0, 12)) + 1
+    side = st.sampled_from(["start", "end", "auto"])
+    options = {
+        "rows": rows,
+        "columns": draw(st.integers(2, 24)),
+        "depth": draw(st.one_of(st.just("auto"), numbers(0.1, 1).map(lambda x: x * length / rows))),
+        "heading": draw(st.one_of(st.just("auto"), numbers(30, 150).map(np.deg2rad))),
+        "flap": draw(st.sampled_from(["auto", 0.05, 0.5])),
+        "flap_sides": (draw(side), draw(side)),
+        "spacing": draw(st.sampled_from(["curvature", "equal"])),
+    }
+    return OrthodiagonalRequest(f, g, options)

@@ -16,7 +16,14 @@ def picture(path: Path, rows: int, columns: int, g: str) -> np.ndarray:
     design = design_parallel_repeating(
         graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=0.3
     )
-    plot_overview(path, FoldingMotion(design.mechanism, 2), design.targets, "Title", "m")
+    plot_overview(
+        path,
+        FoldingMotion(design.mechanism, 2),
+        design.targets,
+        title="Title",
+        last="Locked",
+        unit="m",
+    )
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
 
 

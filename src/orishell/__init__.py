@@ -3,6 +3,8 @@
 from orishell.curves import Curve, curve_from_formulas, curve_from_points, parse_formula
 from orishell.design import Design
 from orishell.errors import DesignError, InputError, OrishellError
+from orishell.families.longitudinal_linear_repeating import design_longitudinal_linear_repeating
+from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.metrics import measure_residuals
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
@@ -21,6 +23,8 @@ __all__ = [
     "Shell",
     "curve_from_formulas",
     "curve_from_points",
+    "design_longitudinal_linear_repeating",
+    "design_orthodiagonal",
     "design_parallel_repeating",
     "design_shell",
     "measure_fold_angles",

@@ -38,6 +38,11 @@ class Design:
         Distance of the polylines the shell locks on to the target curves, by the same names.
     warnings
         Sentences a user should read: the design is made, but may not be what was meant.
+    lock_cause
+        What ends the motion: "flaps" that clash, or a "crease" that is folded flat.
+    lock_drive
+        Drive at which it would end if it is not stopped at a stage before (radians), or None for
+        the mechanism's ``lock_drive``.
     """
 
     mechanism: Mechanism
@@ -45,3 +50,5 @@ class Design:
     targets: Mapping[str, Array]
     closeness: Mapping[str, Closeness]
     warnings: tuple[str, ...]
+    lock_cause: Literal["flaps", "crease"] = "flaps"
+    lock_drive: float | None = None

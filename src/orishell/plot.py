@@ -52,7 +52,13 @@ class Camera:
 
 
 def plot_overview(
-    path: Path, motion: FoldingMotion, targets: Mapping[str, Array], title: str, unit: str
+    path: Path,
+    motion: FoldingMotion,
+    targets: Mapping[str, Array],
+    *,
+    title: str,
+    last: str,
+    unit: str,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -66,6 +72,8 @@ def plot_overview(
         Target curves "f" and "g" (N, 3), drawn with the locked shell.
     title
         Heading.
+    last
+        What the last state is, for example "Locked".
     unit
         Unit of length, for the sizes under the heading.
     """
@@ -97,11 +105,11 @@ def plot_overview(
     _draw_shell(shell, locked, camera, width / 2)
     _draw_targets(shell, targets, camera)
     sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
-    shell.set_title(f"Locked, with f and g, {sizes} {unit}")
+    shell.set_title(f"{last}, with f and g, {sizes} {unit}")
     frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(len(states))]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
         _draw_shell(axes, positions, camera, width / 3)
-        axes.set_title(f"Flap creases at {np.rad2deg(drive):.0f}°")
+        axes.set_title(f"Drive {np.rad2deg(drive):.3g}°")
     _same_scale(frames)
     figure.savefig(path, dpi=DPI, metadata={"Software": None})
 

@@ -120,8 +120,10 @@ def design_shell(path: Path, watched: Watched = unwatched) -> Shell:
         "residuals": asdict(residuals),
         "assignment": {**_count(signs), **asdict(assignment)},
         "lock": {
-            "drive_deg": tidy_degrees(design.mechanism.lock_drive),
-            "cause": "flaps",
+            "drive_deg": tidy_degrees(
+                design.mechanism.lock_drive if design.lock_drive is None else design.lock_drive
+            ),
+            "cause": design.lock_cause,
         },
         "not_checked": ["contact between panels before lock"],
         "deviation": {name: asdict(closeness) for name, closeness in design.closeness.items()},
@@ -152,8 +154,9 @@ def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> 
             draft / "overview.png",
             shell.motion,
             shell.design.targets,
-            _title(shell),
-            shell.file.unit,
+            title=_title(shell),
+            last="Locked" if shell.design.lock_cause == "flaps" else "Folded until it meets f",
+            unit=shell.file.unit,
         )
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")

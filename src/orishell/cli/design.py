@@ -54,7 +54,7 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
     grid = shell.motion.mechanism.grid
     lines = [
         f"{report['family']}: {report['rows']} x {report['columns']} inner vertices, "
-        f"{grid.panel_count} panels, xi = {report['parameters']['xi_deg']:.4g} degrees",
+        f"{grid.panel_count} panels",
         f"sheet     {sheet['width']:.4g} x {sheet['height']:.4g} {unit}, "
         f"area {sheet['area']:.4g} {unit}2",
         f"deployed  {deployed['width']:.4g} x {deployed['depth']:.4g} x "

@@ -10,6 +10,7 @@ import typer
 
 from orishell.cli.design import design
 from orishell.cli.new import new
+from orishell.cli.solve import solve
 from orishell.errors import OrishellError
 
 app = typer.Typer(
@@ -20,6 +21,7 @@ app = typer.Typer(
 )
 app.command()(new)
 app.command()(design)
+app.command()(solve)
 
 
 def run() -> None:

@@ -151,7 +151,7 @@ def smallest_radius(trace: Trace) -> tuple[float, float]:
 
 
 def choose_depth(trace: Trace, inner: int) -> float:
-    """The depth at which the mean angle of the zigzag is :data:`MEAN_ANGLE`.
+    """The depth at which the mean angle of the zigzags is :data:`MEAN_ANGLE`.
 
     Where the offsets do not exist at that depth, :data:`DEEPEST_SHARE` of the smallest radius of
     curvature.
@@ -161,7 +161,8 @@ def choose_depth(trace: Trace, inner: int) -> float:
     feet, normal = _place_feet(trace, inner, END_STEPS[0])
 
     def excess(depth: float) -> float:
-        return float(_offset(feet, normal, depth, 1).angles.mean() - MEAN_ANGLE)
+        both = [_offset(feet, normal, depth, first).angles.mean() for first in (1, -1)]
+        return float(0.5 * sum(both) - MEAN_ANGLE)
 
     most = min(DEEPEST_SHARE * smallest_radius(trace)[0], 2 * trace.length)
     deep = SHALLOWEST_STEPS * trace.length / inner

@@ -1,0 +1,40 @@
+"""``orishell solve``: what four sector angles of the longitudinal linear repeating type fold."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated
+
+import typer
+
+from orishell.families.longitudinal_linear_repeating import SEARCHED, describe_solutions
+
+SECOND = ("alpha_2", "beta_2", "gamma_2", "delta_2")
+
+
+def solve(
+    alpha: Annotated[float, typer.Argument(help="alpha_1 in degrees.")],
+    beta: Annotated[float, typer.Argument(help="beta_1 in degrees.")],
+    gamma: Annotated[float, typer.Argument(help="gamma_1 in degrees.")],
+    delta: Annotated[float, typer.Argument(help="delta_1 in degrees.")],
+    json_report: Annotated[
+        bool, typer.Option("--json", help="Print the solutions as JSON.")
+    ] = False,
+) -> None:
+    """List all solutions of equation (4) for the sector angles of column 1."""
+    found = describe_solutions([alpha, beta, gamma, delta])
+    if json_report:
+        typer.echo(json.dumps(found, indent=2))
+        return
+    for number, entry in enumerate(found["solutions"]):
+        angles = ", ".join(
+            f"{name} = {angle:.4f}"
+            for name, angle in zip(SECOND, entry["second_sector_deg"], strict=True)
+        )
+        size = entry["largest_square"]
+        largest = f"{size} x {size}" if size < SEARCHED else f"{size} x {size} or more"
+        typer.echo(f"solution {number} ({entry['version']} version): {angles}")
+        typer.echo(
+            f"  c = {entry['c']:.12g}; v_1 from 0 to {entry['motion_end_deg']:.4f} degrees; "
+            f"largest square sheet {largest} inner vertices"
+        )

@@ -1,0 +1,27 @@
+"""Longitudinal linear repeating: a convex f swept along a line, its radius growing or shrinking."""
+
+from orishell.families.longitudinal_linear_repeating.design import (
+    design_longitudinal_linear_repeating,
+)
+from orishell.families.longitudinal_linear_repeating.listing import (
+    SEARCHED,
+    describe_solutions,
+)
+from orishell.families.longitudinal_linear_repeating.mechanism import (
+    LongitudinalLinearRepeating,
+)
+from orishell.families.longitudinal_linear_repeating.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.solutions import Solution, find_solutions
+from orishell.families.longitudinal_linear_repeating.tessellation import Coupling, RowKind
+
+__all__ = [
+    "SEARCHED",
+    "Coupling",
+    "LongitudinalLinearRepeating",
+    "RowKind",
+    "Sectors",
+    "Solution",
+    "describe_solutions",
+    "design_longitudinal_linear_repeating",
+    "find_solutions",
+]

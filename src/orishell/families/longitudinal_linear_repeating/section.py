@@ -1,0 +1,98 @@
+"""The cross-section of a folded sheet: the plane across the line that it rolls about.
+
+From a row to the next but one, all panels turn by the same rotation of space, because the sectors
+repeat every two rows. Its axis is the line; every column crease of one kind of row makes the same
+angle with it, and so does every row crease of one kind and column. Seen along the line, column 1
+is a polygon whose turns alternate between two values, whatever the lengths are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.families.longitudinal_linear_repeating.lengths import EdgeLengths
+from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
+from orishell.families.longitudinal_linear_repeating.rotations import Rotations
+from orishell.families.longitudinal_linear_repeating.tessellation import (
+    Columns,
+    Directions,
+    RowKind,
+)
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Section:
+    """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive.
+
+    Parameters
+    ----------
+    axis
+        Unit direction of the line (3,), to the right; the middle panel is not turned.
+    heading
+        Unit direction across the axis (3,) of column 1's first crease.
+    turns
+        Turns (m,) of column 1 at every row, seen along the line, positive to the left (radians).
+    beyond
+        Turns that a further row before the first and after the last would have.
+    across
+        Share of its length (m+1,) that every crease of column 1 has across the line.
+    advance
+        Share of its length (n-1,) that every crease of the middle row advances along the line.
+    """
+
+    axis: Array
+    heading: Array
+    turns: Array
+    beyond: tuple[float, float]
+    across: Array
+    advance: Array
+
+    @property
+    def turning(self) -> float:
+        """Turning of column 1, half a row more at either end."""
+        return float(self.turns.sum() + 0.5 * sum(self.beyond))
+
+    @classmethod
+    def of(
+        cls, columns: Columns, rows: int, first_row: RowKind, drive: float, side: int
+    ) -> Section:
+        """The section at a drive > 0 (radians)."""
+        # Lengths do not matter. Two rows more, so that even one row shows the repetition.
+        total = rows + 2
+        n = len(columns)
+        other: RowKind = "S" if first_row == "F" else "F"
+        lengths = EdgeLengths(np.ones((total, n + 1)), np.ones((total + 1, n)))
+        sheet = LongitudinalLinearRepeating(columns, other, lengths, -side)
+        panels = sheet.panels(np.asarray(drive))
+        directions = Directions.of(columns, total, other)
+        down = panels[..., :, 1].turned(-1j * np.exp(1j * directions.column[:, 0]))
+        middle = 1 + rows // 2
+        right = panels[..., middle + 1, 1:-1].turned(np.exp(1j * directions.row[middle, 1:-1]))
+
+        # Frames that lie alike on their row: the rows' own turn in the flat sheet goes with them.
+        fan = Rotations.of_vector(np.array([0.0, 0.0, directions.row[2, 1] - directions.row[0, 1]]))
+        turn = panels[..., 2, 1] @ fan @ panels[..., 0, 1].inverse()
+        axis = np.array([turn.b.real, turn.b.imag, turn.a.imag]).ravel()
+        axis = axis / np.linalg.norm(axis)
+        advance = right @ axis
+        if advance.sum() < 0:
+            axis, advance = -axis, -advance
+        across = down - (down @ axis)[:, None] * axis
+        lengths = np.linalg.norm(across, axis=-1)
+        across = across / lengths[:, None]
+        # Seen along the axis, so turns to the left are turns about its opposite.
+        sine = -np.cross(across[:-1], across[1:]) @ axis
+        turns = np.arctan2(sine, (across[:-1] * across[1:]).sum(axis=-1))
+        return cls(
+            axis=axis,
+            heading=across[1],
+            turns=turns[1:-1],
+            beyond=(float(turns[0]), float(turns[-1])),
+            across=lengths[1:-1],
+            advance=advance,
+        )

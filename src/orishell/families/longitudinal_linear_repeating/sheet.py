@@ -1,0 +1,168 @@
+"""What a sheet must satisfy to be made: positive creases, convex panels, no overlap."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.errors import DesignError
+from orishell.families.longitudinal_linear_repeating.even_lengths import (
+    PROGRAM_PANELS,
+    InnerLengths,
+    find_even_lengths,
+    largest_size,
+)
+from orishell.families.longitudinal_linear_repeating.lengths import with_border
+from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
+from orishell.families.longitudinal_linear_repeating.program import Wanted
+from orishell.families.longitudinal_linear_repeating.tessellation import (
+    Columns,
+    Directions,
+    RowKind,
+)
+from orishell.geometry import is_simple_polygon
+
+Array = NDArray[np.float64]
+Auto = Literal["auto"]
+
+LARGEST_SEARCH = 99
+"""Rows and columns beyond which no larger sheet is looked for."""
+
+
+def sheet_exists(columns: Columns, rows: int, first_row: RowKind) -> bool:
+    """Whether any lengths make a sheet of these angles and size."""
+    directions = Directions.of(columns, rows, first_row)
+    return find_even_lengths(directions, Wanted()) is not None
+
+
+def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
+    """Refuse a size that no lengths make a sheet of; name the largest sizes that exist."""
+    if sheet_exists(columns, rows, first_row):
+        return
+    n = len(columns)
+    square = largest_size(
+        lambda size: sheet_exists(columns.first(size), size, first_row), min(n, LARGEST_SEARCH)
+    )
+    fewer_rows = largest_size(
+        lambda size: sheet_exists(columns, size, first_row), min(rows, LARGEST_SEARCH)
+    )
+    choices = [f"rows = {square} and columns = {square}"] if square > 1 else []
+    if fewer_rows > 1 or not choices:
+        choices.insert(0, f"rows = {fewer_rows}")
+    if min(rows, n) <= LARGEST_SEARCH:
+        fewer_columns = largest_size(
+            lambda size: sheet_exists(columns.first(size), rows, first_row), min(n, LARGEST_SEARCH)
+        )
+        if fewer_columns > 1:
+            choices.append(f"columns = {fewer_columns}")
+    condition = (
+        f"no sheet of {rows} x {n} inner vertices exists for these sector angles: rows and columns "
+        "converge, and no lengths keep all creases positive"
+        if (rows - 1) * (n - 1) <= PROGRAM_PANELS
+        else f"no sheet of {rows} x {n} inner vertices was found for these sector angles: equal "
+        "lengths do not keep all creases positive, and for others it is too large"
+    )
+    raise DesignError(
+        condition,
+        nearest=", or ".join(dict.fromkeys(choices)) + ", or sector angles nearer to 90 degrees",
+    )
+
+
+def with_fitting_border(
+    columns: Columns,
+    first_row: RowKind,
+    inner: InnerLengths,
+    ends: tuple[float, float],
+    flap: float | Auto,
+    *,
+    side: int = 1,
+) -> LongitudinalLinearRepeating:
+    """Complete the inner creases by a border whose panels are convex.
+
+    Parameters
+    ----------
+    columns, first_row, side
+        The sheet.
+    inner
+        Lengths of its inner creases.
+    ends
+        Lengths of column 1's first and last crease.
+    flap
+        Length of the row creases at the left and right border; "auto" takes the mean of column 1,
+        or as much of it as leaves the panels convex.
+
+    Raises
+    ------
+    DesignError
+        If the border's panels would not be convex, or the flat sheet would overlap itself.
+    """
+    given = float(np.mean([*inner.column[:, 0], *ends])) if flap == "auto" else flap
+    directions = Directions.of(columns, len(inner.row), first_row)
+    lengths = with_border(directions, inner.row, inner.column, ends, given)
+    mechanism = LongitudinalLinearRepeating(columns, first_row, lengths, side)
+
+    def works(share: float) -> bool:
+        return _is_convex_at_sides(_with_flap(mechanism, share * given))
+
+    if not works(1.0):
+        share = _largest_share(works)
+        if flap != "auto":
+            raise DesignError(
+                "the flap panels are not convex: their row creases meet",
+                size=f"flap = {given:.4g} is too wide",
+                nearest=f"flap = {0.99 * share * given:.4g}",
+            )
+        mechanism = _with_flap(mechanism, 0.5 * share * given)
+    return mechanism
+
+
+def require_flat_sheet(mechanism: LongitudinalLinearRepeating, rows_key: str = "rows") -> None:
+    """Refuse panels at the ends that are not convex, and a flat sheet that overlaps itself."""
+    turns = _corner_turns(mechanism)
+    for row, name in ((0, "first"), (-1, "last")):
+        worst = int(turns[row].min(axis=-1).argmin())
+        if turns[row, worst].min() <= 0:
+            raise DesignError(
+                f"the {name} row of panels is not convex: its column creases meet",
+                place=f"at column {max(worst, 1)}",
+                nearest=f"more {rows_key}, or a shorter {name} entry of column_lengths",
+            )
+    flat = mechanism.positions(0.0)[..., :2]
+    border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2:0:-1, 0]])
+    if not is_simple_polygon(border):
+        raise DesignError(
+            "the flat sheet overlaps itself: its rows fan out too far",
+            nearest="fewer rows, or sector angles nearer to 90 degrees",
+        )
+
+
+def _with_flap(mechanism: LongitudinalLinearRepeating, flap: float) -> LongitudinalLinearRepeating:
+    row = mechanism.lengths.row.copy()
+    row[:, [0, -1]] = flap
+    return replace(mechanism, lengths=replace(mechanism.lengths, row=row))
+
+
+def _is_convex_at_sides(mechanism: LongitudinalLinearRepeating) -> bool:
+    return bool((_corner_turns(mechanism)[:, [0, -1]] > 0).all())
+
+
+def _corner_turns(mechanism: LongitudinalLinearRepeating) -> Array:
+    """Sines of the turns at all panels' corners (m+1, n+1, 4), positive where they are convex."""
+    flat = mechanism.positions(0.0)[..., :2] @ np.array([1, 1j])
+    corners = np.stack([flat[:-1, :-1], flat[1:, :-1], flat[1:, 1:], flat[:-1, 1:]], axis=-1)
+    edges = np.roll(corners, -1, axis=-1) - corners
+    turned = edges * np.roll(edges, 1, axis=-1).conj()
+    sines: Array = turned.imag / np.abs(turned)
+    return sines
+
+
+def _largest_share(works: Callable[[float], bool]) -> float:
+    good, bad = 0.0, 1.0
+    for _ in range(20):
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if works(middle) else (good, middle)
+    return good

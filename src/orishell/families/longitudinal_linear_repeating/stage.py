@@ -1,0 +1,186 @@
+"""The stage of folding at which column 1 turns as much as f does, and its lengths there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from orishell.errors import DesignError
+from orishell.families.longitudinal_linear_repeating.mechanism import crease_end
+from orishell.families.longitudinal_linear_repeating.section import Section
+from orishell.families.longitudinal_linear_repeating.target import Profile
+from orishell.families.longitudinal_linear_repeating.tessellation import Columns, RowKind
+from orishell.quoting import in_degrees
+
+Array = NDArray[np.float64]
+
+FIRST = 1e-4
+"""The smallest stage looked at, as a share of the sector angles' deviations from 90 degrees."""
+STEPS = 400
+SHORTEST = 1e-6
+"""Edges of column 1 are longer than this share of its length."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stage:
+    """Column 1 at the stage of folding where it follows f.
+
+    Parameters
+    ----------
+    drive
+        The drive (radians).
+    section
+        The sheet's section there.
+    polygon
+        Column 1 seen along the line (m+2, 2), in f's coordinates.
+    lengths
+        Lengths of column 1's creases (m+1,).
+    side
+        Sign of v_1 below row 1 that rolls the sheet to f's side.
+    """
+
+    drive: float
+    section: Section
+    polygon: Array
+    lengths: Array
+    side: int
+
+
+def find_stage(
+    profile: Profile,
+    columns: Columns,
+    rows: int,
+    first_row: RowKind,
+    *,
+    drive: float | None = None,
+    lengths: Array | None = None,
+) -> Stage:
+    """Choose the stage, and column 1's lengths.
+
+    Parameters
+    ----------
+    profile
+        The curve f.
+    columns, rows, first_row
+        The sheet.
+    drive
+        The stage, or None for the one at which column 1 turns as f does.
+    lengths
+        Ratios of column 1's lengths (m+1,), or None for those that follow f.
+
+    Raises
+    ------
+    DesignError
+        If the rows do not all turn the same way, or not as much as f, or f is bent too sharply.
+    """
+    if drive is None:
+        drive = _drive_for(profile, columns, rows, first_row)
+    end = crease_end(columns, rows, first_row)
+    if drive > end:
+        raise DesignError(
+            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
+            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
+            nearest=f"stage_deg = {np.floor(np.rad2deg(end) * 1e4) / 1e4:.4f}",
+        )
+    side = profile.side
+    found = Section.of(columns, rows, first_row, drive, side)
+    if found.turning * side > 0:
+        side = -side
+        found = Section.of(columns, rows, first_row, drive, side)
+    turns = np.concatenate([[found.beyond[0]], found.turns, [found.beyond[1]]])
+    _require_one_way(turns, profile)
+    ideal = profile.polygon(turns / found.turning)
+    steps = np.diff(ideal, axis=0)
+    along = np.hypot(steps[:, 0], steps[:, 1])
+    directions = np.arctan2(steps[0, 1], steps[0, 0]) + np.concatenate(
+        [[0.0], np.cumsum(found.turns)]
+    )
+    if lengths is None:
+        _require_edges(profile, ideal, turns[1:-1] / abs(found.turning) * profile.turning)
+        lengths = along / found.across
+    else:
+        lengths = lengths * (along.sum() / (lengths * found.across).sum())
+    edges = lengths * found.across * np.exp(1j * directions)
+    polygon = np.concatenate([[0.0], np.cumsum(edges)])
+    return Stage(drive, found, _fitted(polygon, ideal @ np.array([1, 1j])), lengths, side)
+
+
+def _fitted(polygon: Array, ideal: Array) -> Array:
+    """Turn and move a polygon (K,) onto another, least squares over the vertices; (K, 2)."""
+    centred, goal = polygon - polygon.mean(), ideal - ideal.mean()
+    turn = (centred.conj() * goal).sum()
+    fitted = centred * (turn / abs(turn)) + ideal.mean()
+    return np.stack([fitted.real, fitted.imag], axis=-1)
+
+
+def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind) -> float:
+    end = crease_end(columns, rows, first_row)
+    begin = FIRST * float(np.abs(columns.sectors[0]).max())
+
+    def turning(at: float, count: int = rows) -> float:
+        return abs(Section.of(columns, count, first_row, at, profile.side).turning)
+
+    if turning(begin) > profile.turning:
+        raise DesignError(
+            f"{rows} rows of these sector angles turn more than f, however little they fold",
+            size=f"by {in_degrees(turning(begin))} degrees at least, because rows fan out in the "
+            f"flat sheet; f turns by {in_degrees(profile.turning)}",
+            nearest=_nearest_rows(lambda count: turning(begin, count) < profile.turning, rows, -1)
+            or 'sector_deg = "auto"',
+        )
+    at = np.geomspace(begin, end, STEPS)
+    for low, high in pairwise(at):
+        if turning(high) >= profile.turning:
+            return float(
+                brentq(lambda x: turning(x) - profile.turning, low, high, xtol=1e-15, rtol=1e-14)
+            )
+    raise DesignError(
+        f"{rows} rows cannot turn as much as f",
+        size=f"by {in_degrees(turning(end))} degrees at the end of the motion; f turns by "
+        f"{in_degrees(profile.turning)}",
+        nearest=_nearest_rows(lambda count: turning(end, count) > profile.turning, rows, 1)
+        or "a shorter part of f",
+    )
+
+
+def _nearest_rows(works: Callable[[int], bool], rows: int, way: int) -> str:
+    """The number of rows nearest to ``rows``, in one direction, that works."""
+    candidates = range(rows + way, 0, -1) if way < 0 else range(rows + 1, 4 * rows + 40)
+    return next((f"rows = {count}" for count in candidates if works(count)), "")
+
+
+def _require_one_way(turns: Array, profile: Profile) -> None:
+    wrong = np.flatnonzero(turns * profile.side >= 0)
+    if len(wrong):
+        row = int(np.clip(wrong[0], 1, max(1, len(turns) - 2)))
+        raise DesignError(
+            "rows of these sector angles turn to both sides, so that they follow no convex curve",
+            place=f"at row {row}",
+            size=f"F and S rows turn by {in_degrees(turns[0])} and {in_degrees(turns[1])} degrees",
+            nearest='sector_deg = "auto"',
+        )
+
+
+def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
+    """Every edge of the polygon must run forwards: a corner of f leaves no room for its edges."""
+    steps = np.diff(ideal, axis=0) @ np.array([1, 1j])
+    first = np.angle(steps[np.argmax(np.abs(steps))])
+    turned = np.concatenate([[0.0], np.cumsum(turns)])
+    directions = np.exp(1j * (turned - turned[np.argmax(np.abs(steps))] + first))
+    forward = (steps * directions.conj()).real
+    worst = int(forward.argmin())
+    if forward[worst] > SHORTEST * np.abs(steps).sum():
+        return
+    trace = profile.trace
+    near = np.hypot(*(trace.points - ideal[worst]).T).argmin()
+    raise DesignError(
+        "f bends too sharply for rows that all turn by the same angle",
+        place=f"at parameter {trace.t[near]:.6g} of f, row {max(worst, 1)}",
+        size=f"the crease there would be {forward[worst]:.4g} long",
+        nearest="an f with this bend rounded, or equal column_lengths",
+    )

@@ -1,0 +1,168 @@
+"""The target: a convex curve f swept along a straight line g."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Trace, run_along_axis
+from orishell.errors import DesignError
+from orishell.geometry import rise
+from orishell.quoting import in_degrees, inside
+
+Array = NDArray[np.float64]
+
+STRAIGHT = 1e-6
+"""g may leave its chord by this share of its length."""
+TURNING_BACK = 1e-6
+"""f's tangent may turn back by this much (radians)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Line:
+    """The straight line g: start (2,), unit direction (2,) and length."""
+
+    start: Array
+    direction: Array
+    length: float
+
+    @classmethod
+    def along(cls, trace: Trace) -> Line:
+        """The line that g is.
+
+        Raises
+        ------
+        DesignError
+            If g is not straight.
+        """
+        chord = trace.points[-1] - trace.points[0]
+        length = float(np.hypot(*chord))
+        leaves = rise(trace.points)
+        if leaves > STRAIGHT * trace.length or length < (1 - STRAIGHT) * trace.length:
+            normal = np.array([-chord[1], chord[0]])
+            worst = int(np.argmax(np.abs((trace.points - trace.points[0]) @ normal)))
+            raise DesignError(
+                "g is not straight, and this family sweeps along a straight line only",
+                place=f"at parameter {trace.t[worst]:.6g} of g",
+                size=f"g leaves a line by {leaves:.4g}, its length being {trace.length:.4g}",
+                nearest=f'formula = "0*x", range = [0, {trace.length:.6g}] in [target.g]',
+            )
+        return cls(trace.points[0], chord / length, length)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Profile:
+    """The convex curve f, run through in the direction of its x axis.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    side
+        +1 if it turns to the right (an arch), -1 if to the left (a trough).
+    """
+
+    trace: Trace
+    side: int
+
+    @classmethod
+    def of(cls, trace: Trace) -> Profile:
+        """Check that f is convex.
+
+        Raises
+        ------
+        DesignError
+            If f has an inflection, or does not turn at all.
+        """
+        trace = run_along_axis(trace)
+        turned = float(trace.heading[-1] - trace.heading[0])
+        if abs(turned) < TURNING_BACK:
+            raise DesignError(
+                "f is straight, and the rows of this family turn all the same way",
+                nearest="an f that turns by some degrees",
+            )
+        side = -1 if turned > 0 else 1
+        back = -side * np.stack([trace.arriving, trace.heading]).T.ravel()
+        fall = np.maximum.accumulate(back) - back
+        if fall.max() > TURNING_BACK:
+            raise _not_convex(trace)
+        return cls(trace, side)
+
+    @property
+    def turning(self) -> float:
+        """How much f turns in all (radians, positive)."""
+        return float(abs(self.trace.heading[-1] - self.trace.heading[0]))
+
+    def polygon(self, shares: Array) -> Array:
+        """The polygon (m+2, 2) closest to f whose edges turn by given shares of f's turning.
+
+        Its edges are parallel to tangents of f, moved inwards so that f passes midway between
+        edges and vertices; it begins and ends square to f's ends.
+
+        Parameters
+        ----------
+        shares
+            Shares (m+2,) of the turning: half the first and the last are spent beyond the ends.
+        """
+        trace = self.trace
+        before = np.cumsum(np.concatenate([[0.5 * shares[0]], shares[1:-1]]))
+        directions = trace.heading[0] - self.side * self.turning * before
+        points = self._touching(directions)
+        unit = np.stack([np.cos(directions), np.sin(directions)], axis=-1)
+        inwards = self.side * np.stack([unit[:, 1], -unit[:, 0]], axis=-1)
+        corners = _intersections(points, unit)
+        overshoot = np.zeros(len(points) + 1)
+        overshoot[1:-1] = 0.5 * _distances(corners, points[:-1], points[1:])
+        share = np.where(np.arange(len(points)) % len(points) == 0, 0.5, 0.25)
+        share[-1] = 0.5
+        moved = points + (share * (overshoot[:-1] + overshoot[1:]))[:, None] * inwards
+        corners = _intersections(moved, unit)
+        ends = [moved[k] + ((trace.points[k] - moved[k]) @ unit[k]) * unit[k] for k in (0, -1)]
+        return np.concatenate([ends[:1], corners, ends[1:]])
+
+    def _touching(self, directions: Array) -> Array:
+        """Points of f (K, 2) at which its tangent has given directions; on corners, the corner."""
+        trace = self.trace
+        turned = -self.side * np.stack([trace.arriving, trace.heading]).T.ravel()
+        t = np.interp(-self.side * directions, np.maximum.accumulate(turned), np.repeat(trace.t, 2))
+        return trace.curve.position(t)
+
+
+def _not_convex(trace: Trace) -> DesignError:
+    """Name the first inflection and the longer part of f beside it."""
+    steps = np.sign(np.where(np.abs(np.diff(trace.heading)) > 1e-9, np.diff(trace.heading), 0.0))
+    turning = np.flatnonzero(steps)
+    change = turning[np.flatnonzero(np.diff(steps[turning]))]
+    places = trace.t[np.concatenate([[0], change + 1, [len(trace.t) - 1]])]
+    longest = int(np.argmax(np.diff(places)))
+    low, high = places[longest], places[longest + 1]
+    middle = 0.5 * (low + high)
+    low, high = (inside(end, middle) for end in (low, high))
+    spread = trace.heading.max() - trace.heading.min()
+    return DesignError(
+        "f is not convex: the rows of this family turn all the same way",
+        place=f"at parameter {places[1]:.6g} of f",
+        size=f"f turns the other way from there, its tangents spreading over {in_degrees(spread)} "
+        "degrees",
+        nearest=f"range = [{low:.6g}, {high:.6g}] in [target.f]",
+    )
+
+
+def _intersections(points: Array, unit: Array) -> Array:
+    """Where each line (a point and a direction) meets the next, (K-1, 2)."""
+    p, q, u, v = points[:-1], points[1:], unit[:-1], unit[1:]
+    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    gap = q - p
+    along = (gap[:, 0] * v[:, 1] - gap[:, 1] * v[:, 0]) / cross
+    return np.asarray(p + along[:, None] * u)
+
+
+def _distances(points: Array, start: Array, end: Array) -> Array:
+    """Distances of points from the lines through start and end, all (K, 2)."""
+    chord = end - start
+    gap = points - start
+    size = np.hypot(chord[:, 0], chord[:, 1])
+    cross = chord[:, 0] * gap[:, 1] - chord[:, 1] * gap[:, 0]
+    return np.asarray(np.abs(cross) / np.where(size > 0, size, 1.0))

@@ -1,0 +1,238 @@
+"""From two curves to a mechanism of the orthodiagonal type, or to the reason why not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Curve, Trace, run_along_axis, trace_curve
+from orishell.design import Design, FlapSide
+from orishell.errors import CurveError, DesignError
+from orishell.families.orthodiagonal.headings import (
+    Headings,
+    SideChoice,
+)
+from orishell.families.orthodiagonal.mechanism import Orthodiagonal
+from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
+from orishell.families.orthodiagonal.refusal import refuse
+from orishell.polylines import (
+    Spacing,
+    Zigzag,
+    measure_closeness,
+    place_vertices,
+    warn_of_coarse_row,
+)
+from orishell.quoting import tidy_degrees
+
+Array = NDArray[np.float64]
+Auto = Literal["auto"]
+
+FLAP_SHARE = 0.5
+"""An "auto" flap takes at most this share of the width that there is room for."""
+LEVEL = 1e-12
+"""A middle row that rises by less than this is level (radians)."""
+RESOLUTION = 1e-8
+"""A crease must be at least this long relative to the largest coordinate."""
+
+
+def design_orthodiagonal(
+    f: Curve,
+    g: Curve,
+    *,
+    rows: int,
+    columns: int,
+    depth: float | Auto = "auto",
+    heading: float | Auto = np.pi / 2,
+    flap: float | Auto = "auto",
+    flap_sides: tuple[FlapSide | Auto, FlapSide | Auto] = ("auto", "auto"),
+    spacing: Spacing = "curvature",
+) -> Design:
+    """Design a shell that sweeps f along g (the paper's section 3).
+
+    Parameters
+    ----------
+    f, g
+        The swept curve and the curve that it is swept along, in one unit of length. Both are run
+        through in the direction of their x axes, whichever way they were drawn; at lock f's x axis
+        lies to the right of g, seen along g, and f's y axis points up.
+    rows, columns
+        Inner vertices: rows m, odd; columns n, at least 2.
+    depth
+        Distance h of column 1's inner vertices from f, alternately on both sides; "auto" makes
+        their mean angle 90 degrees, or takes 0.9 of f's smallest radius of curvature if less.
+    heading
+        Angle from f's plane to g's x axis, in [0, pi] (radians); "auto" takes a right angle if
+        that is admissible, otherwise the middle of the widest admissible interval.
+    flap
+        Width of the flaps in the flat sheet; "auto" takes the mean length of column 1's creases,
+        or half of what there is room for if that is less.
+    flap_sides
+        End of f to which the left and the right flap fold; "auto" is where there is more room.
+    spacing
+        How g's vertices are placed.
+
+    Raises
+    ------
+    CurveError
+        If f or g is not a usable curve.
+    DesignError
+        If the family cannot reach the target: the condition, where, by how much, what works.
+
+    Notes
+    -----
+    Six zigzags are tried, that begin to either side of f with end edges of three lengths. Of those
+    that admit the heading the one is taken whose shell can be cut off level at f's ends, or at
+    least straight, and of equals the one that allows g the widest stretch along f's plane.
+
+    Examples
+    --------
+    >>> from orishell.curves import curve_from_formulas, parse_formula
+    >>> f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    >>> g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)
+    >>> design = design_orthodiagonal(f, g, rows=9, columns=13, depth=0.12)
+    >>> design.mechanism.positions(np.pi).shape
+    (11, 15, 3)
+    """
+    f_trace, g_trace = _trace("f", f), _trace("g", g)
+    zigzags = require_zigzags(f_trace, rows, depth)
+    vertices = g_trace.curve.position(place_vertices(g_trace, columns, spacing))
+    left, right = (None if side == "auto" else side for side in flap_sides)
+    width = None if flap == "auto" else flap
+    demands = [headings_of(zigzag, vertices, width, (left, right)) for zigzag in zigzags]
+    if heading == "auto":
+        heading = _choose_heading(demands)
+    candidates = [
+        _assemble(f_trace, zigzag, headings, heading, width)
+        for zigzag, headings in zip(zigzags, demands, strict=True)
+        if headings.admit(heading)
+    ]
+    if not candidates:
+        raise refuse(f_trace, g_trace, zigzags, demands, heading)
+    zigzag, headings, mechanism, ends = max(candidates, key=lambda candidate: _ground(candidate[3]))
+    _require_resolution(mechanism)
+
+    interval = headings.interval(heading)
+    closeness = {
+        "f": measure_closeness(f_trace, zigzag.vertices),
+        "g": measure_closeness(g_trace, vertices),
+    }
+    alpha = [_alpha_0(headings, zigzag, angle) for angle in (heading, *interval)]
+    return Design(
+        mechanism=mechanism,
+        parameters={
+            "depth": zigzag.depth,
+            "zigzag_deg": [tidy_degrees(angle) for angle in zigzag.angles],
+            "heading_deg": tidy_degrees(heading),
+            "heading_interval_deg": [tidy_degrees(angle) for angle in interval],
+            "alpha_0_deg": tidy_degrees(alpha[0]),
+            "alpha_0_interval_deg": [tidy_degrees(angle) for angle in alpha[1:]],
+            "flap": mechanism.flaps[0],
+            "flap_side": [str(side) for side in mechanism.flap_sides],
+            "ends": [str(end) for end in ends],
+            "tilt_deg": tidy_degrees(mechanism.tilt),
+            "spacing": spacing,
+        },
+        targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
+        closeness=closeness,
+        warnings=warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+    )
+
+
+def headings_of(
+    zigzag: Zigzag,
+    vertices: Array,
+    flap: float | None = None,
+    sides: tuple[SideChoice, SideChoice] = (None, None),
+) -> Headings:
+    """What a zigzag and the vertices (n, 2) of g's polyline ask of the heading."""
+    points = vertices @ np.array([1, 1j])
+    return Headings(points, 1.0, (-np.inf, np.inf), flap, sides).of(zigzag)
+
+
+def _trace(name: str, curve: Curve) -> Trace:
+    try:
+        return run_along_axis(trace_curve(curve))
+    except CurveError as error:
+        raise error.located(name) from None
+
+
+def _choose_heading(demands: Sequence[Headings]) -> float:
+    """A right angle, or the middle of the widest interval."""
+    right = float(np.pi / 2)
+    intervals = np.concatenate([headings.intervals() for headings in demands])
+    if not len(intervals) or any(headings.admit(right) for headings in demands):
+        return right
+    return float(intervals[int(np.diff(intervals)[:, 0].argmax())].mean())
+
+
+def _assemble(
+    f: Trace, zigzag: Zigzag, headings: Headings, heading: float, flap: float | None
+) -> tuple[Zigzag, Headings, Orthodiagonal, list[End]]:
+    """The mechanism of one zigzag, and the planes in which it ends."""
+    if flap is None:
+        flap = float(min(zigzag.lengths.mean(), FLAP_SHARE * headings.room(heading)))
+    tilt = zigzag.axis
+    mechanism = Orthodiagonal(
+        lengths=zigzag.lengths,
+        angles=zigzag.angles,
+        first=zigzag.first,
+        tilt=0.0 if abs(tilt) < LEVEL else tilt,
+        points=headings.points,
+        heading=heading,
+        flaps=(flap, flap),
+        flap_sides=headings.flap_sides(heading),
+    )
+    ends, trims = trim_ends(f, zigzag, mechanism.shifts())
+    return zigzag, headings, replace(mechanism, trims=trims), ends
+
+
+def _ground(ends: list[End]) -> float:
+    """How well a shell stands: on level ground, or at least on straight ends."""
+    value = {"level": 1.0, "square": 0.6, "untrimmed": 0.0}
+    return sum(value[end] for end in ends)
+
+
+def _alpha_0(headings: Headings, zigzag: Zigzag, heading: float) -> float:
+    """The paper's alpha_0 (step 3): cos alpha_0 = sin(beta_mid/2) cos eps_1."""
+    eps = headings.eps(heading)[0]
+    return float(np.arccos(np.sin(zigzag.angles[len(zigzag.angles) // 2] / 2) * np.cos(eps)))
+
+
+def _require_resolution(mechanism: Orthodiagonal) -> None:
+    """Panels so small that the rounding of coordinates would bend them are refused."""
+    flat = mechanism.positions(0.0)
+    edges = {
+        "crease of a row": float(np.linalg.norm(np.diff(flat, axis=1), axis=-1).min()),
+        "crease of a column": float(mechanism.column_lengths().min()),
+        "step between columns": float(np.linalg.norm(np.diff(flat[0], axis=0), axis=-1).min()),
+    }
+    name = min(edges, key=lambda each: edges[each])
+    largest = float(np.abs(flat).max())
+    if edges[name] < RESOLUTION * largest:
+        raise DesignError(
+            "a panel is so small that the rounding of coordinates would bend it",
+            place=f"at the shortest {name}",
+            size=f"it is {edges[name]:.4g} long with coordinates up to {largest:.4g}",
+            nearest=f"a length of {RESOLUTION * largest:.4g}: change rows, columns, flap or depth, "
+            "or move the curves nearer to the origin",
+        )
+
+
+def _place_targets(
+    f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal
+) -> dict[str, Array]:
+    """f through the middle of its zigzag at g's start, and g in the plane of the middle row."""
+    t = np.exp(-1j * mechanism.heading)
+    relative = f.points - zigzag.vertices[len(zigzag.vertices) // 2]
+    across = mechanism.points[0] + relative[:, 0] * t
+    points = g.points @ np.array([1, 1j])
+    along = ((points - mechanism.points[0]) * t.conj()).real
+    plan = points + (np.cos(mechanism.tilt) - 1) * along * t
+    return {
+        "f": np.stack([across.real, across.imag, relative[:, 1]], axis=-1),
+        "g": np.stack([plan.real, plan.imag, np.sin(mechanism.tilt) * along], axis=-1),
+    }

@@ -1,0 +1,197 @@
+"""The admissible headings: exactly, from one trigonometric inequality for each column.
+
+With the heading theta (the angle from f's plane to g's x axis), vertex j of g's polyline lies
+along t by Re((g_j - g_1) exp(i theta)), its segment k makes with t the angle eps_k = theta + its
+direction. A heading is admissible where all eps lie in (0, pi), so that every segment goes from
+plane to plane, and all columns, flaps too, are shifted so little that every column edge keeps a
+positive length. The paper's condition pi/2 < alpha_0 < (pi + beta_mid)/2 is neither.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.design import FlapSide
+from orishell.polylines import Zigzag
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+SMALLEST_EPS = 1e-6
+"""Segments of g keep this angle from f's plane (radians)."""
+
+SideChoice = FlapSide | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Headings:
+    """The conditions that a heading must satisfy.
+
+    Parameters
+    ----------
+    points
+        Vertices (n,) of g's polyline, complex numbers in g's own axes.
+    gain
+        cos(beta_mid/2): K of a column by how far it lies along t.
+    limits
+        Open interval in which K of every column must lie; it holds 0.
+    flap
+        Width of the flaps, or None if it follows what room there is.
+    sides
+        To which end of f the left and the right flap fold, or None: where there is more room.
+    """
+
+    points: Complex
+    gain: float
+    limits: tuple[float, float]
+    flap: float | None
+    sides: tuple[SideChoice, SideChoice]
+
+    def of(self, zigzag: Zigzag) -> Headings:
+        """The same with another zigzag."""
+        gain = float(np.cos(zigzag.angles[len(zigzag.angles) // 2] / 2))
+        return replace(self, gain=gain, limits=zigzag.shift_limits())
+
+    def scaled(self, factor: float) -> Headings:
+        """The same with g enlarged."""
+        return replace(self, points=self.points * factor)
+
+    def eps(self, heading: float) -> Array:
+        """Angles (n-1,) of g's segments from t, in [-pi/2, 3 pi/2) (radians)."""
+        turned = heading + np.angle(np.diff(self.points))
+        return np.asarray(np.mod(turned + np.pi / 2, 2 * np.pi) - np.pi / 2)
+
+    def shifts(self, heading: float) -> Array:
+        """K (n,) of the columns, flaps left out."""
+        along = ((self.points - self.points[0]) * np.exp(1j * heading)).real
+        return np.asarray(self.gain * along)
+
+    def rooms(self, heading: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Widest left and right flap that can fold to the start and to the end of f."""
+        low, high = self.limits
+        last = float(self.shifts(heading)[-1])
+        return (-low, high), (last - low, high - last)
+
+    def flap_sides(self, heading: float) -> tuple[FlapSide, FlapSide]:
+        """The sides asked for, or those with more room."""
+
+        def choose(side: SideChoice, room: tuple[float, float]) -> FlapSide:
+            if side is not None:
+                return side
+            return "start" if room[0] > room[1] * (1 + 1e-9) else "end"
+
+        left, right = self.rooms(heading)
+        return choose(self.sides[0], left), choose(self.sides[1], right)
+
+    def room(self, heading: float) -> float:
+        """The widest flap that both sides have room for."""
+        sides = self.flap_sides(heading)
+        rooms = self.rooms(heading)
+        return min(room[side == "end"] for room, side in zip(rooms, sides, strict=True))
+
+    def crossing_intervals(self) -> Array:
+        """Headings (k, 2) in [0, pi] at which every segment goes from plane to plane."""
+        return _complement(self._crossing())
+
+    def intervals(self) -> Array:
+        """Admissible headings (k, 2) in [0, pi], open intervals (radians)."""
+        return _complement(np.concatenate([self._crossing(), self._edges(), self._flaps()]))
+
+    def interval(self, heading: float) -> tuple[float, float]:
+        """The admissible interval nearest to a heading; empty at the heading if there is none."""
+        return nearest_interval(self.intervals(), heading) or (heading, heading)
+
+    def admit(self, heading: float) -> bool:
+        """Whether a heading is admissible."""
+        return holds(nearest_interval(self.intervals(), heading), heading)
+
+    def _crossing(self) -> Array:
+        # sin(eps) <= 0, widened by SMALLEST_EPS
+        direction = np.angle(np.diff(self.points)) - np.pi / 2
+        low, high = np.full_like(direction, -np.inf), np.full_like(direction, np.sin(SMALLEST_EPS))
+        return _arcs(direction, low, high)
+
+    def _edges(self) -> Array:
+        phase, radius = self._polar()
+        low, high = self.limits
+        return np.concatenate([_below(phase, radius, low), _above(phase, radius, high)])
+
+    def _flaps(self) -> Array:
+        everything, nothing = np.array([[0.0, np.pi]]), np.empty((0, 2))
+        if self.flap is None:
+            return nothing
+        (low, high), width = self.limits, self.flap
+        left = {"start": width < -low, "end": width < high}
+        if not (left[self.sides[0]] if self.sides[0] else any(left.values())):
+            return everything
+        phase, radius = (values[-1:] for values in self._polar())
+        if self.sides[1] == "end":
+            return _above(phase, radius, high - width)
+        if self.sides[1] == "start":
+            return _below(phase, radius, low + width)
+        return _arcs(phase, _share(high - width, radius), _share(low + width, radius))
+
+    def _polar(self) -> tuple[Array, Array]:
+        """K of column j is radius cos(heading + phase)."""
+        from_first = self.gain * (self.points[1:] - self.points[0])
+        return np.angle(from_first), np.abs(from_first)
+
+
+def nearest_interval(intervals: Array, heading: float) -> tuple[float, float] | None:
+    """The interval (of k, 2) that holds a heading or is nearest to it; None if there is none."""
+    if not len(intervals):
+        return None
+    away = np.maximum(intervals[:, 0] - heading, heading - intervals[:, 1])
+    low, high = intervals[int(away.argmin())]
+    return float(low), float(high)
+
+
+def holds(interval: tuple[float, float] | None, heading: float) -> bool:
+    """Whether a heading lies in an open interval; 0 and pi count as inside if they bound it."""
+    if interval is None:
+        return False
+    low, high = interval
+    return (low < heading or heading == low == 0) and (heading < high or heading == high == np.pi)
+
+
+def _above(phase: Array, radius: Array, limit: float) -> Array:
+    """Headings at which radius cos(heading + phase) is at the limit or above."""
+    bound = _share(limit, radius)
+    return _arcs(phase, bound, np.full_like(bound, np.inf))
+
+
+def _below(phase: Array, radius: Array, limit: float) -> Array:
+    """Headings at which radius cos(heading + phase) is at the limit or below."""
+    bound = _share(limit, radius)
+    return _arcs(phase, np.full_like(bound, -np.inf), bound)
+
+
+def _share(limit: float, radius: Array) -> Array:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(limit / radius)
+
+
+def _arcs(phase: Array, low: Array, high: Array) -> Array:
+    """Headings in [0, pi] (k, 2) at which low <= cos(heading + phase) <= high."""
+    some = (low <= 1) & (high >= -1) & (low <= high)
+    phase, low, high = phase[some], low[some], high[some]
+    begin, end = np.arccos(np.minimum(high, 1.0)), np.arccos(np.maximum(low, -1.0))
+    arcs = np.concatenate(
+        [np.stack([begin - phase, end - phase], -1), np.stack([-end - phase, -begin - phase], -1)]
+    )
+    turns = 2 * np.pi * np.array([-1.0, 0.0, 1.0])[:, None, None]
+    everywhere = (arcs + turns).reshape(-1, 2)
+    clipped = np.clip(everywhere, 0.0, np.pi)
+    return np.asarray(clipped[(everywhere[:, 1] >= 0) & (everywhere[:, 0] <= np.pi)])
+
+
+def _complement(excluded: Array) -> Array:
+    """What closed intervals (k, 2) leave of [0, pi]: open intervals (k', 2)."""
+    order = excluded[np.argsort(excluded[:, 0])]
+    reached = np.maximum.accumulate(np.concatenate([[0.0], order[:, 1]]))
+    begin, end = reached, np.concatenate([order[:, 0], [np.pi]])
+    free = end > begin
+    return np.stack([begin[free], end[free]], axis=-1)

@@ -1,0 +1,274 @@
+"""Orthodiagonal: straight parallel columns, rows in planes square to them (the paper's section 3).
+
+The motion in closed form
+-------------------------
+With rho the fold angle of the flap creases (0 flat, pi locked) write kappa = sin(rho/2),
+q = cos(rho/2); with beta_i the zigzag's angles, T_i = tan(beta_i/2), c_i = cot(beta_i/2). All
+columns lie in parallel planes of common normal n. Their edges between two rows are parallel, in
+every state, with the directions v_i of column 1, which turns at vertex i by twice
+arctan(kappa c_i). Row creases leave vertex i in the plane of n and the bisector t_i; along the
+bisector they go by K_j |a_i|, where
+
+    a_i = t_i hypot(T_i, kappa) = v_{i-1} (T_i + i s_i kappa) = v_i (T_i - i s_i kappa),
+
+s_i the sign of the turn, in complex numbers of f's plane. So a_{i+1} - a_i is a multiple of v_i
+that motion leaves alone. With k_j and N_j what panel column j takes along K and n,
+
+    k_j = l_j cos eps_j cos(beta_mid/2),     N_j = hypot(l_j sin eps_j, q k_j),
+
+for a flap k = +-width and N = q width, and K, M their running sums from column 1,
+
+    X_ij = P_i + K_j a_i + M_j n,            cot alpha_{i,4j} = T_i k_j/N_j(flat),
+
+P being column 1. This is equation (3): sums of products of one factor per row and one per column.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from orishell.design import FlapSide
+from orishell.pattern import CreaseValues, Grid
+from orishell.polylines import alternating
+from orishell.vertex import row_fold_angle
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Orthodiagonal:
+    """A folding sheet of the orthodiagonal type.
+
+    Points and directions in g's plane are complex numbers x + iy.
+
+    Parameters
+    ----------
+    lengths
+        Edge lengths d of the first column (m+1,), m odd.
+    angles
+        Angles beta (m,) at its inner vertices at lock, in (0, pi) (radians).
+    first
+        +1 if it turns right at vertex 1 at lock, seen with n pointing away, -1 if left.
+    tilt
+        Angle by which the middle row's plane rises along t at lock (radians).
+    points
+        The middle row at lock (n,), n at least 2: vertices of g's polyline.
+    heading
+        Angle from f's plane to the x axis of the points, eps of a segment along x (radians).
+    flaps
+        Widths of the left and the right flap in the flat sheet.
+    flap_sides
+        To which end of f each flap folds: "end" is along +t, "start" along -t.
+    trims
+        Growth by K of the first and of the last edge of a column.
+    """
+
+    lengths: Array
+    angles: Array
+    first: int
+    tilt: float
+    points: Complex
+    heading: float
+    flaps: tuple[float, float]
+    flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
+    trims: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for array in (self.lengths, self.angles, self.points):
+            array.flags.writeable = False
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of vertices, flap columns included."""
+        return Grid(len(self.lengths) + 1, len(self.points) + 2)
+
+    @property
+    def lock_drive(self) -> float:
+        """The flaps clash when their creases reach pi."""
+        return float(np.pi)
+
+    def shifts(self) -> Array:
+        """K (n+2,) of every column, 0 at column 1."""
+        return _running(self._columns().k)
+
+    def column_lengths(self) -> Array:
+        """Lengths (m+1, n+2) of the creases of all columns: affine in K, the same in all states.
+
+        Not positive where neighbouring rows meet before they reach the column.
+        """
+        growth = np.concatenate([self.trims[:1], np.diff(self._tangents()), self.trims[1:]])
+        return np.asarray(self.lengths[:, None] + growth[:, None] * self.shifts())
+
+    def sector_angles(self) -> Array:
+        """The paper's alpha_{i,1} ... alpha_{i,4n} (m, n, 4), equation (3) (radians).
+
+        In the paper's order RU, LU, LD, RD.
+        """
+        columns = self._columns()
+        right = np.arctan2(columns.step, columns.k * self._tangents()[:, None])  # RD of every panel
+        left = np.pi - right[:, :-1]
+        right = right[:, 1:]
+        return np.stack([np.pi - right, np.pi - left, left, right], axis=-1)
+
+    def positions(self, drive: ArrayLike) -> Array:
+        """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, pi] (radians).
+
+        At lock f is upright (its y axis is +z) and the middle row lies on the points, in their
+        plane z = 0 turned about n by the tilt, through the first point. In other states n and the
+        length-weighted centroid of the middle row stay, and the plane of t and n is level at
+        drive 0 and turns evenly with the drive.
+        """
+        drive = np.asarray(drive, dtype=np.float64)
+        kappa, q = _half_turns(drive)
+        level = np.exp(1j * self.tilt * (drive / np.pi))
+        columns = self._columns()
+        row = self._middle_row(columns, kappa, q, level)
+        column, spread = self._column_and_spread(kappa)
+
+        # Real numbers of f's plane go along t, imaginary ones upwards.
+        t = np.exp(-1j * self.heading)
+        column, spread = column * level[..., None], spread * level[..., None]
+        factors = (
+            (spread.real * t.real, column.real * t.real),
+            (spread.real * t.imag, column.real * t.imag),
+            (spread.imag, column.imag),
+        )
+        shift = _running(columns.k)
+        shape = (*drive.shape, self.grid.rows, self.grid.columns)
+        out, plane = np.empty((*shape, 3)), np.empty(shape)
+        for axis, (growth, start) in enumerate(factors):
+            np.multiply(growth[..., None], shift, out=plane)
+            plane += start[..., None]
+            np.add(plane, row[..., None, :, axis], out=out[..., axis])
+        return out
+
+    def fold_angles(self, drive: ArrayLike) -> CreaseValues:
+        """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
+        kappa, q = _half_turns(np.asarray(drive, dtype=np.float64))
+        columns = self._columns()
+        gamma = columns.k / columns.step
+        nu = columns.advance(q) / columns.step
+        c = 1 / self._tangents()
+        row = row_fold_angle(kappa[..., None, None] * np.hypot(c[:, None], gamma), nu[..., None, :])
+        # The panels beside a column make the angle arctan(kappa gamma/nu) with its normal n.
+        lean = np.arctan2(kappa[..., None] * gamma, nu)
+        column = -self.first * np.diff(lean, axis=-1)
+        turning = -self.first * alternating(len(c))
+        side = alternating(len(self.lengths))
+        return CreaseValues(row=turning[:, None] * row, column=side[:, None] * column[..., None, :])
+
+    def _tangents(self) -> Array:
+        """T = tan(beta/2), (m,)."""
+        return np.asarray(np.tan(self.angles / 2))
+
+    def _columns(self) -> _Columns:
+        """What every panel column takes along K and n."""
+        segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
+        side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
+        inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)
+        left, right = -side[0] * self.flaps[0], side[1] * self.flaps[1]
+        return _Columns(
+            k=np.concatenate([[left], inner, [right]]),
+            locked=np.concatenate([[0.0], segment.imag, [0.0]]),
+        )
+
+    def _column_and_spread(self, kappa: Array) -> tuple[Complex, Complex]:
+        """P (..., m+2) from the middle vertex, and a (..., m+2) less its middle value.
+
+        In complex numbers whose real axis is the middle row's t. The outermost rows continue a
+        column's end edges, trimmed.
+        """
+        kappa = kappa[..., None]
+        tangents = self._tangents()
+        middle = len(tangents) // 2
+        turning = -self.first * alternating(len(tangents))
+        half = tangents + 1j * (turning * kappa)
+        half /= np.hypot(half.real, half.imag)
+        turn = half * half
+        after = half[..., middle, None] * _product(turn[..., middle + 1 :])
+        before = half[..., middle, None] * _product(turn[..., :middle][..., ::-1])
+        direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
+        edges = self.lengths * direction
+        column = np.concatenate(
+            [
+                -np.cumsum(edges[..., : middle + 1][..., ::-1], axis=-1)[..., ::-1],
+                np.zeros((*edges.shape[:-1], 1)),
+                np.cumsum(edges[..., middle + 1 :], axis=-1),
+            ],
+            axis=-1,
+        )
+
+        spread = direction[..., 1:] * (tangents - 1j * (turning * kappa))
+        spread -= np.hypot(tangents[middle], kappa)
+        spread[..., middle] = 0.0
+        first = spread[..., :1] - self.trims[0] * direction[..., :1]
+        last = spread[..., -1:] + self.trims[1] * direction[..., -1:]
+        return column, np.concatenate([first, spread, last], axis=-1)
+
+    def _middle_row(self, columns: _Columns, kappa: Array, q: Array, level: Complex) -> Array:
+        """The middle row (..., n+2, 3): exactly on the points at lock, if there is no tilt."""
+        shift = _running(columns.k)
+        tangent = self._tangents()[len(self.angles) // 2]
+        t = np.exp(-1j * self.heading)
+        lock = np.exp(1j * self.tilt)
+
+        along = np.hypot(tangent, 1.0) * shift
+        points = np.concatenate(
+            [
+                [self.points[0] + (along[0] - along[1]) * t],
+                self.points,
+                [self.points[-1] + (along[-1] - along[-2]) * t],
+            ]
+        )
+        locked = np.stack([points + along * (lock.real - 1) * t, along * lock.imag])
+
+        now = np.hypot(tangent, kappa[..., None]) * shift
+        advanced = _running(columns.advance(q)) - _running(columns.locked)
+        level = level[..., None]
+        moved = (now * level.real - along * lock.real + 1j * advanced) * t
+        risen = now * level.imag - along * lock.imag
+
+        length = np.abs(np.diff(self.points))
+        weight = 0.5 * (np.append(length, 0) + np.append(0, length)) / length.sum()
+        moved = moved - (weight * moved[..., 1:-1]).sum(axis=-1, keepdims=True)
+        risen = risen - (weight * risen[..., 1:-1]).sum(axis=-1, keepdims=True)
+        plan = locked[0] + moved
+        return np.stack([plan.real, plan.imag, locked[1].real + risen], axis=-1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Columns:
+    """Panel columns, flaps at both ends (n+1,)."""
+
+    k: Array  # along K
+    locked: Array  # along n at lock: l sin eps
+
+    @property
+    def step(self) -> Array:
+        """Distance of the columns in the flat sheet."""
+        return np.hypot(self.locked, self.k)
+
+    def advance(self, q: Array) -> Array:
+        """N (..., n+1), distance of the column planes at q = cos(rho/2) (...)."""
+        return np.hypot(self.locked, q[..., None] * self.k)
+
+
+def _half_turns(drive: Array) -> tuple[Array, Array]:
+    """Sine and cosine of half the drive angle; the cosine is exactly 0 at lock."""
+    return np.sin(drive / 2), np.where(drive == np.pi, 0.0, np.cos(drive / 2))
+
+
+def _running(steps: Array) -> Array:
+    """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
+    sums = np.cumsum(steps[..., 1:], axis=-1)
+    return np.concatenate([-steps[..., :1], np.zeros_like(steps[..., :1]), sums], axis=-1)
+
+
+def _product(turns: Complex) -> Complex:
+    """Running products (..., K+1) of unit numbers (..., K), beginning with 1."""
+    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
+    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))

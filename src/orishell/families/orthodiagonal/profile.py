@@ -1,0 +1,169 @@
+"""The swept curve f: its zigzag, and the planes in which the shell ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Trace
+from orishell.errors import DesignError
+from orishell.polylines import (
+    Zigzag,
+    alternating,
+    choose_depth,
+    place_zigzag,
+    place_zigzags,
+    smallest_radius,
+)
+from orishell.quoting import in_degrees, inside
+
+Array = NDArray[np.float64]
+Auto = Literal["auto"]
+End = Literal["level", "square", "untrimmed"]
+
+MOST_ROWS = 4097
+"""Rows tried in search of a zigzag."""
+STEEP = np.deg2rad(30.0)
+"""Where f reaches its end flatter than this, no level plane cuts the shell off."""
+TRIM_RANGE = (0.2, 3.0)
+"""Trimmed end edges keep lengths in this range, relative to that of column 1."""
+
+
+def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag]:
+    """Zigzags of f: they must turn left and right alternately, and their offsets must exist."""
+    h = choose_depth(trace, rows) if depth == "auto" else depth
+    zigzags = sound_zigzags(trace, rows, h)
+    if zigzags:
+        return zigzags
+    what = f"depth = {h:.6g}" + (' (from "auto")' if depth == "auto" else "")
+    nearest, shallow = _nearest(trace, rows, None if depth == "auto" else h)
+    radius, place = smallest_radius(trace)
+    if h >= radius:
+        raise DesignError(
+            f"{what} is too large for f: its offsets do not exist",
+            place=f"at parameter {place:.6g} of f",
+            size=f"the depth must stay below f's radius of curvature, which is {radius:.4g} there",
+            nearest=nearest,
+        )
+    angles = place_zigzag(trace, rows, h).angles
+    row = int(angles.argmax()) + 1
+    raise DesignError(
+        f"{what} is too {'small' if shallow else 'large'} for f: its polyline does not turn left "
+        "and right alternately",
+        place=f"at row {row}",
+        size=f"its angle there, measured from the alternating sides, is "
+        f"{in_degrees(angles[row - 1])} degrees and must be below 180",
+        nearest=nearest,
+    )
+
+
+def sound_zigzags(trace: Trace, rows: int, depth: float) -> list[Zigzag]:
+    """Zigzags that turn alternately and whose offsets exist, that of the widest reach first."""
+    return place_zigzags(trace, rows, depth) if depth < smallest_radius(trace)[0] else []
+
+
+def _nearest(trace: Trace, rows: int, depth: float | None) -> tuple[str, bool]:
+    """What works instead, as text, and whether it is a larger depth."""
+
+    def works(rows: int, depth: float) -> bool:
+        return bool(sound_zigzags(trace, rows, depth))
+
+    best = choose_depth(trace, rows)
+    if depth is not None and works(rows, best):
+        limit = bisect(best, depth, lambda trial: works(rows, trial))
+        typed = as_typed(inside(limit, best), lambda trial: works(rows, trial))
+        return f"depth = {typed}", best > depth
+    more = rows
+    while more < MOST_ROWS:
+        more = 2 * more + 1
+        if works(more, choose_depth(trace, more)):
+            low, high = (rows - 1) // 2, (more - 1) // 2
+            while high - low > 1:
+                middle = (low + high) // 2
+                good = works(2 * middle + 1, choose_depth(trace, 2 * middle + 1))
+                low, high = (low, middle) if good else (middle, high)
+            return f'rows = {2 * high + 1} with depth = "auto"', True
+    return "a smoother f: its corners are too sharp for any number of rows", True
+
+
+def bisect(good: float, bad: float, works: Callable[[float], bool]) -> float:
+    """The value nearest to ``bad`` that works."""
+    while abs(bad - good) > 1e-4 * abs(good):
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if works(middle) else (good, middle)
+    return good
+
+
+def as_typed(value: float, works: Callable[[float], bool]) -> str:
+    """The value in as few digits, at least four, as still work when they are typed in."""
+    texts = (f"{value:.{digits}g}" for digits in range(4, 17))
+    return next((text for text in texts if works(float(text))), repr(value))
+
+
+def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], tuple[float, float]]:
+    """The planes in which the locked shell ends, and the growth by K of the end edges.
+
+    Parameters
+    ----------
+    trace
+        f: its y axis is upright.
+    zigzag
+        Its zigzag.
+    shifts
+        K of all columns, flaps too.
+
+    Returns
+    -------
+    ends
+        For both ends of f: "level" if the shell ends in the horizontal plane through f's end (f
+        must be steeper there than :data:`STEEP`), "square" if in the plane through it that is
+        perpendicular to f's chord from end to end, "untrimmed" if the end edges of all columns are
+        as long as those of column 1: the first of these that keeps them in :data:`TRIM_RANGE`.
+    trims
+        The growth of the end edges' lengths by K.
+    """
+    edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
+    lengths = np.abs(edges)
+    angles = zigzag.angles
+    turning = -zigzag.first * alternating(len(angles))
+    chord = (trace.points[-1] - trace.points[0]) @ np.array([1, 1j])
+    # a_1 and a_m of the mechanism, over the end edge's direction.
+    cases = (
+        (edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], lengths[0], 1.0),
+        (edges[-1] / lengths[-1], np.tan(angles[-1] / 2) - 1j * turning[-1], lengths[-1], -1.0),
+    )
+    square: tuple[End, complex] = ("square", complex(chord))
+    level: tuple[End, complex] = ("level", 1j)
+    ends: list[End] = []
+    trims: list[float] = []
+    for slope, (direction, spread, length, sign) in zip(
+        (trace.heading[0], trace.arriving[-1]), cases, strict=True
+    ):
+        planes = (level, square) if abs(np.sin(slope)) > np.sin(STEEP) else (square,)
+        end, trim = _trim(direction, spread, length / sign, shifts, planes)
+        ends.append(end)
+        trims.append(trim)
+    return ends, (trims[0], trims[1])
+
+
+def _trim(
+    direction: complex,
+    spread: complex,
+    length: float,
+    shifts: Array,
+    planes: Sequence[tuple[End, complex]],
+) -> tuple[End, float]:
+    """The first plane, given by its normal, for which all lengths are in range."""
+    sign = np.sign(length)
+    for end, normal in planes:
+        across = (direction * normal.conjugate()).real
+        if across == 0:
+            continue
+        trim = float(sign * (direction * spread * normal.conjugate()).real / across)
+        share = 1 + trim * shifts / abs(length)
+        if TRIM_RANGE[0] <= share.min() and share.max() <= TRIM_RANGE[1]:
+            return end, trim
+    return "untrimmed", 0.0
