@@ -142,8 +142,15 @@ class Trace:
         return extremes[1], extremes[0]
 
 
-def trace_curve(curve: Curve) -> Trace:
+def trace_curve(curve: Curve, name: str = "") -> Trace:
     """Sample a curve adaptively and check that it is one.
+
+    Parameters
+    ----------
+    curve
+        The curve.
+    name
+        What errors call it, for example "f".
 
     Raises
     ------
@@ -151,6 +158,13 @@ def trace_curve(curve: Curve) -> Trace:
         If the curve is not finite, jumps, stands still (zero tangent), turns back on itself
         (a cusp), turns too often to be followed, or is too short.
     """
+    try:
+        return _trace(curve)
+    except CurveError as error:
+        raise error.located(name) from None
+
+
+def _trace(curve: Curve) -> Trace:
     t = np.union1d(np.linspace(curve.start, curve.stop, FIRST_CELLS + 1), curve.breaks)
     position, first, _ = _checked_jet(curve, t)
     smallest = SMALLEST_CELL * (curve.stop - curve.start)

@@ -9,9 +9,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.curves import Curve, Trace, trace_curve
+from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.errors import CurveError, DesignError, InputError
+from orishell.errors import DesignError, InputError
 from orishell.families.longitudinal_linear_repeating.choice import (
     AUTO_SHARES,
     auto_sectors,
@@ -114,7 +114,7 @@ def design_longitudinal_linear_repeating(
     >>> design.mechanism.grid
     Grid(rows=11, columns=11)
     """
-    profile, line = Profile.of(_trace("f", f)), Line.along(_trace("g", g))
+    profile, line = Profile.of(trace_curve(f, "f")), Line.along(trace_curve(g, "g"))
     request = _Request(
         profile=profile,
         line=line,
@@ -281,10 +281,3 @@ def _ratios(name: str, lengths: Sequence[float] | Auto, count: int) -> Array | N
             expected=f"{count} positive lengths",
         )
     return array
-
-
-def _trace(name: str, curve: Curve) -> Trace:
-    try:
-        return trace_curve(curve)
-    except CurveError as error:
-        raise error.located(name) from None

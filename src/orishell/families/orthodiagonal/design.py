@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
-from orishell.errors import CurveError, DesignError
+from orishell.errors import DesignError
 from orishell.families.orthodiagonal.headings import (
     Headings,
     SideChoice,
@@ -97,7 +97,7 @@ def design_orthodiagonal(
     >>> design.mechanism.positions(np.pi).shape
     (11, 15, 3)
     """
-    f_trace, g_trace = _trace("f", f), _trace("g", g)
+    f_trace, g_trace = run_along_axis(trace_curve(f, "f")), run_along_axis(trace_curve(g, "g"))
     zigzags = require_zigzags(f_trace, rows, depth)
     vertices = g_trace.curve.position(place_vertices(g_trace, columns, spacing))
     left, right = (None if side == "auto" else side for side in flap_sides)
@@ -151,13 +151,6 @@ def headings_of(
     """What a zigzag and the vertices (n, 2) of g's polyline ask of the heading."""
     points = vertices @ np.array([1, 1j])
     return Headings(points, 1.0, (-np.inf, np.inf), flap, sides).of(zigzag)
-
-
-def _trace(name: str, curve: Curve) -> Trace:
-    try:
-        return run_along_axis(trace_curve(curve))
-    except CurveError as error:
-        raise error.located(name) from None
 
 
 def _choose_heading(demands: Sequence[Headings]) -> float:

@@ -33,7 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 from orishell.design import FlapSide
 from orishell.pattern import CreaseValues, Grid
 from orishell.polylines import alternating
-from orishell.vertex import row_fold_angle
+from orishell.vertex import half_turns, row_fold_angle
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -78,8 +78,10 @@ class Orthodiagonal:
     trims: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        for array in (self.lengths, self.angles, self.points):
+        for name in ("lengths", "angles", "points"):
+            array = np.array(getattr(self, name))
             array.flags.writeable = False
+            object.__setattr__(self, name, array)
 
     @property
     def grid(self) -> Grid:
@@ -123,7 +125,7 @@ class Orthodiagonal:
         drive 0 and turns evenly with the drive.
         """
         drive = np.asarray(drive, dtype=np.float64)
-        kappa, q = _half_turns(drive)
+        kappa, q = half_turns(drive)
         level = np.exp(1j * self.tilt * (drive / np.pi))
         columns = self._columns()
         row = self._middle_row(columns, kappa, q, level)
@@ -148,7 +150,7 @@ class Orthodiagonal:
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
-        kappa, q = _half_turns(np.asarray(drive, dtype=np.float64))
+        kappa, q = half_turns(np.asarray(drive, dtype=np.float64))
         columns = self._columns()
         gamma = columns.k / columns.step
         nu = columns.advance(q) / columns.step
@@ -255,11 +257,6 @@ class _Columns:
     def advance(self, q: Array) -> Array:
         """N (..., n+1), distance of the column planes at q = cos(rho/2) (...)."""
         return np.hypot(self.locked, q[..., None] * self.k)
-
-
-def _half_turns(drive: Array) -> tuple[Array, Array]:
-    """Sine and cosine of half the drive angle; the cosine is exactly 0 at lock."""
-    return np.sin(drive / 2), np.where(drive == np.pi, 0.0, np.cos(drive / 2))
 
 
 def _running(steps: Array) -> Array:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design, FlapSide
-from orishell.errors import CurveError, InputError
+from orishell.errors import InputError
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.parallel_repeating.profile import require_staircase, rotate_profile
 from orishell.families.parallel_repeating.row import Row
@@ -102,13 +102,15 @@ def design_parallel_repeating(
         flap_sides=flap_sides,
         spacing=spacing,
     )
-    f_trace, theta = rotate_profile(_trace("f", f), theta, None if xi == "auto" else xi, rows + 1)
+    f_trace, theta = rotate_profile(
+        trace_curve(f, "f"), theta, None if xi == "auto" else xi, rows + 1
+    )
     require_staircase(f_trace, None if xi == "auto" else xi, theta)
     if xi == "auto":
         xi = choose_xi(f_trace, rows + 1)
     staircase = fit_staircase(f_trace, xi, rows + 1)
 
-    g_trace = _trace("g", g)
+    g_trace = trace_curve(g, "g")
     row = Row.on(g_trace, columns, plane, spacing)
     row.require_crossing(g_trace, spacing)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
@@ -148,13 +150,6 @@ def design_parallel_repeating(
             *warn_of_unbalanced_staircase(staircase),
         ),
     )
-
-
-def _trace(name: str, curve: Curve) -> Trace:
-    try:
-        return trace_curve(curve)
-    except CurveError as error:
-        raise error.located(name) from None
 
 
 def _check_request(

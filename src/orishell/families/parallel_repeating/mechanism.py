@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from orishell.design import FlapSide
 from orishell.pattern import CreaseValues, Grid
-from orishell.vertex import column_fold_angle, row_fold_angle
+from orishell.vertex import column_fold_angle, half_turns, row_fold_angle
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -135,7 +135,7 @@ class ParallelRepeating:
         middle row's centroid stays where it is and its segments turn by nothing on average.
         """
         drive = np.asarray(drive, dtype=np.float64)
-        kappa, q = _half_turns(drive)
+        kappa, q = half_turns(drive)
         columns = self._columns()
         middle, spread = self._row_and_spread(columns, q[..., None])
         reach, height = self.column_arcs() * np.cos(self.xi / 2), self.locked_heights()
@@ -150,7 +150,7 @@ class ParallelRepeating:
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
-        kappa, q = _half_turns(np.asarray(drive, dtype=np.float64))
+        kappa, q = half_turns(np.asarray(drive, dtype=np.float64))
         columns = self._columns()
         c, q = kappa[..., None], q[..., None]
         w = np.hypot(columns.slope, q)
@@ -250,11 +250,6 @@ class _Columns:
     slope: Array  # nu of every panel column, (n+1,)
     sines: Array  # sin delta_{2j-1}, (n-1,)
     sines_next: Array  # sin delta_{2j}, (n-1,)
-
-
-def _half_turns(drive: Array) -> tuple[Array, Array]:
-    """Sine and cosine of half the drive angle; the cosine is exactly 0 at lock."""
-    return np.sin(drive / 2), np.where(drive == np.pi, 0.0, np.cos(drive / 2))
 
 
 def _turn(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:
