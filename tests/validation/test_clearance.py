@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from clearance import pierced
 
+from clearance import pierced
 from orishell import FoldingMotion
 from orishell.spec import read_design_file
 
