@@ -167,6 +167,9 @@ class OrthodiagonalRequest:
             remedy = text.removesuffix(' with flap = "auto"')
             if remedy != text:
                 options["flap"] = "auto"
+            if match := re.search(r' with heading_deg = (\S+) and flap = "auto"$', remedy):
+                options |= {"heading": np.deg2rad(float(match[1])), "flap": "auto"}
+                remedy = remedy[: match.start()]
             f, g = self.f, self.g
             if match := re.match(r"heading_deg between (\S+) and (\S+)$", remedy):
                 mended += [

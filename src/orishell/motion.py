@@ -13,10 +13,13 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from orishell.errors import InputError
+from orishell.errors import DesignError, InputError
 from orishell.pattern import CreaseValues, Grid, crease_signs
 
 Array = NDArray[np.float64]
+
+RESOLUTION = 1e-8
+"""An edge must be at least this long relative to the largest coordinate."""
 
 
 class Mechanism(Protocol):
@@ -113,6 +116,40 @@ class FoldingMotion:
 def find_assignment(mechanism: Mechanism) -> CreaseValues:
     """Signs of all creases at lock: +1 valley, -1 mountain, 0 unfolded."""
     return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
+
+
+def require_resolution(mechanism: Mechanism, remedy: str) -> None:
+    """Refuse panels so small that the rounding of coordinates would bend them.
+
+    Parameters
+    ----------
+    mechanism
+        The sheet.
+    remedy
+        What to change.
+
+    Raises
+    ------
+    DesignError
+        If an edge is shorter than :data:`RESOLUTION` of the largest coordinate.
+    """
+    flat = mechanism.positions(0.0)
+    largest = float(np.abs(flat).max())
+    edges = {
+        "a row": np.linalg.norm(np.diff(flat, axis=1), axis=-1),
+        "a column": np.linalg.norm(np.diff(flat, axis=0), axis=-1),
+    }
+    name = min(edges, key=lambda each: float(edges[each].min()))
+    shortest = float(edges[name].min())
+    if shortest < RESOLUTION * largest:
+        row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
+        raise DesignError(
+            "a panel is so small that the rounding of coordinates would bend it",
+            place=f"at row {row}, column {column}",
+            size=f"an edge of {name} is {shortest:.4g} long with coordinates up to {largest:.4g}",
+            nearest=f"a length of {RESOLUTION * largest:.4g}: {remedy}, or move the curves nearer "
+            "to the origin",
+        )
 
 
 def panel_normals(positions: Array) -> Array:

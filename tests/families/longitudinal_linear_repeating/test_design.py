@@ -292,3 +292,19 @@ def test_99_x_99_near_90_degrees() -> None:
     assert residuals.fold_angle_rad <= 1e-9
     assert assignment.constant
     assert made.closeness["f"].max < 1e-4
+
+
+def test_panels_lost_in_rounding_are_refused() -> None:
+    for options in (
+        {"flap": 1e-12},
+        {"column_lengths": [1e-12, 1, 1, 1, 1, 1, 1, 1e-12]},
+        {"rows": 1, "row_lengths": [1, 1e-13, 1, 1, 1, 1, 1, 1]},
+    ):
+        assert "rounding" in refusal(**options).condition
+
+
+def test_a_flap_far_too_wide_gets_one_that_fits() -> None:
+    error = refusal(flap=1e9)
+    match = re.match(r"flap = (\S+)$", error.nearest)
+    assert match is not None
+    assert design(flap=float(match[1]))

@@ -1,5 +1,6 @@
 """What the family refuses, what it says, and that what it says works."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -220,3 +221,36 @@ def test_smallest_sheets(rows: int, columns: int) -> None:
         g=graph("0.02*x**2", 0, 1), rows=rows, columns=columns, depth="auto", heading="auto"
     ).design()
     assert design.mechanism.positions(1.0).shape == (rows + 2, columns + 2, 3)
+
+
+@pytest.mark.parametrize(
+    ("f", "g", "columns"),
+    [
+        (graph("x**3", -1, 1), graph("0.3*sin(x)", 0, 3), 13),
+        (graph("-x**2", -0.3, 1), graph("0.1*x", 0, 2), 2),
+        (PARABOLA, WAVE, 13),
+    ],
+)
+def test_reported_interval_is_exact(f: Curve, g: Curve, columns: int) -> None:
+    def at(degrees: float) -> OrthodiagonalRequest:
+        return request(f, g, columns=columns, heading=np.deg2rad(degrees))
+
+    interval = at(90).design().parameters["heading_interval_deg"]
+    assert isinstance(interval, list)
+    low, high = (float(degrees) for degrees in interval)
+    for inside, outside in ((low + 1e-4, low - 1e-4), (high - 1e-4, high + 1e-4)):
+        assert at(inside).design()
+        refusal(at(outside))
+
+
+def test_no_heading_is_offered_where_none_works() -> None:
+    # f's plane crosses g at many headings, but rows meet at all of them: the crossing interval,
+    # like the paper's condition, is only necessary.
+    roof, bowl = graph("-abs(x)", -1, 1), graph("-sqrt(4-x**2)", -1.5, 1.5)
+    error = refusal(request(roof, bowl, depth=0.1, heading=np.pi))
+    match = re.match(
+        r"scale in \[target.g\] times (\S+) .* with heading_deg = (\S+) and flap", error.nearest
+    )
+    assert match is not None
+    heading = np.deg2rad(float(match[2]))
+    assert request(roof, bowl.scaled(float(match[1])), depth=0.1, heading=heading).design()

@@ -16,6 +16,9 @@ AUTO_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.
 """Sector angles "auto" are the paper's, their deviations from 90 degrees reduced to such a share:
 the smaller, the larger are the sheets that exist and the less the radius grows."""
 
+SMALLEST_ANGLE = 1e-4
+"""Sector angles are looked for no nearer to 0 and 180 (degrees)."""
+
 
 def auto_sectors(share: float) -> Sectors:
     """The paper's (85, 80, 95, 100) degrees, nearer to 90 by a share."""
@@ -72,7 +75,7 @@ def no_solution(sectors: Sectors) -> DesignError:
 def nearest_with_solution(sectors: Sectors) -> list[float] | None:
     """The angles (degrees) that differ least, and in one angle only, and have a solution."""
     best: tuple[float, list[float]] | None = None
-    start = np.round(sectors.degrees, 4)
+    start = np.clip(np.round(sectors.degrees, 4), SMALLEST_ANGLE, 180 - SMALLEST_ANGLE)
     for index in range(len(NAMES)):
         for sign in (1, -1):
             change = _smallest_change(start, index, sign, best[0] if best else 90.0)

@@ -42,6 +42,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation import (
     continue_columns,
     repeat_columns,
 )
+from orishell.motion import require_resolution
 from orishell.quoting import tidy_degrees
 
 Array = NDArray[np.float64]
@@ -180,7 +181,8 @@ class _Request:
             raise DesignError(
                 "a solution of (4) in its sine version folds its S rows to alternate sides, so "
                 "that no column follows a convex curve",
-                nearest="solution = 0, if orishell solve says that it is of the cosine version",
+                nearest="a solution of the cosine version (orishell solve lists them first), or "
+                'sector_deg = "auto"',
             )
         columns = self._coupled(solution)
         require_size(columns, self.rows, self.first_row)
@@ -202,6 +204,7 @@ class _Request:
             side=stage.side,
         )
         require_flat_sheet(mechanism)
+        require_resolution(mechanism, "change rows, columns, flap or the lengths given")
         return stage, mechanism
 
     def _coupled(self, solution: Solution) -> Columns:

@@ -29,6 +29,8 @@ from orishell.geometry import is_simple_polygon
 Array = NDArray[np.float64]
 Auto = Literal["auto"]
 
+SMALLEST_SHARE = 1e-30
+"""No smaller share of a given flap is looked for."""
 LARGEST_SEARCH = 99
 """Rows and columns beyond which no larger sheet is looked for."""
 
@@ -161,8 +163,12 @@ def _corner_turns(mechanism: LongitudinalLinearRepeating) -> Array:
 
 
 def _largest_share(works: Callable[[float], bool]) -> float:
-    good, bad = 0.0, 1.0
-    for _ in range(20):
+    """The largest share in (0, 1) that works, to a thousandth of itself."""
+    bad = 1.0
+    good = 0.5
+    while not works(good) and good > SMALLEST_SHARE:
+        good, bad = 0.5 * good, good
+    while bad - good > 1e-3 * good:
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if works(middle) else (good, middle)
     return good

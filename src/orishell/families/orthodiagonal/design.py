@@ -11,14 +11,16 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
-from orishell.errors import DesignError
 from orishell.families.orthodiagonal.headings import (
     Headings,
     SideChoice,
+    nearest_interval,
+    union,
 )
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
 from orishell.families.orthodiagonal.refusal import refuse
+from orishell.motion import require_resolution
 from orishell.polylines import (
     Spacing,
     Zigzag,
@@ -35,8 +37,6 @@ FLAP_SHARE = 0.5
 """An "auto" flap takes at most this share of the width that there is room for."""
 LEVEL = 1e-12
 """A middle row that rises by less than this is level (radians)."""
-RESOLUTION = 1e-8
-"""A crease must be at least this long relative to the largest coordinate."""
 
 
 def design_orthodiagonal(
@@ -113,14 +113,17 @@ def design_orthodiagonal(
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading)
     zigzag, headings, mechanism, ends = max(candidates, key=lambda candidate: _ground(candidate[3]))
-    _require_resolution(mechanism)
+    require_resolution(mechanism, "change rows, columns, flap or depth")
 
-    interval = headings.interval(heading)
+    # Any of the zigzags would do: a heading is admissible where one of them admits it.
+    admissible = union(np.concatenate([each.intervals() for each in demands]))
+    interval = nearest_interval(admissible, heading) or (heading, heading)
     closeness = {
         "f": measure_closeness(f_trace, zigzag.vertices),
         "g": measure_closeness(g_trace, vertices),
     }
-    alpha = [_alpha_0(headings, zigzag, angle) for angle in (heading, *interval)]
+    of_zigzag = headings.interval(heading)
+    alpha = [_alpha_0(headings, zigzag, angle) for angle in (heading, *of_zigzag)]
     return Design(
         mechanism=mechanism,
         parameters={
@@ -193,26 +196,6 @@ def _alpha_0(headings: Headings, zigzag: Zigzag, heading: float) -> float:
     """The paper's alpha_0 (step 3): cos alpha_0 = sin(beta_mid/2) cos eps_1."""
     eps = headings.eps(heading)[0]
     return float(np.arccos(np.sin(zigzag.angles[len(zigzag.angles) // 2] / 2) * np.cos(eps)))
-
-
-def _require_resolution(mechanism: Orthodiagonal) -> None:
-    """Panels so small that the rounding of coordinates would bend them are refused."""
-    flat = mechanism.positions(0.0)
-    edges = {
-        "crease of a row": float(np.linalg.norm(np.diff(flat, axis=1), axis=-1).min()),
-        "crease of a column": float(mechanism.column_lengths().min()),
-        "step between columns": float(np.linalg.norm(np.diff(flat[0], axis=0), axis=-1).min()),
-    }
-    name = min(edges, key=lambda each: edges[each])
-    largest = float(np.abs(flat).max())
-    if edges[name] < RESOLUTION * largest:
-        raise DesignError(
-            "a panel is so small that the rounding of coordinates would bend it",
-            place=f"at the shortest {name}",
-            size=f"it is {edges[name]:.4g} long with coordinates up to {largest:.4g}",
-            nearest=f"a length of {RESOLUTION * largest:.4g}: change rows, columns, flap or depth, "
-            "or move the curves nearer to the origin",
-        )
 
 
 def _place_targets(

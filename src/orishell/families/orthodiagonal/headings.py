@@ -140,6 +140,17 @@ class Headings:
         return np.angle(from_first), np.abs(from_first)
 
 
+def union(intervals: Array) -> Array:
+    """Open intervals (k, 2) with those that overlap joined."""
+    joined: list[list[float]] = []
+    for low, high in sorted(intervals.tolist()):
+        if joined and low < joined[-1][1]:
+            joined[-1][1] = max(joined[-1][1], high)
+        else:
+            joined.append([low, high])
+    return np.array(joined).reshape(-1, 2)
+
+
 def nearest_interval(intervals: Array, heading: float) -> tuple[float, float] | None:
     """The interval (of k, 2) that holds a heading or is nearest to it; None if there is none."""
     if not len(intervals):

@@ -8,12 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.curves import Trace
+from orishell.curves.jets import Array
 from orishell.errors import DesignError
 from orishell.families.orthodiagonal.headings import (
     SMALLEST_EPS,
     Headings,
     holds,
     nearest_interval,
+    union,
 )
 from orishell.families.orthodiagonal.profile import as_typed, bisect, sound_zigzags
 from orishell.polylines import Zigzag
@@ -45,26 +47,46 @@ def refuse(
     crossing = nearest_interval(headings.crossing_intervals(), heading)
     if crossing is None:
         return _turns_too_far(g, headings)
+    admissible = union(np.concatenate([each.intervals() for each in demands]))
     if not holds(crossing, heading):
-        interval = nearest_interval(headings.intervals(), heading) or crossing
-        return _does_not_cross(headings, heading, _interval(interval))
-    remedies = _remedies(f, zigzag, headings, heading)
+        interval = nearest_interval(admissible, heading)
+        offer = (
+            _at_another_heading(f, zigzag, headings, sum(crossing) / 2)
+            if interval is None
+            else _interval(interval)
+        )
+        return _does_not_cross(headings, heading, offer)
+    remedies = _remedies(f, zigzag, headings, admissible, heading)
     roomy = [each.room(heading) for each in demands if replace(each, flap=None).admit(heading)]
     if roomy:
         return _flap_too_wide(headings, max(roomy), remedies)
     if not remedies:
-        without = replace(headings, flap=None)
+        without = [replace(each, flap=None) for each in demands]
+        free = union(np.concatenate([each.intervals() for each in without]))
         remedies = [
-            f'{remedy} with flap = "auto"' for remedy in _remedies(f, zigzag, without, heading)
+            f'{remedy} with flap = "auto"'
+            for remedy in _remedies(f, zigzag, without[0], free, heading)
         ]
     return _rows_meet(zigzag, headings, heading, remedies)
 
 
-def _remedies(f: Trace, zigzag: Zigzag, headings: Headings, heading: float) -> list[str]:
+def _remedies(
+    f: Trace, zigzag: Zigzag, headings: Headings, admissible: Array, heading: float
+) -> list[str]:
     """Whatever works instead: other headings, a smaller g, another depth."""
-    interval = nearest_interval(headings.intervals(), heading)
+    interval = nearest_interval(admissible, heading)
     found = [_interval(interval)] if interval is not None else []
     return found + _scale(headings, heading) + _depth(f, zigzag, headings, heading)
+
+
+def _at_another_heading(f: Trace, zigzag: Zigzag, headings: Headings, heading: float) -> str:
+    """What works at a heading at which f's plane crosses g, without flaps that are too wide."""
+    heading = np.deg2rad(float(in_degrees(heading)))
+    without = replace(headings, flap=None)
+    found = _scale(without, heading) + _depth(f, zigzag, without, heading)
+    if not found:
+        return "a smaller g"
+    return f'{found[0]} with heading_deg = {in_degrees(heading)} and flap = "auto"'
 
 
 def _interval(interval: tuple[float, float]) -> str:
