@@ -75,7 +75,7 @@ def design_longitudinal_linear_repeating(
     f
         The swept curve: convex, run through in the direction of its x axis, upright on g.
     g
-        The line that it is swept along; its length is the middle row's at the stage.
+        The line that it is swept along; the middle row advances by its length at the stage.
     rows, columns
         Inner vertices m and n.
     sectors

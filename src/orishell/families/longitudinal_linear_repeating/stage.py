@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating.mechanism import crease_end
 from orishell.families.longitudinal_linear_repeating.section import Section
+from orishell.families.longitudinal_linear_repeating.sheet import sheet_exists
 from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.families.longitudinal_linear_repeating.tessellation import Columns, RowKind
 from orishell.quoting import in_degrees
@@ -125,13 +126,28 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
     def turning(at: float, count: int = rows) -> float:
         return abs(Section.of(columns, count, first_row, at, profile.side).turning)
 
+    def follows(count: int) -> bool:
+        """Whether so many rows turn as much as f somewhere in their motion, all the same way."""
+        last = crease_end(columns, count, first_row)
+        if not turning(begin, count) < profile.turning < turning(last, count):
+            return False
+        at = brentq(lambda x: turning(x, count) - profile.turning, begin, last)
+        found = Section.of(columns, count, first_row, float(at), profile.side)
+        turns = np.concatenate([[found.beyond[0]], found.turns, [found.beyond[1]]])
+        return bool((turns * found.turning > 0).all())
+
+    def nearest(way: int) -> str:
+        count = _nearest_rows(follows, rows, way)
+        if count is None or not sheet_exists(columns, count, first_row):
+            return 'sector_deg = "auto"'
+        return f"rows = {count}"
+
     if turning(begin) > profile.turning:
         raise DesignError(
             f"{rows} rows of these sector angles turn more than f, however little they fold",
             size=f"by {in_degrees(turning(begin))} degrees at least, because rows fan out in the "
             f"flat sheet; f turns by {in_degrees(profile.turning)}",
-            nearest=_nearest_rows(lambda count: turning(begin, count) < profile.turning, rows, -1)
-            or 'sector_deg = "auto"',
+            nearest=nearest(-1),
         )
     at = np.geomspace(begin, end, STEPS)
     for low, high in pairwise(at):
@@ -143,15 +159,14 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
         f"{rows} rows cannot turn as much as f",
         size=f"by {in_degrees(turning(end))} degrees at the end of the motion; f turns by "
         f"{in_degrees(profile.turning)}",
-        nearest=_nearest_rows(lambda count: turning(end, count) > profile.turning, rows, 1)
-        or "a shorter part of f",
+        nearest=nearest(1),
     )
 
 
-def _nearest_rows(works: Callable[[int], bool], rows: int, way: int) -> str:
+def _nearest_rows(works: Callable[[int], bool], rows: int, way: int) -> int | None:
     """The number of rows nearest to ``rows``, in one direction, that works."""
     candidates = range(rows + way, 0, -1) if way < 0 else range(rows + 1, 4 * rows + 40)
-    return next((f"rows = {count}" for count in candidates if works(count)), "")
+    return next((count for count in candidates if works(count)), None)
 
 
 def _require_one_way(turns: Array, profile: Profile) -> None:
