@@ -172,11 +172,13 @@ def _is_simple(flat: Array) -> bool:
 
 
 def _bisect_down(bad: float, works: Callable[[float], bool]) -> float | None:
-    """The largest value below ``bad`` that works, or None if not even a twentieth of it does."""
-    good = bad / 20
-    if not works(good):
-        return None
-    while bad - good > 1e-3 * bad:
+    """The largest value below ``bad`` that works, or None if not even a millionth of it does."""
+    smallest, good = 1e-6 * bad, 0.5 * bad
+    while not works(good):
+        good, bad = 0.5 * good, good
+        if good < smallest:
+            return None
+    while bad - good > 1e-3 * good:
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if works(middle) else (good, middle)
     return good
