@@ -65,9 +65,10 @@ def test_interval_is_reported() -> None:
     assert 80 < low < 90 < high < 101
     for degrees in (low + 0.01, high - 0.01):
         assert request(heading=np.deg2rad(degrees)).design()
-    alpha = design.parameters["alpha_0_interval_deg"]
-    assert isinstance(alpha, list)
-    assert alpha[0] < design.parameters["alpha_0_deg"] < alpha[1]  # type: ignore[operator]
+    bounds, alpha = (design.parameters[f"alpha_0{name}_deg"] for name in ("_interval", ""))
+    assert isinstance(bounds, list)
+    assert isinstance(alpha, float)
+    assert float(bounds[0]) < alpha < float(bounds[1])
 
 
 def test_auto_heading() -> None:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.orthodiagonal.design import headings_of
-from orishell.families.orthodiagonal.headings import Headings, holds
+from orishell.families.orthodiagonal.headings import Headings, SideChoice, holds
 from orishell.polylines import Zigzag
 from strategies import numbers
 
@@ -74,7 +74,7 @@ def test_intervals_are_where_all_conditions_hold(
     turn: float,
     limits: tuple[float, float],
     flap: float | None,
-    sides: tuple,  # type: ignore[type-arg]
+    sides: tuple[SideChoice, SideChoice],
 ) -> None:
     headings = Headings(g * np.exp(1j * turn), 0.7, limits, flap, sides)
     intervals = headings.intervals()

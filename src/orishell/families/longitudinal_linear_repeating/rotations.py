@@ -77,7 +77,7 @@ class Rotations:
 
     def matrix(self) -> Array:
         """Rotation matrices (..., 3, 3)."""
-        x, y = (self.turned(np.complex128(axis)) for axis in (1, 1j))  # type: ignore[arg-type]
+        x, y = (self.turned(np.array(axis, np.complex128)) for axis in (1, 1j))
         return np.stack([x, y, np.cross(x, y)], axis=-1)
 
 
