@@ -128,7 +128,7 @@ def requests(draw: st.DrawFn) -> Request:
         "xi": float(xi),
         "theta": float(theta),
         "plane": np.deg2rad(draw(numbers(40, 140))),
-        "flap": draw(st.sampled_from(["auto", 0.05, 0.5])),
+        "flap": draw(st.sampled_from(["auto", 0.05, 0.5, 0.0])),
         "flap_sides": (
             draw(st.sampled_from(["start", "end"])),
             draw(st.sampled_from(["start", "end"])),
@@ -167,8 +167,9 @@ class OrthodiagonalRequest:
             remedy = text.removesuffix(' with flap = "auto"')
             if remedy != text:
                 options["flap"] = "auto"
-            if match := re.search(r' with heading_deg = (\S+) and flap = "auto"$', remedy):
-                options |= {"heading": np.deg2rad(float(match[1])), "flap": "auto"}
+            if match := re.search(r" with heading_deg = ([\d.]+)( and flap = .*)?$", remedy):
+                options["heading"] = np.deg2rad(float(match[1]))
+                options |= {"flap": "auto"} if match[2] else {}
                 remedy = remedy[: match.start()]
             f, g = self.f, self.g
             if match := re.match(r"heading_deg between (\S+) and (\S+)$", remedy):
@@ -215,7 +216,7 @@ def orthodiagonal_requests(draw: st.DrawFn) -> OrthodiagonalRequest:
         "columns": draw(st.integers(2, 24)),
         "depth": draw(st.one_of(st.just("auto"), numbers(0.1, 1).map(lambda x: x * length / rows))),
         "heading": draw(st.one_of(st.just("auto"), numbers(30, 150).map(np.deg2rad))),
-        "flap": draw(st.sampled_from(["auto", 0.05, 0.5])),
+        "flap": draw(st.sampled_from(["auto", 0.05, 0.5, 0.0])),
         "flap_sides": (draw(side), draw(side)),
         "spacing": draw(st.sampled_from(["curvature", "equal"])),
     }

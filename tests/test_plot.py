@@ -12,9 +12,9 @@ from orishell.plot import plot_overview
 from strategies import graph
 
 
-def picture(path: Path, rows: int, columns: int, g: str) -> np.ndarray:
+def picture(path: Path, rows: int, columns: int, g: str, flap: float = 0.3) -> np.ndarray:
     design = design_parallel_repeating(
-        graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=0.3
+        graph("-x**2", -1, 1), graph(g, 0, 20), rows=rows, columns=columns, xi=0.8, flap=flap
     )
     plot_overview(
         path,
@@ -44,4 +44,12 @@ def test_colours_are_there(tmp_path: Path, rows: int, columns: int) -> None:
         "border": (0, 0, 0),
     }.items():
         assert share_of(pixels, colour) > 1e-4, name
+    assert 0.3 < share_of(pixels, (255, 255, 255)) < 0.97
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 2), (3, 3), (201, 2)])
+def test_sheets_without_flaps(tmp_path: Path, rows: int, columns: int) -> None:
+    pixels = picture(tmp_path / "overview.png", rows, columns, "x**2/60", flap=0)
+    for colour in ((10, 143, 60), (181, 23, 158), (0, 0, 0)):
+        assert share_of(pixels, colour) > 1e-4
     assert 0.3 < share_of(pixels, (255, 255, 255)) < 0.97

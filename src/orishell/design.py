@@ -38,11 +38,9 @@ class Design:
         Distance of the polylines the shell locks on to the target curves, by the same names.
     warnings
         Sentences a user should read: the design is made, but may not be what was meant.
-    lock_cause
-        What ends the motion: "flaps" that clash, or a "crease" that is folded flat.
     lock_drive
-        Drive at which it would end if it is not stopped at a stage before (radians), or None for
-        the mechanism's ``lock_drive``.
+        Drive at which a crease ends the motion beyond the stage that meets the target (radians),
+        or None if the mechanism's ``lock_drive`` is the end.
     """
 
     mechanism: Mechanism
@@ -50,5 +48,13 @@ class Design:
     targets: Mapping[str, Array]
     closeness: Mapping[str, Closeness]
     warnings: tuple[str, ...]
-    lock_cause: Literal["flaps", "crease"] = "flaps"
     lock_drive: float | None = None
+
+
+def warn_of_no_lock(flap: float) -> tuple[str, ...]:
+    """Warn of a shell whose flaps have no width: nothing stops it at its target."""
+    if flap:
+        return ()
+    return (
+        "without flaps (flap = 0) nothing stops the motion at the target: the shell does not lock",
+    )

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.motion import FoldedState, measure_fold_angles, panel_normals
+from orishell.motion import FoldedState, measure_fold_angles
+from orishell.panels import area_vectors, corner_distances, diagonal_gaps, sector_angles
 from orishell.pattern import CreaseValues, crease_signs
 
 Array = NDArray[np.float64]
@@ -58,19 +59,18 @@ def measure_residuals(
     states: Iterable[FoldedState], flat: FoldedState
 ) -> tuple[Residuals, AssignmentCheck]:
     """Measure every state against the flat sheet, one state in memory at a time."""
-    distances = _panel_distances(flat.positions)
+    distances = corner_distances(_corners(flat.positions))
     size = diagonal(flat.positions)
     length = planarity = sector = fold = 0.0
     signs: CreaseValues | None = None
     constant = True
     for state in states:
-        change = [
-            np.abs(now - before).max()
-            for now, before in zip(_panel_distances(state.positions), distances, strict=True)
-        ]
-        length = max(length, float(max(change)) / size)
-        planarity = max(planarity, _planarity(state.positions) / size)
-        sector = max(sector, float(np.abs(_sector_sums(state.positions) - 2 * np.pi).max()))
+        corners = _corners(state.positions)
+        length = max(length, float(np.abs(corner_distances(corners) - distances).max()) / size)
+        planarity = max(planarity, float(diagonal_gaps(corners).max()) / size)
+        sector = max(
+            sector, float(np.abs(_sector_sums(state.positions) - 2 * np.pi).max(initial=0))
+        )
         measured = measure_fold_angles(state.positions)
         fold = max(
             fold,
@@ -101,42 +101,30 @@ def extents(positions: Array) -> tuple[float, float, float]:
 
 
 def sheet_area(positions: Array) -> float:
-    """Area of all panels: half the cross product of the diagonals of each."""
-    p, q, r, s = _corners(positions)
-    return float(0.5 * np.linalg.norm(np.cross(r - p, s - q), axis=-1).sum())
+    """Area of all panels."""
+    return float(np.linalg.norm(area_vectors(_corners(positions)), axis=-1).sum())
 
 
-def _corners(positions: Array) -> tuple[Array, Array, Array, Array]:
-    """Top left, bottom left, bottom right and top right corner of every panel."""
-    return positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]
+def corrugation_depth(positions: Array) -> float:
+    """Mean distance of inner vertices from the line between those above and below (length)."""
+    inner = positions[:, 1:-1] if positions.shape[1] > 2 else positions
+    base = inner[2:] - inner[:-2]
+    arm = inner[1:-1] - inner[:-2]
+    across = np.linalg.norm(np.cross(arm, base), axis=-1)
+    return float((across / np.linalg.norm(base, axis=-1)).mean())
 
 
-def _panel_distances(positions: Array) -> list[Array]:
-    """The six distances of every panel's corners."""
-    corners = _corners(positions)
-    return [
-        np.asarray(np.linalg.norm(corners[a] - corners[b], axis=-1))
-        for a in range(4)
-        for b in range(a)
-    ]
-
-
-def _planarity(positions: Array) -> float:
-    p, q, _, _ = _corners(positions)
-    gap = np.einsum("...i,...i->...", panel_normals(positions), q - p)
-    return float(np.abs(gap).max())
+def _corners(positions: Array) -> Array:
+    """Corners (rows-1, columns-1, 4, 3) of every panel: top left, then counter-clockwise."""
+    return np.stack(
+        [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
+    )
 
 
 def _sector_sums(positions: Array) -> Array:
     """Sum of the four sector angles at every inner vertex (radians)."""
-    corners = _corners(positions)
-
-    def angle(k: int) -> Array:
-        u = corners[(k + 1) % 4] - corners[k]
-        v = corners[(k - 1) % 4] - corners[k]
-        return np.asarray(np.arctan2(np.linalg.norm(np.cross(u, v), axis=-1), (u * v).sum(axis=-1)))
-
-    return angle(0)[1:, 1:] + angle(1)[:-1, 1:] + angle(2)[:-1, :-1] + angle(3)[1:, :-1]
+    angle = np.moveaxis(sector_angles(_corners(positions)), -1, 0)
+    return np.asarray(angle[0, 1:, 1:] + angle[1, :-1, 1:] + angle[2, :-1, :-1] + angle[3, 1:, :-1])
 
 
 def _largest_turn(first: Array, second: Array) -> float:

@@ -43,6 +43,24 @@ class Mechanism(Protocol):
         """Fold angles of all creases at drive angles (...), in closed form (radians)."""
         ...
 
+    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Bounds of the accelerations of edges while the drive is between ``start`` and ``stop``.
+
+        Parameters
+        ----------
+        start, stop
+            Ends (S,) of ranges of the drive (radians).
+
+        Returns
+        -------
+        tuple
+            Upper bounds of the length of the second derivative by the drive of the vectors
+            between neighbouring vertices, in length per radian squared: along rows
+            (S, columns-1), the largest of all rows; down columns (S, rows-1), the largest of
+            all columns.
+        """
+        ...
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoldedState:

@@ -27,7 +27,16 @@ STATE_SHARES = (0.25, 0.5, 0.75)
 """States shown between flat and locked, as shares of the drive at lock."""
 PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
+CONTACT_COLOUR = "#ff7f0e"
 DPI = 200
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnContact:
+    """A state in which panels touch, and these panels by row and column."""
+
+    drive: float
+    panels: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,6 +68,7 @@ def plot_overview(
     title: str,
     last: str,
     unit: str,
+    contact: DrawnContact | None = None,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -76,6 +86,8 @@ def plot_overview(
         What the last state is, for example "Locked".
     unit
         Unit of length, for the sizes under the heading.
+    contact
+        A contact to draw beside the other states, if there is one before lock.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -85,31 +97,36 @@ def plot_overview(
     locked = motion.locked.positions
     camera = _choose_camera(locked)
     drives = [share * lock for share in STATE_SHARES]
+    if contact is not None:
+        drives.append(contact.drive)
     states = [motion.mechanism.positions(drive) for drive in drives]
 
     width = 13.0
     sheet = _landscape(motion.flat.positions[..., :2])
     above = _row_height(width / 2, [sheet, camera.project(locked)[0]])
-    below = _row_height(width / 3, [camera.project(positions)[0] for positions in states])
+    count = len(states)
+    below = _row_height(width / count, [camera.project(positions)[0] for positions in states])
     layout = ConstrainedLayoutEngine(h_pad=0.12, w_pad=0.08)
     figure = Figure(figsize=(width, above + below), facecolor="white", layout=layout)
     FigureCanvasAgg(figure)
-    grid = figure.add_gridspec(2, 6, height_ratios=(above, below))
+    grid = figure.add_gridspec(2, 2 * count, height_ratios=(above, below))
     figure.suptitle(title, fontsize=15, fontweight="bold")
 
-    pattern = figure.add_subplot(grid[0, :3])
+    pattern = figure.add_subplot(grid[0, :count])
     thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), width / 2)
     size = np.ptp(sheet.reshape(-1, 2), axis=0)
     pattern.set_title(f"Crease pattern, {size[0]:.3g} × {size[1]:.3g} {unit}{thinned}")
-    shell = figure.add_subplot(grid[0, 3:])
+    shell = figure.add_subplot(grid[0, count:])
     _draw_shell(shell, locked, camera, width / 2)
     _draw_targets(shell, targets, camera)
     sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
     shell.set_title(f"{last}, with f and g, {sizes} {unit}")
-    frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(len(states))]
+    frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(count)]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
-        _draw_shell(axes, positions, camera, width / 3)
+        _draw_shell(axes, positions, camera, width / count)
         axes.set_title(f"Drive {np.rad2deg(drive):.3g}°")
+    if contact is not None:
+        _mark_panels(frames[-1], states[-1], contact, camera)
     _same_scale(frames)
     figure.savefig(path, dpi=DPI, metadata={"Software": None})
 
@@ -214,6 +231,25 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> 
         )
     )
     _frame(axes, picture.reshape(-1, 2))
+
+
+def _mark_panels(axes: Axes, positions: Array, contact: DrawnContact, camera: Camera) -> None:
+    """Panels that touch, on top of the shell, and a ring around them."""
+    from matplotlib.collections import PolyCollection
+
+    marked = [
+        camera.project(positions[[i, i + 1, i + 1, i], [j, j, j + 1, j + 1]])[0]
+        for i, j in contact.panels
+    ]
+    axes.add_collection(
+        PolyCollection(
+            marked, facecolors=CONTACT_COLOUR, edgecolors=BORDER, linewidths=0.6, alpha=0.85
+        )
+    )
+    middle = np.concatenate(marked).mean(axis=0)
+    axes.plot(*middle, "o", markersize=26, fillstyle="none", color=CONTACT_COLOUR, linewidth=1.5)
+    names = " and ".join(f"[{i}, {j}]" for i, j in contact.panels)
+    axes.set_title(f"First contact, drive {np.rad2deg(contact.drive):.4g}°:\npanels {names}")
 
 
 def _draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Protocol
@@ -15,10 +15,18 @@ import numpy as np
 from orishell.design import Design
 from orishell.errors import InputError, VerificationError
 from orishell.io import OutputDirectory, write_fold
+from orishell.locking import (
+    Lock,
+    Request,
+    describe_lock,
+    settle,
+    unexamined_lock,
+    warn_of_lock,
+)
 from orishell.metrics import AssignmentCheck, Residuals, extents, measure_residuals, sheet_area
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.pattern import CreaseValues
-from orishell.plot import plot_overview
+from orishell.plot import DrawnContact, plot_overview
 from orishell.quoting import tidy_degrees
 from orishell.spec import DesignFile, read_design_file
 
@@ -41,6 +49,28 @@ def unwatched(motion: FoldingMotion, what: str) -> Iterable[FoldedState]:
     return motion
 
 
+@dataclass(frozen=True, slots=True)
+class ClashTest:
+    """How contact between panels is looked for.
+
+    Parameters
+    ----------
+    skipped
+        Do not look: for sheets of hundreds of thousands of panels.
+    allowed
+        Go on with a shell whose panels meet before it locks, and say so.
+    advanced
+        Called with the share of the path that is done.
+    """
+
+    skipped: bool = False
+    allowed: bool = False
+    advanced: Callable[[float], None] | None = None
+
+
+CLASH_TEST = ClashTest()
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
     """A designed and verified shell.
@@ -51,6 +81,8 @@ class Shell:
         The design file.
     design
         What the family made of it.
+    lock
+        How its motion ends.
     motion
         Its states.
     report
@@ -61,13 +93,16 @@ class Shell:
 
     file: DesignFile
     design: Design
+    lock: Lock
     motion: FoldingMotion
     report: dict[str, Any]
     seconds: dict[str, float]
 
 
-def design_shell(path: Path, watched: Watched = unwatched) -> Shell:
-    """Read a design file, design the shell and verify every state of its motion.
+def design_shell(
+    path: Path, watched: Watched = unwatched, clash_test: ClashTest = CLASH_TEST
+) -> Shell:
+    """Read a design file, design the shell, verify its states and prove how its motion ends.
 
     Parameters
     ----------
@@ -75,23 +110,35 @@ def design_shell(path: Path, watched: Watched = unwatched) -> Shell:
         The design file.
     watched
         Shows progress over the states.
+    clash_test
+        How contact between panels is looked for.
 
     Raises
     ------
     InputError
         If the file or a curve in it is not usable.
     DesignError
-        If the family cannot reach the target.
+        If the family cannot reach the target, or panels meet before the shell locks.
     VerificationError
         If the result is not rigid: a fault of the program.
     """
     clock = _Clock()
     file = read_design_file(path)
+    request = Request(
+        file.pattern.designed, file.f, file.g, file.pattern.flap, file.contact_tolerance
+    )
     try:
-        design = file.pattern.design(file.f, file.g)
+        design = request.made()
+        clock.lap("design")
+        if clash_test.skipped:
+            lock = unexamined_lock(design)
+        else:
+            design, lock = settle(
+                request, design, allow_clash=clash_test.allowed, advanced=clash_test.advanced
+            )
+            clock.lap("clash")
     except InputError as error:
         raise error.located(f"{path}:") from None
-    clock.lap("design")
 
     motion = FoldingMotion(design.mechanism, file.frames)
     boxes: list[tuple[float, tuple[float, float, float]]] = []
@@ -115,23 +162,18 @@ def design_shell(path: Path, watched: Watched = unwatched) -> Shell:
         "rows": file.pattern.rows,
         "columns": file.pattern.columns,
         "parameters": dict(design.parameters),
-        "feasible": True,
-        "warnings": list(design.warnings),
+        "feasible": not lock.early,
+        "warnings": [*design.warnings, *warn_of_lock(lock)],
         "residuals": asdict(residuals),
         "assignment": {**_count(signs), **asdict(assignment)},
-        "lock": {
-            "drive_deg": tidy_degrees(
-                design.mechanism.lock_drive if design.lock_drive is None else design.lock_drive
-            ),
-            "cause": design.lock_cause,
-        },
-        "not_checked": ["contact between panels before lock"],
+        "lock": describe_lock(lock),
+        "not_checked": ["contact between panels before lock"] if clash_test.skipped else [],
         "deviation": {name: asdict(closeness) for name, closeness in design.closeness.items()},
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),
         "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},
     }
-    return Shell(file, design, motion, report, clock.seconds)
+    return Shell(file, design, lock, motion, report, clock.seconds)
 
 
 def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> list[Path]:
@@ -155,8 +197,9 @@ def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> 
             shell.motion,
             shell.design.targets,
             title=_title(shell),
-            last="Locked" if shell.design.lock_cause == "flaps" else "Folded until it meets f",
+            last="Locked" if shell.lock.cause == "flaps" else "Folded until it meets the target",
             unit=shell.file.unit,
+            contact=_drawn(shell.lock),
         )
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
@@ -178,6 +221,14 @@ def _require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None
         f"diagonal (limit {LENGTH_LIMIT:g}), angles are wrong by {angles:.3g} rad (limit "
         f"{ANGLE_LIMIT:g}); this is a fault of the program"
     )
+
+
+def _drawn(lock: Lock) -> DrawnContact | None:
+    """What the picture shows of a contact before the target."""
+    contact = lock.first_contact
+    if contact is None or not lock.early:
+        return None
+    return DrawnContact(contact.drive, contact.panels)
 
 
 def _title(shell: Shell) -> str:

@@ -1,6 +1,7 @@
 """The command line as a user meets it: status, messages, files."""
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -37,7 +38,7 @@ def test_json_report_and_the_same_bytes_twice(tmp_path: Path) -> None:
     first = orishell("design", EXAMPLE, "--out", "one", "--json", cwd=tmp_path)
     orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
     printed = json.loads(first.stdout)
-    assert set(printed.pop("seconds")) == {"design", "fold", "write"}
+    assert set(printed.pop("seconds")) == {"design", "clash", "fold", "write"}
     assert printed == json.loads((tmp_path / "one" / "report.json").read_text())
     for name in FILES:
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
@@ -104,3 +105,23 @@ def test_warnings_go_to_standard_error(tmp_path: Path) -> None:
     assert done.returncode == 0
     assert "warning: the polyline of g" in done.stderr
     assert json.loads((tmp_path / "out" / "report.json").read_text())["warnings"]
+
+
+@pytest.mark.parametrize("example", ["figure1", "figure2"])
+@pytest.mark.parametrize("columns", [2, 12])
+def test_without_flaps(tmp_path: Path, example: str, columns: int) -> None:
+    text = EXAMPLE.with_name(f"{example}.toml").read_text()
+    text = re.sub(r"\nflap = \S+ ", "\nflap = 0 ", text)
+    text = re.sub(r"\ncolumns = \d+ ", f"\ncolumns = {columns} ", text)
+    (tmp_path / "shell.toml").write_text(text)
+    done = orishell("design", "shell.toml", "--out", "out", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "warning: without flaps (flap = 0) nothing stops the motion" in done.stderr
+    assert "the shell does not lock" in done.stderr
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == FILES
+    fold = json.loads((tmp_path / "out" / "shell.fold").read_text())
+    assert fold["orishell:grid_shape"] == [11, columns]
+    assert len(fold["vertices_coords"]) == 11 * columns
+    for frame in fold["file_frames"]:
+        assert len(frame["vertices_coords"]) == 11 * columns
+    assert max(map(abs, fold["edges_foldAngle"])) < 179

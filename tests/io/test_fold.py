@@ -43,6 +43,18 @@ def test_key_frame(fold: dict[str, Any]) -> None:
     assert len(fold["faces_vertices"]) == len(fold["faces_edges"]) == (M + 1) * (N + 1)
 
 
+def test_two_columns_without_flaps(tmp_path: Path) -> None:
+    design = design_parallel_repeating(
+        graph("-x**2", -1, 1), graph("x/2", 0, 3), rows=1, columns=2, xi=0.8, flap=0
+    )
+    motion = FoldingMotion(design.mechanism, 2)
+    write_fold(tmp_path / "shell.fold", motion, "m", motion)
+    content = json.loads((tmp_path / "shell.fold").read_text())
+    assert content["orishell:grid_shape"] == [3, 2]
+    assert "".join(content["edges_assignment"]) in {"BMBBBBB", "BVBBBBB"}
+    assert len(content["faces_vertices"]) == 2
+
+
 def test_faces_are_counter_clockwise(fold: dict[str, Any]) -> None:
     corners = np.array(fold["vertices_coords"])[np.array(fold["faces_vertices"])]
     x, y = corners[..., 0], corners[..., 1]

@@ -76,7 +76,7 @@ FAULTS = {
     "no range": (("range = [-1, 1]", ""), "[target.f]", "needs its range"),
     "both sources": (("range = [-1, 1]", 'points = "a.csv"'), "[target.f]", "either"),
     "xi of 180": (("xi_deg = 50", "xi_deg = 180"), "[pattern] xi_deg", "at most 179.9"),
-    "no flap": (("flap = 0.3", "flap = 0"), "[pattern] flap", "greater than 0"),
+    "negative flap": (("flap = 0.3", "flap = -0.3"), "[pattern] flap", "at least 0"),
     "attack": (("-x**2", "__import__('os')"), "[target.f] formula", "character 12"),
     "fault in a formula": (("-x**2", "-x^2"), "[target.f] formula", "write **"),
     "one frame": (("[pattern]", "[motion]\nframes = 1\n[pattern]"), "[motion] frames", "least 2"),

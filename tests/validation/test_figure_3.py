@@ -56,8 +56,10 @@ def test_radius_grows_to_1_67_r(shell: Shell) -> None:
 
 
 def test_lock(shell: Shell) -> None:
-    assert shell.report["lock"]["cause"] == "crease"
-    assert shell.report["lock"]["drive_deg"] == pytest.approx(119.747, abs=1e-3)
+    # Column 1's motion could go to 119.747 degrees; beyond the target the rims meet long before.
+    assert shell.report["lock"]["cause"] == "clash"
+    assert shell.report["feasible"]
+    assert shell.report["parameters"]["motion_end_deg"] == pytest.approx(119.747, abs=1e-3)
     assert np.rad2deg(shell.motion.locked.drive) == pytest.approx(
         shell.report["parameters"]["stage_deg"]
     )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +14,8 @@ import typer
 
 from orishell.io import OutputDirectory
 from orishell.motion import FoldedState, FoldingMotion
-from orishell.report import Shell, design_shell, write_shell
+from orishell.quoting import in_degrees
+from orishell.report import ClashTest, Shell, design_shell, write_shell
 
 QUIET_BELOW = 1_000_000
 """Vertices times states below which no progress bar is worth showing (less than a second)."""
@@ -24,11 +27,21 @@ def design(
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
+    allow_clash: Annotated[
+        bool,
+        typer.Option("--allow-clash", help="Write a shell whose panels meet before it locks, too."),
+    ] = False,
+    no_clash_test: Annotated[
+        bool,
+        typer.Option("--no-clash-test", help="Do not look for contact (for very fine sheets)."),
+    ] = False,
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and overview.png."""
     OutputDirectory(out).require_usable()
-    shell = design_shell(file, _watched)
-    for warning in shell.design.warnings:
+    with _path_bar() as advanced:
+        clash_test = ClashTest(skipped=no_clash_test, allowed=allow_clash, advanced=advanced)
+        shell = design_shell(file, _watched, clash_test)
+    for warning in shell.report["warnings"]:
         typer.echo(f"orishell: warning: {warning}", err=True)
     written = write_shell(shell, out, _watched)
     if json_report:
@@ -48,6 +61,32 @@ def _watched(motion: FoldingMotion, what: str) -> Iterator[FoldedState]:
     yield from track(motion, description=what, console=Console(stderr=True), transient=True)
 
 
+@contextlib.contextmanager
+def _path_bar() -> Iterator[Callable[[float], None] | None]:
+    """A progress bar on standard error for the search along the path, if it takes a second."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    bar = Progress(console=Console(stderr=True), transient=True)
+    task = bar.add_task("looking for contact", total=1.0)
+    begin = time.monotonic()
+
+    def advanced(share: float) -> None:
+        bar.update(task, completed=share)
+        if share == 1.0:
+            bar.stop()
+        elif time.monotonic() - begin > 1 and not bar.live.is_started:
+            bar.start()
+
+    try:
+        yield advanced
+    finally:
+        bar.stop()
+
+
 def _print_summary(shell: Shell, written: list[Path]) -> None:
     report, unit = shell.report, shell.file.unit
     sheet, deployed, residuals = report["sheet"], report["deployed"], report["residuals"]
@@ -63,8 +102,26 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
         f"g {report['deviation']['g']['max']:.4g} {unit}",
         f"rigid     panel lengths to {residuals['panel_length']:.1e}, fold angles to "
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
-        "not checked: " + "; ".join(report["not_checked"]),
+        *_lock_lines(shell),
         *(f"wrote     {path}" for path in written),
     ]
     for line in lines:
         typer.echo(line)
+
+
+def _lock_lines(shell: Shell) -> list[str]:
+    lock, contact = shell.lock, shell.lock.first_contact
+    if shell.report["not_checked"]:
+        return ["not checked: " + "; ".join(shell.report["not_checked"])]
+    assert lock.proof is not None
+    proved = f"proved over the whole path from {lock.proof.states} states"
+    if lock.drive is None or contact is None:
+        return [f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"]
+    if lock.cause == "clash":
+        first, second = (list(panel) for panel in contact.panels)
+        return [
+            f"lock      at {in_degrees(lock.drive)} deg: panels {first} and {second} clash "
+            f"({contact.kind}), none before: {proved}"
+        ]
+    what = "by its flaps" if lock.cause == "flaps" else "by a crease folded flat"
+    return [f"lock      at {in_degrees(lock.drive)} deg {what}, no contact before: {proved}"]

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import typer
 
+from orishell.cli.check import check
 from orishell.cli.design import design
 from orishell.cli.new import new
 from orishell.cli.solve import solve
@@ -22,6 +23,7 @@ app = typer.Typer(
 app.command()(new)
 app.command()(design)
 app.command()(solve)
+app.command()(check)
 
 
 def run() -> None:

@@ -21,6 +21,7 @@ from orishell.curves import (
     read_points,
 )
 from orishell.errors import InputError
+from orishell.locking import CONTACT_TOLERANCE
 from orishell.spec.families import FAMILIES, Pattern, require_family
 from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
@@ -80,6 +81,7 @@ class _Targets(Table):
 
 class _Motion(Table):
     frames: Annotated[int, Field(ge=2, le=1000)] = 25
+    contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
 
 
 class _File(Table):
@@ -107,6 +109,8 @@ class DesignFile:
         The family's parameters.
     frames
         Number of states to write.
+    contact_tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
     """
 
     path: Path
@@ -116,6 +120,7 @@ class DesignFile:
     g: Curve
     pattern: Pattern
     frames: int
+    contact_tolerance: float
 
 
 def read_design_file(path: Path) -> DesignFile:
@@ -151,6 +156,7 @@ def read_design_file(path: Path) -> DesignFile:
         curves["g"],
         pattern,
         file.motion.frames,
+        file.motion.contact_tolerance,
     )
 
 

@@ -31,20 +31,25 @@ Auto = Literal["auto"]
 
 
 class Pattern(Table):
-    """What every family asks for: rows and columns of inner vertices."""
+    """What every family asks for: rows and columns of inner vertices, and flaps."""
 
     rows: Annotated[int, Field(ge=1, le=10**15)]
     columns: Annotated[int, Field(ge=2, le=10**15)]
+
+    flap: Annotated[Number, Field(ge=0)] | Auto = "auto"
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and two target curves ask for."""
         raise NotImplementedError
 
+    def designed(self, f: Curve, g: Curve, flap: float | Auto) -> Design:
+        """The same with other curves and flaps of another width."""
+        return self.model_copy(update={"flap": flap}).design(f, g)
+
 
 class ParallelRepeatingPattern(Pattern):
     """Parameters of the parallel repeating family."""
 
-    flap: Annotated[Number, Field(gt=0)] | Auto = "auto"
     flap_side: FlapSide | Annotated[list[FlapSide], Field(min_length=2, max_length=2)] = "end"
     xi_deg: Annotated[Number, Field(ge=0.1, le=179.9)] | Auto = "auto"
     theta_deg: Annotated[Number, Field(ge=-360, le=360)] | Auto = 0.0
@@ -76,7 +81,6 @@ class ParallelRepeatingPattern(Pattern):
 class OrthodiagonalPattern(Pattern):
     """Parameters of the orthodiagonal family."""
 
-    flap: Annotated[Number, Field(gt=0)] | Auto = "auto"
     flap_side: (
         FlapSide | Auto | Annotated[list[FlapSide | Auto], Field(min_length=2, max_length=2)]
     ) = "auto"
@@ -185,7 +189,7 @@ range = [0, 20]
 [pattern]
 rows = 9                    # rows of inner vertices, odd
 columns = 11                # columns of inner vertices
-flap = 0.3                  # width of the locking panels; "auto"
+flap = 0.3                  # width of the locking panels; "auto"; 0: none, then it does not lock
 xi_deg = 50                 # angle between the creases of column 1 when locked; "auto"
 theta_deg = 0               # turns f in its plane; "auto"
 plane_deg = 90              # angle between f's plane and g's tangent
@@ -215,7 +219,7 @@ range = [0, 4]
 [pattern]
 rows = 9                    # rows of inner vertices, odd
 columns = 13                # columns of inner vertices
-flap = 0.15                 # width of the locking panels; "auto"
+flap = 0.15                 # width of the locking panels; "auto"; 0: none, then it does not lock
 depth = 0.12                # of the corrugation: vertices this far from f on both sides; "auto"
 heading_deg = 90            # angle between f's plane and g's x axis; "auto"
 

@@ -255,3 +255,9 @@ def test_no_heading_is_offered_where_none_works() -> None:
     assert match is not None
     heading = np.deg2rad(float(match[2]))
     assert request(roof, bowl.scaled(float(match[1])), depth=0.1, heading=heading).design()
+    # Who wants no flaps is not offered any.
+    bare = request(roof, bowl, depth=0.1, heading=np.pi, flap=0)
+    error = refusal(bare)
+    assert "flap" not in error.nearest
+    (mended,) = bare.remedies(error)
+    assert mended.design().mechanism.grid.columns == 13

@@ -28,6 +28,7 @@ def test_starter_file_is_a_good_one(tmp_path: Path) -> None:
         'depth = "auto"\nheading_deg = "auto"\nflap = "auto"',
         'flap_side = ["start", "auto"]\nspacing = "equal"',
         'flap_side = "end"',
+        "flap = 0",
         "",
     ],
 )
@@ -47,7 +48,7 @@ FAULTS = {
     "heading beyond 180": (("heading_deg = 90", "heading_deg = 181"), "heading_deg", "at most 180"),
     "negative heading": (("heading_deg = 90", "heading_deg = -1"), "heading_deg", "at least 0"),
     "text for heading": (("heading_deg = 90", 'heading_deg = "n"'), "heading_deg", "'auto'"),
-    "no flap": (("flap = 0.15", "flap = 0"), "flap", "greater than 0"),
+    "negative flap": (("flap = 0.15", "flap = -0.1"), "flap", "at least 0"),
     "unknown side": (("flap = 0.15", 'flap_side = "top"'), "flap_side", "'start'"),
     "three sides": (
         ("flap = 0.15", 'flap_side = ["end", "end", "end"]'),

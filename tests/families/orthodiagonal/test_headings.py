@@ -66,7 +66,7 @@ points = st.lists(st.tuples(numbers(0.05, 1), numbers(-0.5, 0.5)), min_size=1, m
     points,
     numbers(-3, 3),
     st.tuples(numbers(-2, -0.05), numbers(0.05, 2)),
-    st.sampled_from([None, 0.02, 0.3, 1.0]),
+    st.sampled_from([None, 0.0, 0.02, 0.3, 1.0]),
     st.tuples(*[st.sampled_from(["start", "end", None])] * 2),
 )
 def test_intervals_are_where_all_conditions_hold(

@@ -130,6 +130,7 @@ def test_flaps_that_overlap_in_the_flat_sheet() -> None:
     error = refusal(what)
     assert "flaps overlap" in error.condition
     assert what.mended(error).design()
+    assert Request(what.f, ring, {**what.options, "flap": 0}).design()
 
 
 def test_too_few_columns_are_said_aloud() -> None:
@@ -211,12 +212,6 @@ def test_places_are_named_as_f_was_drawn() -> None:
     # Steepest at t = 1, where the curve drawn from right to left is at (-1, -1).
     error = refusal(request(f=pair("-t", "-t**2", -0.2, 1), xi=np.deg2rad(80)))
     assert error.place == "at the point (-1, -1) of f"
-
-
-def test_a_shell_that_lies_over_itself_draws_a_warning() -> None:
-    ring = pair("6*cos(t)", "6*sin(t)", 0, 9)
-    design = request(g=ring, columns=61, xi=np.deg2rad(30)).design()
-    assert any("lies over itself" in warning for warning in design.warnings)
 
 
 def test_a_coarse_row_that_stretches_f_draws_a_warning() -> None:

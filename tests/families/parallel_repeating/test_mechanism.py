@@ -60,13 +60,13 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     mechanism = mechanism_of(feasible_design(request))
     locked = mechanism.positions(np.pi)
     middle = (locked.shape[0] - 1) // 2
-    row = locked[middle, 1:-1]
+    row = locked[middle, mechanism.inner_columns]
     size = diagonal(mechanism.positions(0.0))
     # The middle row is exactly g's polyline, in z = 0 (contract, "Locked frame").
     np.testing.assert_array_equal(row[:, 0] + 1j * row[:, 1], mechanism.points)
     np.testing.assert_array_equal(row[:, 2], 0.0)
     # Column 1 is a zigzag of constant angle xi in the vertical plane of t.
-    column = locked[:, 1]
+    column = locked[:, mechanism.inner_columns][:, 0]
     edges = np.diff(column, axis=0)
     t = mechanism.axes[0]
     reach = (edges[:, 0] + 1j * edges[:, 1]) * t.conj()
@@ -78,8 +78,9 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     np.testing.assert_allclose(np.abs(edges[:, 2]), heights, atol=1e-12 * size)
     assert (np.sign(edges[1:, 2]) == -np.sign(edges[:-1, 2])).all()
     # The flaps are closed: their creases at 180 degrees, measured.
-    measured = measure_fold_angles(locked).row
-    np.testing.assert_allclose(np.abs(measured[:, [0, -1]]), np.pi, atol=1e-6)
+    if mechanism.flaps[0]:
+        measured = measure_fold_angles(locked).row
+        np.testing.assert_allclose(np.abs(measured[:, [0, -1]]), np.pi, atol=1e-6)
 
 
 @settings(max_examples=60)
@@ -89,7 +90,7 @@ def test_row_lengths_are_those_of_the_flat_sheet(request: Request) -> None:
     flat = mechanism.positions(0.0)
     size = diagonal(flat)
     for row in (0, flat.shape[0] - 1):
-        measured = np.linalg.norm(np.diff(flat[row, 1:-1], axis=0), axis=-1)
+        measured = np.linalg.norm(np.diff(flat[row, mechanism.inner_columns], axis=0), axis=-1)
         np.testing.assert_allclose(mechanism.row_lengths(row), measured, atol=1e-12 * size)
 
 

@@ -155,7 +155,6 @@ def design_longitudinal_linear_repeating(
         targets=placed.targets,
         closeness=placed.closeness,
         warnings=(),
-        lock_cause="crease",
         lock_drive=mechanism.crease_end,
     )
 

@@ -24,6 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from orishell.families.longitudinal_linear_repeating.acceleration import Sheet, bound_edges
 from orishell.families.longitudinal_linear_repeating.lengths import EdgeLengths
 from orishell.families.longitudinal_linear_repeating.rotations import (
     Rotations,
@@ -143,6 +144,20 @@ class LongitudinalLinearRepeating:
             row=2 * np.arctan2(*halves.row(slice(None))),
             column=2 * np.arctan2(*halves.column(slice(None))),
         )
+
+    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Bounds of the acceleration of edge vectors, see :class:`~orishell.motion.Mechanism`."""
+        halves = _HalfAngles.of(self, np.zeros(1))
+        sheet = Sheet(
+            columns=self.columns,
+            directions=self._directions(),
+            flat_foldable=halves.flat_foldable,
+            signs=halves.signs,
+            flat=self.positions(0.0) @ np.array([1, 1j, 0]),
+            turn=np.asarray(self.pose.turn) / self.lock_drive,
+            panels=self.panels,
+        )
+        return bound_edges(sheet, start, stop)
 
     def panels(self, drive: Array) -> Rotations:
         """Rotation of every panel (..., m+1, n+1) from the flat sheet."""

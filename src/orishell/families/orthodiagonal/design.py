@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
-from orishell.design import Design, FlapSide
+from orishell.design import Design, FlapSide, warn_of_no_lock
 from orishell.families.orthodiagonal.headings import (
     Headings,
     SideChoice,
@@ -69,7 +69,8 @@ def design_orthodiagonal(
         that is admissible, otherwise the middle of the widest admissible interval.
     flap
         Width of the flaps in the flat sheet; "auto" takes the mean length of column 1's creases,
-        or half of what there is room for if that is less.
+        or half of what there is room for if that is less. 0 leaves them out: then nothing locks the
+        shell.
     flap_sides
         End of f to which the left and the right flap fold; "auto" is where there is more room.
     spacing
@@ -141,7 +142,10 @@ def design_orthodiagonal(
         },
         targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
         closeness=closeness,
-        warnings=warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+        warnings=(
+            *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+            *warn_of_no_lock(mechanism.flaps[0]),
+        ),
     )
 
 

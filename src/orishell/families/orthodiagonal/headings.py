@@ -39,7 +39,7 @@ class Headings:
     limits
         Open interval in which K of every column must lie; it holds 0.
     flap
-        Width of the flaps, or None if it follows what room there is.
+        Width of the flaps, 0 if there are none, or None if it follows what room there is.
     sides
         To which end of f the left and the right flap fold, or None: where there is more room.
     """
@@ -121,7 +121,7 @@ class Headings:
 
     def _flaps(self) -> Array:
         everything, nothing = np.array([[0.0, np.pi]]), np.empty((0, 2))
-        if self.flap is None:
+        if not self.flap:
             return nothing
         (low, high), width = self.limits, self.flap
         left = {"start": width < -low, "end": width < high}

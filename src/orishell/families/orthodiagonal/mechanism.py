@@ -31,6 +31,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from orishell.design import FlapSide
+from orishell.families.orthodiagonal.acceleration import bound_edges
 from orishell.pattern import CreaseValues, Grid
 from orishell.polylines import alternating
 from orishell.vertex import half_turns, row_fold_angle
@@ -60,7 +61,7 @@ class Orthodiagonal:
     heading
         Angle from f's plane to the x axis of the points, eps of a segment along x (radians).
     flaps
-        Widths of the left and the right flap in the flat sheet.
+        Widths of the left and the right flap in the flat sheet; 0 where there is none.
     flap_sides
         To which end of f each flap folds: "end" is along +t, "start" along -t.
     trims
@@ -86,19 +87,25 @@ class Orthodiagonal:
     @property
     def grid(self) -> Grid:
         """The grid of vertices, flap columns included."""
-        return Grid(len(self.lengths) + 1, len(self.points) + 2)
+        return Grid(len(self.lengths) + 1, len(self.points) + sum(map(bool, self.flaps)))
+
+    @property
+    def inner_columns(self) -> slice:
+        """Where columns 1 ... n are in the grid."""
+        start = int(self.flaps[0] != 0)
+        return slice(start, start + len(self.points))
 
     @property
     def lock_drive(self) -> float:
-        """The flaps clash when their creases reach pi."""
+        """The flaps clash when their creases reach pi; without flaps the target is met there."""
         return float(np.pi)
 
     def shifts(self) -> Array:
-        """K (n+2,) of every column, 0 at column 1."""
-        return _running(self._columns().k)
+        """K (n+2,) of every column, 0 at column 1; (n,) without flaps."""
+        return _running(self._columns().k)[self._there]
 
     def column_lengths(self) -> Array:
-        """Lengths (m+1, n+2) of the creases of all columns: affine in K, the same in all states.
+        """Lengths (m+1, columns of the grid) of all columns' creases: affine in K, never changing.
 
         Not positive where neighbouring rows meet before they reach the column.
         """
@@ -108,7 +115,7 @@ class Orthodiagonal:
     def sector_angles(self) -> Array:
         """The paper's alpha_{i,1} ... alpha_{i,4n} (m, n, 4), equation (3) (radians).
 
-        In the paper's order RU, LU, LD, RD.
+        In the paper's order RU, LU, LD, RD. Those beside a flap are there without it, too.
         """
         columns = self._columns()
         right = np.arctan2(columns.step, columns.k * self._tangents()[:, None])  # RD of every panel
@@ -122,13 +129,13 @@ class Orthodiagonal:
         At lock f is upright (its y axis is +z) and the middle row lies on the points, in their
         plane z = 0 turned about n by the tilt, through the first point. In other states n and the
         length-weighted centroid of the middle row stay, and the plane of t and n is level at
-        drive 0 and turns evenly with the drive.
+        drive 0 and turns evenly with the drive. Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
         kappa, q = half_turns(drive)
         level = np.exp(1j * self.tilt * (drive / np.pi))
         columns = self._columns()
-        row = self._middle_row(columns, kappa, q, level)
+        row = self._middle_row(columns, kappa, q, level)[..., self._there, :]
         column, spread = self._column_and_spread(kappa)
 
         # Real numbers of f's plane go along t, imaginary ones upwards.
@@ -139,7 +146,7 @@ class Orthodiagonal:
             (spread.real * t.imag, column.real * t.imag),
             (spread.imag, column.imag),
         )
-        shift = _running(columns.k)
+        shift = _running(columns.k)[self._there]
         shape = (*drive.shape, self.grid.rows, self.grid.columns)
         out, plane = np.empty((*shape, 3)), np.empty(shape)
         for axis, (growth, start) in enumerate(factors):
@@ -161,7 +168,27 @@ class Orthodiagonal:
         column = -self.first * np.diff(lean, axis=-1)
         turning = -self.first * alternating(len(c))
         side = alternating(len(self.lengths))
-        return CreaseValues(row=turning[:, None] * row, column=side[:, None] * column[..., None, :])
+        row, column = row[..., self._there], column[..., None, self._there]
+        return CreaseValues(row=turning[:, None] * row, column=side[:, None] * column)
+
+    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Bounds of the acceleration of edge vectors, see :class:`~orishell.motion.Mechanism`."""
+        columns = self._columns()
+        return bound_edges(
+            (start, stop),
+            tangents=self._tangents(),
+            turning=-self.first * alternating(len(self.angles)),
+            trims=self.trims,
+            tilt=self.tilt,
+            lengths=self.column_lengths().max(axis=-1),
+            along=columns.k[self._there],
+            locked=columns.locked[self._there],
+        )
+
+    @property
+    def _there(self) -> slice:
+        """Those of n+2 columns, n+1 panel columns or n creases that no missing flap takes away."""
+        return slice(int(self.flaps[0] == 0), None if self.flaps[1] else -1)
 
     def _tangents(self) -> Array:
         """T = tan(beta/2), (m,)."""
@@ -172,7 +199,8 @@ class Orthodiagonal:
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
         inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)
-        left, right = -side[0] * self.flaps[0], side[1] * self.flaps[1]
+        # A missing flap has any width here: what it gives is left out of the sheet.
+        left, right = -side[0] * (self.flaps[0] or 1.0), side[1] * (self.flaps[1] or 1.0)
         return _Columns(
             k=np.concatenate([[left], inner, [right]]),
             locked=np.concatenate([[0.0], segment.imag, [0.0]]),

@@ -113,7 +113,7 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
     zigzag
         Its zigzag.
     shifts
-        K of all columns, flaps too.
+        K of all columns that there are, flaps too.
 
     Returns
     -------

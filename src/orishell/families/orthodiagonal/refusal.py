@@ -86,7 +86,8 @@ def _at_another_heading(f: Trace, zigzag: Zigzag, headings: Headings, heading: f
     found = _scale(without, heading) + _depth(f, zigzag, without, heading)
     if not found:
         return "a smaller g"
-    return f'{found[0]} with heading_deg = {in_degrees(heading)} and flap = "auto"'
+    flap = "" if headings.flap == 0 else ' and flap = "auto"'
+    return f"{found[0]} with heading_deg = {in_degrees(heading)}{flap}"
 
 
 def _interval(interval: tuple[float, float]) -> str:

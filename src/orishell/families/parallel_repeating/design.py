@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, trace_curve
-from orishell.design import Design, FlapSide
+from orishell.design import Design, FlapSide, warn_of_no_lock
 from orishell.errors import InputError
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.parallel_repeating.profile import require_staircase, rotate_profile
@@ -17,7 +17,6 @@ from orishell.families.parallel_repeating.sheet import (
     require_flat_sheet,
     require_resolution,
     require_row_edges,
-    warn_of_contact_at_lock,
     warn_of_stretched_columns,
     warn_of_unbalanced_staircase,
 )
@@ -62,7 +61,7 @@ def design_parallel_repeating(
         Inner vertices: rows m, odd; columns n, at least 2.
     flap
         Width of the flaps in the flat sheet, square to their column; "auto" takes the mean length
-        of column 1's creases.
+        of column 1's creases, 0 leaves them out: then nothing locks the shell.
     xi
         Angle between adjacent creases of column 1 at lock (radians), or "auto".
     theta
@@ -146,8 +145,8 @@ def design_parallel_repeating(
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_stretched_columns(mechanism, plane),
-            *warn_of_contact_at_lock(mechanism),
             *warn_of_unbalanced_staircase(staircase),
+            *warn_of_no_lock(width),
         ),
     )
 
@@ -167,7 +166,7 @@ def _check_request(
     checks = (
         ("rows", rows, rows >= 1 and rows % 2 == 1, "an odd number of at least 1"),
         ("columns", columns, columns >= 2, "at least 2"),
-        ("flap", flap, flap == "auto" or 0 < flap < np.inf, 'a positive length or "auto"'),
+        ("flap", flap, flap == "auto" or 0 <= flap < np.inf, 'a length, 0 or "auto"'),
         ("xi", xi, xi == "auto" or 0 < xi < np.pi, 'an angle in (0, pi) or "auto"'),
         ("theta", theta, theta == "auto" or np.isfinite(theta), 'a finite angle or "auto"'),
         ("plane", plane, 0 < plane < np.pi, "an angle in (0, pi)"),

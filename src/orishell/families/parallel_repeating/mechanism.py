@@ -26,6 +26,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from orishell.design import FlapSide
+from orishell.families.parallel_repeating.acceleration import bound_edges
+from orishell.families.parallel_repeating.columns import Columns
 from orishell.pattern import CreaseValues, Grid
 from orishell.vertex import column_fold_angle, half_turns, row_fold_angle
 
@@ -53,7 +55,7 @@ class ParallelRepeating:
         Unit direction t of every column's plane (n,), to the right of the row: every row segment
         must lie counter-clockwise of the axes at both its ends by an angle in (0, pi).
     flaps
-        Lengths of the row creases across the left and the right flap.
+        Lengths of the row creases across the left and the right flap; 0 where there is none.
     flap_sides
         To which end of f each flap folds: "end" is along +t, "start" along -t.
     """
@@ -75,7 +77,8 @@ class ParallelRepeating:
     def with_flaps(self, width: float) -> ParallelRepeating:
         """The sheet with flaps of this width, square to their column in the flat sheet.
 
-        A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n.
+        A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n. With 0 there are
+        none: columns 1 and n are the border.
         """
         sectors = self.sector_angles()
         left, right = width / np.sin(sectors[0, 2]), width / np.sin(sectors[-1, 3])
@@ -84,11 +87,17 @@ class ParallelRepeating:
     @property
     def grid(self) -> Grid:
         """The grid of vertices, flap columns included."""
-        return Grid(len(self.lengths) + 1, len(self.points) + 2)
+        return Grid(len(self.lengths) + 1, len(self.points) + sum(map(bool, self.flaps)))
+
+    @property
+    def inner_columns(self) -> slice:
+        """Where columns 1 ... n are in the grid."""
+        start = int(self.flaps[0] != 0)
+        return slice(start, start + len(self.points))
 
     @property
     def lock_drive(self) -> float:
-        """The flaps clash when their creases reach pi."""
+        """The flaps clash when their creases reach pi; without flaps the target is met there."""
         return float(np.pi)
 
     def column_arcs(self) -> Array:
@@ -102,7 +111,8 @@ class ParallelRepeating:
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).
 
-        In the paper's order RU, LU, LD, RD; every row has the same.
+        In the paper's order RU, LU, LD, RD; every row has the same. Those beside a flap are there
+        without it, too.
         """
         columns = self._columns()
         w = np.hypot(columns.slope, 1.0)
@@ -133,6 +143,7 @@ class ParallelRepeating:
 
         At lock the middle row lies on the points, in z = 0. Other states are placed so that the
         middle row's centroid stays where it is and its segments turn by nothing on average.
+        Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
         kappa, q = half_turns(drive)
@@ -162,17 +173,35 @@ class ParallelRepeating:
             columns.tau * columns.cos_right,
             w[..., 1:],
         )
-        rising = self._rising()
+        rising, there = self._rising(), self._there
         return CreaseValues(
-            row=-rising[:-1, None] * row[..., None, :],
-            column=-rising[:, None] * column[..., None, :],
+            row=-rising[:-1, None] * row[..., None, there],
+            column=-rising[:, None] * column[..., None, there],
         )
+
+    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Bounds of the acceleration of edge vectors, see :class:`~orishell.motion.Mechanism`."""
+        middle = np.abs(np.diff(self.points))
+        longest = np.maximum(self.row_lengths(0), self.row_lengths(len(self.lengths)))
+        along, down = bound_edges(
+            self._columns(),
+            middle,
+            np.concatenate([self.flaps[:1], longest, self.flaps[1:]]),
+            self.lengths * np.cos(self.xi / 2),
+            (start, stop),
+        )
+        return along[..., self._there], down
+
+    @property
+    def _there(self) -> slice:
+        """Those of n+2 columns, n+1 panel columns or n creases that no missing flap takes away."""
+        return slice(int(self.flaps[0] == 0), None if self.flaps[1] else -1)
 
     def _rising(self) -> Array:
         """+1 for edges of the first column that rise at lock, -1 for those that fall (m+1,)."""
         return self.first * np.where(np.arange(len(self.lengths)) % 2 == 0, 1.0, -1.0)
 
-    def _columns(self) -> _Columns:
+    def _columns(self) -> Columns:
         """Equation (2): tau and the cosines of delta per column, the slope per panel column."""
         segment = np.diff(self.points)
         segment = segment / np.abs(segment)
@@ -181,7 +210,7 @@ class ParallelRepeating:
         ratio = right.imag / left.imag
         tau = np.tan(self.xi / 2) * np.concatenate([[1.0], np.cumprod(ratio)])
         flap = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
-        return _Columns(
+        return Columns(
             tau=tau,
             cos_left=np.concatenate([flap[:1], -left.real]),
             cos_right=np.concatenate([right.real, flap[1:]]),
@@ -190,8 +219,8 @@ class ParallelRepeating:
             sines_next=left.imag,
         )
 
-    def _row_and_spread(self, columns: _Columns, q: Array) -> tuple[Complex, Complex]:
-        """Middle row (..., n+2) and displacement along t per unit of reach (..., n+2).
+    def _row_and_spread(self, columns: Columns, q: Array) -> tuple[Complex, Complex]:
+        """Middle row and displacement along t per unit of reach (..., columns of the grid).
 
         Parameters
         ----------
@@ -237,19 +266,7 @@ class ParallelRepeating:
             axis=-1,
         )
         spread = np.concatenate([spread[..., :1], spread, spread[..., -1:]], axis=-1)
-        return row, spread
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Columns:
-    """Locked quantities of equation (2), n columns and n-1 segments, flaps at both ends."""
-
-    tau: Array  # tan(xi_j/2), (n,)
-    cos_left: Array  # cosine of the angle between t and the crease to the left, (n,)
-    cos_right: Array  # and to the right, (n,)
-    slope: Array  # nu of every panel column, (n+1,)
-    sines: Array  # sin delta_{2j-1}, (n-1,)
-    sines_next: Array  # sin delta_{2j}, (n-1,)
+        return row[..., self._there], spread[..., self._there]
 
 
 def _turn(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:

@@ -51,18 +51,19 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
     Parameters
     ----------
     flap
-        Width of the flaps.
+        Width of the flaps; 0 if there are none.
     """
     rows = (0, len(mechanism.lengths))
-    sheet = mechanism.positions(0.0)[:, 1:-1]
+    sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
     size, width = float(np.abs(sheet).max()), float(np.ptp(sheet[..., :2]))
-    limits = (RESOLUTION * size * flap / min(mechanism.flaps), width)
-    if not limits[0] <= flap <= limits[1]:
-        raise DesignError(
-            "the flaps are no flaps for this sheet",
-            size=f"they are {flap:.4g} wide, the sheet is {width:.4g}",
-            nearest=f"flap between {limits[0]:.4g} and {limits[1]:.4g}",
-        )
+    if flap:
+        limits = (RESOLUTION * size * flap / min(mechanism.flaps), width)
+        if not limits[0] <= flap <= limits[1]:
+            raise DesignError(
+                "the flaps are no flaps for this sheet",
+                size=f"they are {flap:.4g} wide, the sheet is {width:.4g}",
+                nearest=f"flap between {limits[0]:.4g} and {limits[1]:.4g}",
+            )
     for name, shortest, remedy in (
         (
             "crease of a row",
@@ -92,7 +93,7 @@ def require_flat_sheet(
     Parameters
     ----------
     flap
-        Width of the flaps.
+        Width of the flaps; 0 if there are none.
     parameters
         Parameters of g's vertices.
     staircase
@@ -132,17 +133,6 @@ def require_flat_sheet(
     )
 
 
-def warn_of_contact_at_lock(mechanism: ParallelRepeating) -> tuple[str, ...]:
-    """Warn of a locked shell that lies over itself: heights depend on the row alone."""
-    locked = mechanism.positions(mechanism.lock_drive)[:, 1:-1]
-    if _is_simple(locked):
-        return ()
-    return (
-        "the locked shell lies over itself in plan: its panels meet before it locks, which is not "
-        "checked yet; shorten g, or make f narrower",
-    )
-
-
 def warn_of_stretched_columns(mechanism: ParallelRepeating, plane: float) -> tuple[str, ...]:
     """Warn of columns that a coarse g stretches although f's plane is perpendicular to it."""
     scales = mechanism.column_scales()
@@ -163,7 +153,7 @@ def warn_of_unbalanced_staircase(staircase: Staircase) -> tuple[str, ...]:
 
 def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
     flat = mechanism.positions(0.0)
-    return _is_simple(flat if flaps else flat[:, 1:-1])
+    return _is_simple(flat if flaps else flat[:, mechanism.inner_columns])
 
 
 def _is_simple(flat: Array) -> bool:

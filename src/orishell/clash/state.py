@@ -1,0 +1,59 @@
+"""Which panels touch in one state."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.clash.corners import touching_at_corners
+from orishell.clash.quads import corners_of, nearest
+from orishell.clash.tree import CHUNK, PanelTree, gaps, split
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Integers:
+    """Find all pairs of panels that touch, cross or overlap.
+
+    Panels that share a crease count when it is folded flat, panels that share one vertex when
+    they cross there.
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3).
+    faces
+        Corners (F, 4) of planar, convex panels, in order around each.
+    tolerance
+        Distance at which panels count as touching (length).
+
+    Returns
+    -------
+    Integers
+        Numbers (P, 2) of the panels, the smaller one first, in ascending order.
+    """
+    tree = PanelTree.over(faces, positions[faces].mean(axis=1))
+    extents = tree.extents(positions)
+    pairs = (np.zeros(1, np.int64), np.zeros(1, np.int64))
+    for level in range(tree.depth + 1):
+        near = gaps((extents, extents), level, pairs) <= tolerance
+        pairs = (pairs[0][near], pairs[1][near])
+        if level < tree.depth:
+            pairs = split(pairs)
+    first, second = np.sort([tree.panels[nodes] for nodes in pairs], axis=0)
+    real = (first >= 0) & (first != second)
+    first, second = first[real], second[real]
+
+    found = []
+    for k in range(0, len(first), CHUNK):
+        chunk = (first[k : k + CHUNK], second[k : k + CHUNK])
+        shared = tree.share_corner(*chunk)
+        touching = np.zeros(len(shared), np.bool_)
+        beside = (chunk[0][shared], chunk[1][shared])
+        touching[shared] = touching_at_corners(positions, faces, beside, tolerance)
+        apart = [corners_of(positions, faces[panels[~shared]]) for panels in chunk]
+        touching[~shared] = nearest(apart[0], apart[1])[0] <= tolerance
+        found.append(np.stack(chunk, axis=-1)[touching])
+    contacts = np.concatenate([np.empty((0, 2), np.int64), *found])
+    return contacts[np.lexsort((contacts[:, 1], contacts[:, 0]))]

@@ -1,0 +1,188 @@
+"""Enclosures: what a quantity and its first two derivatives can be while the drive is in a range.
+
+Interval arithmetic on the few functions that closed-form motions are made of. Each is taken
+through its monotone pieces, so that the bounds are met as the ranges shrink. Rounding (about
+1e-13 of a bound) is not followed; who uses a bound adds that much.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Interval:
+    """Arrays of lower and upper ends."""
+
+    low: Array
+    high: Array
+
+    @classmethod
+    def between(cls, first: ArrayLike, second: ArrayLike) -> Interval:
+        """From two ends in any order: what a monotone function takes between them."""
+        return cls(np.minimum(first, second), np.maximum(first, second))
+
+    def __add__(self, other: Interval) -> Interval:
+        return Interval(self.low + other.low, self.high + other.high)
+
+    def __sub__(self, other: Interval) -> Interval:
+        return Interval(self.low - other.high, self.high - other.low)
+
+    def __mul__(self, other: Interval) -> Interval:
+        ends = (
+            self.low * other.low,
+            self.low * other.high,
+            self.high * other.low,
+            self.high * other.high,
+        )
+        return Interval(
+            np.minimum(np.minimum(ends[0], ends[1]), np.minimum(ends[2], ends[3])),
+            np.maximum(np.maximum(ends[0], ends[1]), np.maximum(ends[2], ends[3])),
+        )
+
+    def over(self, positive: Interval) -> Interval:
+        """Quotient by an interval above zero."""
+        return self * Interval(1 / positive.high, 1 / positive.low)
+
+    def times(self, factor: Array | float) -> Interval:
+        """Product with a known number."""
+        return Interval.between(self.low * factor, self.high * factor)
+
+    def plus(self, shift: Array | float) -> Interval:
+        """Sum with a known number."""
+        return Interval(self.low + shift, self.high + shift)
+
+    def squared(self) -> Interval:
+        """Square."""
+        low, high = self.low**2, self.high**2
+        within = (self.low < 0) & (self.high > 0)
+        return Interval(np.where(within, 0.0, np.minimum(low, high)), np.maximum(low, high))
+
+    def magnitude(self) -> Array:
+        """The largest absolute value."""
+        return np.asarray(np.maximum(np.abs(self.low), np.abs(self.high)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Enclosure:
+    """Intervals for a function of the drive and its first and second derivative."""
+
+    value: Interval
+    first: Interval
+    second: Interval
+
+    @classmethod
+    def half_cosine(cls, start: Array, stop: Array) -> Enclosure:
+        """cos(drive/2) for drives from ``start`` to ``stop``, in [0, pi] (radians)."""
+        cosine = Interval(np.maximum(np.cos(stop / 2), 0.0), np.cos(start / 2))
+        sine = Interval(np.sin(start / 2), np.sin(stop / 2))
+        return cls(cosine, sine.times(-0.5), cosine.times(-0.25))
+
+    @classmethod
+    def half_sine(cls, start: Array, stop: Array) -> Enclosure:
+        """sin(drive/2) for drives from ``start`` to ``stop``, in [0, pi] (radians)."""
+        cosine = Interval(np.maximum(np.cos(stop / 2), 0.0), np.cos(start / 2))
+        sine = Interval(np.sin(start / 2), np.sin(stop / 2))
+        return cls(sine, cosine.times(0.5), sine.times(-0.25))
+
+    def __add__(self, other: Enclosure) -> Enclosure:
+        return Enclosure(
+            self.value + other.value, self.first + other.first, self.second + other.second
+        )
+
+    def __sub__(self, other: Enclosure) -> Enclosure:
+        return Enclosure(
+            self.value - other.value, self.first - other.first, self.second - other.second
+        )
+
+    def times(self, factor: Array | float) -> Enclosure:
+        """Product with a known number."""
+        return Enclosure(
+            self.value.times(factor), self.first.times(factor), self.second.times(factor)
+        )
+
+    def hypot(self, side: Array) -> Enclosure:
+        """sqrt(side**2 + u**2) of this u, not negative."""
+        low, high = np.hypot(side, self.value.low), np.hypot(side, self.value.high)
+        ones = np.ones_like(low)
+        outer = Enclosure(
+            Interval(low, high),
+            Interval(
+                np.divide(self.value.low, low, out=ones.copy(), where=low > 0),
+                np.divide(self.value.high, high, out=ones.copy(), where=high > 0),
+            ),
+            Interval(
+                np.divide(side**2, high**3, out=0 * ones, where=high > 0),
+                np.divide(side**2, low**3, out=0 * ones, where=low > 0),
+            ),
+        )
+        return outer._of(self)
+
+    def arctan2(self, along: Array) -> Enclosure:
+        """Angle of the point (along, u) of this u, not negative, nor 0 where ``along`` is."""
+        u = self.value
+        square = Interval(along**2 + u.low**2, along**2 + u.high**2)
+        first = Interval.between(along / square.high, along / square.low)
+        # The second derivative is -2 along u / square**2.
+        outer = Enclosure(
+            Interval.between(np.arctan2(u.low, along), np.arctan2(u.high, along)),
+            first,
+            (u.over(square) * first).times(-2.0),
+        )
+        return outer._of(self)
+
+    def running(self) -> Enclosure:
+        """Running sums (..., K+1) along the last axis (..., K), beginning with 0."""
+        return Enclosure(_running(self.value), _running(self.first), _running(self.second))
+
+    def mean(self, weights: Array) -> Enclosure:
+        """Weighted sum (..., 1) over the last axis; no weight is negative."""
+
+        def of(interval: Interval) -> Interval:
+            return Interval(
+                (interval.low * weights).sum(axis=-1, keepdims=True),
+                (interval.high * weights).sum(axis=-1, keepdims=True),
+            )
+
+        return Enclosure(of(self.value), of(self.first), of(self.second))
+
+    def part(self, index: slice) -> Enclosure:
+        """Entries along the last axis."""
+
+        def of(interval: Interval) -> Interval:
+            return Interval(interval.low[..., index], interval.high[..., index])
+
+        return Enclosure(of(self.value), of(self.first), of(self.second))
+
+    def _of(self, inner: Enclosure) -> Enclosure:
+        """Chain rule: derivatives of an outer function at ``inner``'s value."""
+        return Enclosure(
+            self.value,
+            self.first * inner.first,
+            self.second * inner.first.squared() + self.first * inner.second,
+        )
+
+
+def turning_acceleration(length: Enclosure, angle: Enclosure) -> Array:
+    """Bound of the second derivative of a planar vector of this length and direction angle."""
+    along = length.second - length.value * angle.first.squared()
+    across = (length.first * angle.first).times(2.0) + length.value * angle.second
+    return np.asarray(np.hypot(along.magnitude(), across.magnitude()))
+
+
+def spinning_acceleration(angle: Enclosure) -> Array:
+    """Bound of the second derivative of a unit vector with this direction angle in a plane."""
+    return np.asarray(np.hypot(angle.first.magnitude() ** 2, angle.second.magnitude()))
+
+
+def _running(interval: Interval) -> Interval:
+    zero = np.zeros((*interval.low.shape[:-1], 1))
+    return Interval(
+        np.concatenate([zero, np.cumsum(interval.low, axis=-1)], axis=-1),
+        np.concatenate([zero, np.cumsum(interval.high, axis=-1)], axis=-1),
+    )

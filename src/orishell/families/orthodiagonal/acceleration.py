@@ -1,0 +1,90 @@
+"""How fast the edges of an orthodiagonal sheet can swing: what proves the path between states.
+
+Edges of columns are rigid and turn in f's plane; edges of rows are k_j a_i + N_j n, two
+perpendicular parts, the first in f's plane (see the mechanism's text). In axes along the edge
+beyond it a_i has the components (T_i, -s_i kappa). Both halves of the sheet are followed from the
+middle row outwards.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.enclosures import Enclosure, spinning_acceleration
+
+Array = NDArray[np.float64]
+
+
+def bound_edges(
+    drives: tuple[Array, Array],
+    *,
+    tangents: Array,
+    turning: Array,
+    trims: tuple[float, float],
+    tilt: float,
+    lengths: Array,
+    along: Array,
+    locked: Array,
+) -> tuple[Array, Array]:
+    """Bounds of the second derivative of edge vectors by the drive.
+
+    Parameters
+    ----------
+    drives
+        Ends (S,) of ranges of the drive (radians).
+    tangents
+        T = tan(beta/2) of the rows (m,).
+    turning
+        Sign of their turns (m,).
+    trims
+        Growth by K of the first and of the last edge of a column.
+    tilt
+        Angle by which f's plane turns evenly in itself until lock (radians).
+    lengths
+        Lengths (m+1,) of the longest edges between two rows.
+    along, locked
+        What panel columns (n+1,), or those there are, take along K and, at lock, along n.
+
+    Returns
+    -------
+    tuple
+        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    """
+    start, stop = (ends[..., None] for ends in drives)
+    kappa, q = Enclosure.half_sine(start, stop), Enclosure.half_cosine(start, stop)
+    middle, rate = len(tangents) // 2, tilt / np.pi
+    # Seen from behind, the first half turns and tilts the other way.
+    above, rising = _outwards(kappa, tangents[middle::-1], turning[middle::-1], -trims[0], -rate)
+    below, falling = _outwards(kappa, tangents[middle:], turning[middle:], trims[1], rate)
+    down = lengths * np.concatenate([above[..., ::-1], below], axis=-1)
+    in_plane = np.maximum(rising, falling) * np.abs(along)
+    across = q.times(np.abs(along)).hypot(locked).second.magnitude()
+    return np.hypot(in_plane, across), np.asarray(down)
+
+
+def _outwards(
+    kappa: Enclosure, tangents: Array, turning: Array, trim: float, rate: float
+) -> tuple[Array, Array]:
+    """Bounds for unit vectors along the edges (S, K) beyond the rows (K,), for all a (S, 1)."""
+    half = kappa.arctan2(tangents)
+    share = np.where(np.arange(len(tangents)) == 0, 1.0, 2.0)
+    angle = half.times(share * turning).running().part(slice(1, None))
+    angle = Enclosure(angle.value, angle.first.plus(rate), angle.second)
+    sideways = kappa.times(-turning)
+    rows = _swung(angle, tangents, sideways)
+    last = slice(-1, None)
+    border = _swung(angle.part(last), tangents[last] + trim, sideways.part(last))
+    return spinning_acceleration(angle), np.maximum(rows.max(axis=-1, keepdims=True), border)
+
+
+def _swung(angle: Enclosure, forwards: Array, sideways: Enclosure) -> Array:
+    """Bound for a planar vector of these components in axes turned by an angle."""
+    centripetal = angle.first.squared()
+    along = (
+        centripetal.times(-forwards)
+        - (angle.first * sideways.first).times(2.0)
+        - angle.second * sideways.value
+    )
+    across = sideways.second + angle.second.times(forwards) - centripetal * sideways.value
+    return np.hypot(along.magnitude(), across.magnitude())

@@ -1,0 +1,134 @@
+"""The frames of a FOLD file, and which of them each value comes from (FOLD, Multiple Frames)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from orishell.errors import InputError
+from orishell.io.json_arrays import misfit, shown
+
+INHERITED = ("vertices_coords", "faces_vertices")
+"""What a frame needs and may take from its parent. Edges are the same in all frames. Fold angles
+are those of one state, and what a frame is (``frame_classes``) is said of that frame alone: a
+folded state that inherits the mesh of a crease pattern is not a crease pattern."""
+
+MAX_BYTES = 5_000_000_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frames:
+    """The frames as they stand in the file, and the owner of each value that they use.
+
+    Parameters
+    ----------
+    raw
+        Every frame's keys and values; the key frame is number 0.
+    sources
+        For every frame the number of the frame that each inheritable key comes from.
+    """
+
+    raw: tuple[dict[str, Any], ...]
+    sources: tuple[dict[str, int], ...]
+
+    def __len__(self) -> int:
+        return len(self.raw)
+
+    def own(self, number: int) -> dict[str, Any]:
+        """What stands in a frame itself."""
+        return self.raw[number]
+
+    def value(self, number: int, key: str) -> Any:
+        """A value that stands in a frame itself."""
+        return self.raw[number][key]
+
+    def owner(self, number: int, key: str) -> int | None:
+        """The frame that a frame's value comes from; None if it has no such value."""
+        return self.sources[number].get(key)
+
+    def owners(self, key: str) -> list[int]:
+        """All frames in which an inheritable key stands."""
+        return [number for number, frame in enumerate(self.raw) if key in frame]
+
+    def place(self, number: int, key: str) -> str:
+        """A key as messages name it."""
+        return f"frame {number} {key}" if len(self) > 1 else key
+
+
+def read_frames(path: Path) -> Frames:
+    """Read a file and find out what its frames inherit.
+
+    Raises
+    ------
+    InputError
+        If it is no FOLD file, or a frame's parent does not exist or is its own descendant.
+    """
+    content = _read_json(path)
+    frames = content.pop("file_frames", [])
+    if not isinstance(frames, list) or not all(isinstance(frame, dict) for frame in frames):
+        raise misfit(frames, "file_frames", "a list of frames")
+    raw = (content, *frames)
+    parents = [None, *(_parent(frame, number, len(raw)) for number, frame in enumerate(frames, 1))]
+    return Frames(raw, _sources(raw, parents))
+
+
+def _parent(frame: dict[str, Any], number: int, count: int) -> int | None:
+    """The frame that a frame inherits from; None if it does not."""
+    inherit, parent = frame.get("frame_inherit", False), frame.get("frame_parent")
+    if not isinstance(inherit, bool):
+        raise misfit(inherit, f"frame {number} frame_inherit", "true or false")
+    if not inherit:
+        return None
+    if type(parent) is not int or not 0 <= parent < count or parent == number:
+        raise InputError(
+            "this frame inherits from no other frame",
+            where=f"frame {number} frame_parent",
+            got="nothing" if parent is None else shown(parent),
+            expected=f"the number of another frame, from 0 to {count - 1}",
+        )
+    return parent
+
+
+def _sources(
+    raw: tuple[dict[str, Any], ...], parents: list[int | None]
+) -> tuple[dict[str, int], ...]:
+    """Follow every frame's parents to one that is done, then come back."""
+    done: dict[int, dict[str, int]] = {}
+    for number in range(len(raw)):
+        line: dict[int, None] = {}
+        at: int | None = number
+        while at is not None and at not in done:
+            if at in line:
+                raise InputError(
+                    "the frames inherit from each other in a circle",
+                    where=f"frame {at} frame_parent",
+                    got=" -> ".join(map(str, [*list(line)[:5], "..."] if len(line) > 5 else line)),
+                )
+            line[at] = None
+            at = parents[at]
+        inherited = {} if at is None else done[at]
+        for frame in reversed(line):
+            own = {key: frame for key in INHERITED if key in raw[frame]}
+            inherited = done[frame] = {**inherited, **own}
+    return tuple(done[number] for number in range(len(raw)))
+
+
+def _read_json(path: Path) -> dict[str, Any]:
+    import orjson
+
+    try:
+        if path.exists() and not path.is_file():
+            raise InputError("this is not a file")
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError("this file is too large", expected=f"at most {MAX_BYTES / 1e9:g} GB")
+        content = orjson.loads(path.read_bytes().removeprefix(b"\xef\xbb\xbf"))
+    except FileNotFoundError:
+        raise InputError("the file does not exist") from None
+    except orjson.JSONDecodeError as error:
+        raise InputError("this is not JSON", got=str(error)) from None
+    except (OSError, ValueError) as error:
+        raise InputError("the file cannot be read", got=str(error)) from None
+    if not isinstance(content, dict):
+        raise InputError("this is not FOLD", got=shown(content), expected="an object with keys")
+    return content

@@ -1,0 +1,295 @@
+"""FOLD files (1.0 to 1.2) of quadrilateral panels, with all their frames, by any program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.errors import InputError
+from orishell.io.fold_frames import Frames, read_frames
+from orishell.io.json_arrays import misfit, number_list, number_table, shown
+from orishell.mesh import QuadMesh, build_mesh
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+LETTERS = frozenset("BMVFUCJ")
+"""Assignments of FOLD 1.2: border, mountain, valley, flat, unassigned, cut, join."""
+
+LARGEST = 1e50
+"""Coordinates above this are refused: their products would overflow."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoldFrame:
+    """One state of the sheet.
+
+    Parameters
+    ----------
+    number
+        The frame's number in the file: 0 is the key frame.
+    classes
+        Its own ``frame_classes``.
+    positions
+        Vertices (V, 3), read-only; z is 0 where the file gives two coordinates.
+    fold_angles
+        Fold angles (E,) that the frame itself gives (radians), NaN where it gives none; None if
+        it has no such list or inherits it.
+    """
+
+    number: int
+    classes: tuple[str, ...]
+    positions: Array
+    fold_angles: Array | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoldFile:
+    """A FOLD file: one mesh and its states.
+
+    Parameters
+    ----------
+    path
+        Where it was read from.
+    unit
+        Unit of length; "unit" if the file names none.
+    mesh
+        Panels and edges.
+    assignment
+        Letter of every edge; None if the file assigns none.
+    grid_shape
+        Rows and columns of vertices where the panels are those of a grid, row by row.
+    frames
+        The frames that have coordinates, in the order of the file.
+    """
+
+    path: Path
+    unit: str
+    mesh: QuadMesh
+    assignment: tuple[str, ...] | None
+    grid_shape: tuple[int, int] | None
+    frames: tuple[FoldFrame, ...]
+
+
+def read_fold(path: Path) -> FoldFile:
+    """Read and check a FOLD file whose faces have four corners.
+
+    Raises
+    ------
+    InputError
+        Naming the file, the frame, the key, what was found and what is expected.
+    """
+    try:
+        return _read(path, read_frames(path))
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+
+
+def _read(path: Path, frames: Frames) -> FoldFile:
+    coordinates = _coordinates(frames)
+    vertex_count = len(next(iter(coordinates.values())))
+    faces = _faces(frames, coordinates, vertex_count)
+    edges = _vertex_numbers(frames, "edges_vertices", "edge", 2, vertex_count)
+    assignment = _assignment(frames, edges)
+    cut = None if assignment is None else np.array([letter == "C" for letter in assignment])
+    mesh = build_mesh(faces, vertex_count, edges, cut)
+    return FoldFile(
+        path,
+        _unit(frames),
+        mesh,
+        assignment,
+        _grid_shape(frames, mesh),
+        tuple(
+            FoldFrame(
+                number, _classes(frames, number), positions, _fold_angles(frames, number, edges)
+            )
+            for number, positions in coordinates.items()
+        ),
+    )
+
+
+def _coordinates(frames: Frames) -> dict[int, Array]:
+    """Positions (V, 3) of every frame that has any; frames that inherit them share an array."""
+    arrays: dict[int, Array] = {}
+    result: dict[int, Array] = {}
+    first = None
+    for number in range(len(frames)):
+        owner = frames.owner(number, "vertices_coords")
+        if owner is None:
+            continue
+        where = frames.place(owner, "vertices_coords")
+        if owner not in arrays:
+            value = frames.value(owner, "vertices_coords")
+            arrays[owner] = _positions(value, where)
+        result[number] = arrays[owner]
+        first = where if first is None else first
+        count = len(next(iter(result.values())))
+        if len(arrays[owner]) != count:
+            raise InputError(
+                "the frames differ in the number of vertices",
+                where=where,
+                got=str(len(arrays[owner])),
+                expected=f"{count}, as {first}",
+            )
+    if not result:
+        raise InputError("this key is missing in every frame", where="vertices_coords")
+    return result
+
+
+def _positions(value: Any, where: str) -> Array:
+    table = number_table(value, where, "vertex", widths=(2, 3)).astype(np.float64)
+    fault = ~(np.abs(table) <= LARGEST).all(axis=1)
+    if fault.any():
+        vertex = int(np.argmax(fault))
+        raise InputError(
+            "a coordinate is too large",
+            where=f"{where}[{vertex}]",
+            got=shown(value[vertex]),
+            expected=f"numbers up to {LARGEST:g}",
+        )
+    positions = np.zeros((len(table), 3))
+    positions[:, : table.shape[1]] = table
+    positions.flags.writeable = False
+    return positions
+
+
+def _faces(frames: Frames, coordinates: dict[int, Array], vertex_count: int) -> Integers:
+    for number in coordinates:
+        if frames.owner(number, "faces_vertices") is None:
+            raise InputError(
+                "this key is missing",
+                where=frames.place(number, "faces_vertices"),
+                remedy="add faces_vertices"
+                + (", or frame_parent and frame_inherit: true" if number else ""),
+            )
+    faces = _vertex_numbers(frames, "faces_vertices", "panel", 4, vertex_count)
+    if faces is None:
+        raise InputError("this key is missing in every frame", where="faces_vertices")
+    return faces
+
+
+def _vertex_numbers(
+    frames: Frames, key: str, row: str, width: int, vertex_count: int
+) -> Integers | None:
+    """The vertices (rows, width) of faces or edges, which are the same in all frames."""
+    known: Integers | None = None
+    for owner in frames.owners(key):
+        where = frames.place(owner, key)
+        found = number_table(frames.value(owner, key), where, row, widths=(width,), whole=True)
+        _require_range(found, vertex_count, where)
+        if known is not None and not np.array_equal(known, found):
+            raise _differing(where)
+        known = found.astype(np.int64)
+    return known
+
+
+def _assignment(frames: Frames, edges: Integers | None) -> tuple[str, ...] | None:
+    assignment = None
+    for owner in frames.owners("edges_assignment"):
+        where = frames.place(owner, "edges_assignment")
+        value = frames.value(owner, "edges_assignment")
+        _require_length(value, edges, where)
+        for edge, letter in enumerate(value):
+            if not isinstance(letter, str) or letter not in LETTERS:
+                raise InputError(
+                    "this is no assignment of an edge",
+                    where=f"{where}[{edge}]",
+                    got=shown(letter),
+                    expected="one of " + ", ".join(sorted(LETTERS)),
+                )
+        if assignment is not None and assignment != tuple(value):
+            raise _differing(where)
+        assignment = tuple(value)
+    return assignment
+
+
+def _fold_angles(frames: Frames, number: int, edges: Integers | None) -> Array | None:
+    for key in ("edges_foldAngle", "edges_foldAngles"):
+        if key in frames.own(number):
+            value, where = frames.value(number, key), frames.place(number, key)
+            break
+    else:
+        return None
+    _require_length(value, edges, where)
+    angles = number_list(value, where, "edge")
+    fault = np.abs(angles) > 180 * (1 + 1e-12)
+    if fault.any():
+        edge = int(np.argmax(fault))
+        raise InputError(
+            "a fold angle is out of range",
+            where=f"{where}[{edge}]",
+            got=shown(value[edge]),
+            expected="degrees between -180 and 180",
+        )
+    angles = np.deg2rad(angles)
+    angles.flags.writeable = False
+    return angles
+
+
+def _classes(frames: Frames, number: int) -> tuple[str, ...]:
+    value = frames.own(number).get("frame_classes", [])
+    if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
+        raise misfit(value, frames.place(number, "frame_classes"), "a list of texts")
+    return tuple(value)
+
+
+def _unit(frames: Frames) -> str:
+    unit = None
+    for owner in frames.owners("frame_unit"):
+        value, where = frames.value(owner, "frame_unit"), frames.place(owner, "frame_unit")
+        if not isinstance(value, str):
+            raise misfit(value, where, "a text")
+        if unit is not None and value != unit:
+            raise _differing(where)
+        unit = value
+    return "unit" if unit is None else unit
+
+
+def _grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
+    """The grid that the file names, if its panels are those of such a grid (it only names)."""
+    for owner in frames.owners("orishell:grid_shape"):
+        match frames.value(owner, "orishell:grid_shape"):
+            case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:
+                corners = np.sort(mesh.faces, axis=1)
+                first = corners[:, :1]
+                fits = corners == first + np.array([0, 1, columns, columns + 1])
+                if fits.all() and (first % columns != columns - 1).all():
+                    return rows, columns
+    return None
+
+
+def _differing(where: str) -> InputError:
+    return InputError(
+        "the frames differ in more than their coordinates and fold angles",
+        where=where,
+        expected="the same list in every frame that has one",
+        remedy="write different models into different files",
+    )
+
+
+def _require_range(table: Integers, vertex_count: int, where: str) -> None:
+    fault = ((table < 0) | (table >= vertex_count)).any(axis=1)
+    if fault.any():
+        row = int(np.argmax(fault))
+        raise InputError(
+            "there is no such vertex",
+            where=f"{where}[{row}]",
+            got=str(table[row].tolist()),
+            expected=f"numbers from 0 to {vertex_count - 1}",
+        )
+
+
+def _require_length(value: Any, edges: Integers | None, where: str) -> None:
+    if edges is None:
+        raise InputError("without edges_vertices this has no meaning", where=where)
+    if not isinstance(value, list) or len(value) != len(edges):
+        raise InputError(
+            "this list does not fit",
+            where=where,
+            got=f"{len(value)} entries" if isinstance(value, list) else shown(value),
+            expected=f"{len(edges)} entries, one for each edge",
+        )

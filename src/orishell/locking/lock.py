@@ -1,0 +1,259 @@
+"""Where the motion ends and what touches first: the proof that a shell locks as designed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.clash import Proof, find_contacts, find_first_contact
+from orishell.design import Design
+from orishell.metrics import corrugation_depth, diagonal
+from orishell.motion import Mechanism
+from orishell.pattern import Grid
+
+Array = NDArray[np.float64]
+Booleans = NDArray[np.bool_]
+Panel = tuple[int, int]
+"""Row and column of a panel."""
+
+CONTACT_TOLERANCE = 1e-9
+"""Distance at which panels touch, relative to the diagonal of the flat sheet."""
+SHORT_OF_END = 1e-6
+"""Where creases are folded flat at the end, the path is proved up to this share before it."""
+FOLDED_FLAT = 1e-9
+"""A crease whose fold angle is this near to pi is folded flat (radians)."""
+
+Kind = Literal[
+    "flap on flap",
+    "opposite flaps",
+    "flap on panel",
+    "neighbours",
+    "at the sheet's edge",
+    "distant panels",
+]
+Cause = Literal["flaps", "clash", "crease"]
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Two panels that touch.
+
+    Parameters
+    ----------
+    drive
+        Where they touch (radians).
+    clear_until
+        Up to here no panels touch (radians).
+    panels
+        The two panels.
+    kind
+        Two flaps of one column, as designed, or of both; a flap on another panel; neighbours about
+        a crease that is folded flat; a panel of the sheet's border on another; panels inside it.
+    depth
+        Depth of the corrugation there (length).
+    """
+
+    drive: float
+    clear_until: float
+    panels: tuple[Panel, Panel]
+    kind: Kind
+    depth: float
+
+
+@dataclass(frozen=True, slots=True)
+class Lock:
+    """How a motion ends.
+
+    Parameters
+    ----------
+    drive
+        Where it ends, or None if nothing ends it (radians).
+    cause
+        Flaps folded onto each other as designed, panels that clash, or another crease that is
+        folded flat.
+    first_contact
+        The first contact, if there is one.
+    target
+        Drive of the state that meets the target (radians).
+    depth
+        Depth of the corrugation in that state (length).
+    touching
+        Pairs of panels, flaps and neighbours left out, that touch at the end and not before.
+    proof
+        How the path was examined, or None if it was not.
+    """
+
+    drive: float | None
+    cause: Cause | None
+    first_contact: Contact | None
+    target: float
+    depth: float
+    touching: tuple[tuple[Panel, Panel], ...]
+    proof: Proof | None
+
+    @property
+    def early(self) -> bool:
+        """Whether panels clash before the target is met."""
+        return (
+            self.cause == "clash"
+            and self.first_contact is not None
+            and self.first_contact.drive <= self.target
+        )
+
+
+def find_lock(
+    design: Design,
+    *,
+    tolerance: float = CONTACT_TOLERANCE,
+    flaps_only: bool = False,
+    advanced: Callable[[float], None] | None = None,
+) -> Lock:
+    """Find where a design's motion ends, and the first contact on the way there.
+
+    Parameters
+    ----------
+    design
+        The design.
+    tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
+    flaps_only
+        Look for contacts of the flaps only.
+    advanced
+        Called with the share of the path that is done.
+
+    Notes
+    -----
+    Where creases are folded flat at the end, panels beside them come as near as one likes before
+    it: there the path is proved up to a millionth of it, and flaps count as touching within a
+    ten-thousandth of the tolerance.
+    """
+    mechanism = design.mechanism
+    sheet = _Sheet.of(design)
+    size = tolerance * diagonal(mechanism.positions(0.0))
+    path = find_first_contact(
+        mechanism,
+        sheet.path_end,
+        size,
+        lenient=sheet.designed if sheet.folded_flat else None,
+        only=_flap_panels(mechanism.grid) if flaps_only else None,
+        advanced=advanced,
+    )
+    if path.contact is not None:
+        drive = path.contact.drive
+        found = Contact(
+            drive,
+            path.contact.clear_until,
+            sheet.panels(path.contact.panels),
+            sheet.kind(path.contact.panels),
+            corrugation_depth(mechanism.positions(drive)),
+        )
+        return sheet.lock(drive, "clash", found, path.proof)
+    return unexamined_lock(design, path.proof, sheet.touching_at_end(size))
+
+
+def unexamined_lock(
+    design: Design,
+    proof: Proof | None = None,
+    touching: tuple[tuple[Panel, Panel], ...] = (),
+) -> Lock:
+    """How the motion ends if no panels clash before: where a crease is folded flat."""
+    sheet = _Sheet.of(design)
+    if sheet.folded_flat is None:
+        return sheet.lock(None, None, None, proof, touching)
+    row, column = sheet.folded_flat
+    flaps = sheet.flaps and column in (0, sheet.columns - 1)
+    found = Contact(
+        sheet.end,
+        sheet.path_end,
+        ((row, column), (row + 1, column)),
+        "flap on flap" if flaps else "neighbours",
+        corrugation_depth(design.mechanism.positions(sheet.end)),
+    )
+    return sheet.lock(sheet.end, "flaps" if flaps else "crease", found, proof, touching)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Sheet:
+    """What is known of a sheet before any contact is looked for."""
+
+    mechanism: Mechanism
+    end: float
+    flaps: bool
+    """Whether all row creases of the first and last column of panels are folded flat at the end."""
+    folded_flat: Panel | None
+    """Row and column of the panel above a row crease that is folded flat at the end."""
+
+    @classmethod
+    def of(cls, design: Design) -> _Sheet:
+        mechanism = design.mechanism
+        end = mechanism.lock_drive if design.lock_drive is None else design.lock_drive
+        flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
+        places = np.argwhere(flat)
+        first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
+        return cls(mechanism, end, bool(flat[:, [0, -1]].all()), first)
+
+    @property
+    def columns(self) -> int:
+        """Number of columns of panels."""
+        return self.mechanism.grid.columns - 1
+
+    @property
+    def path_end(self) -> float:
+        return self.end if self.folded_flat is None else self.end * (1 - SHORT_OF_END)
+
+    def lock(
+        self,
+        drive: float | None,
+        cause: Cause | None,
+        contact: Contact | None,
+        proof: Proof | None,
+        touching: tuple[tuple[Panel, Panel], ...] = (),
+    ) -> Lock:
+        target = self.mechanism.lock_drive
+        depth = corrugation_depth(self.mechanism.positions(target))
+        return Lock(drive, cause, contact, target, depth, touching, proof)
+
+    def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
+        first, second = sorted(divmod(number, self.columns) for number in numbers)
+        return first, second
+
+    def designed(self, pairs: tuple[NDArray[np.int64], NDArray[np.int64]]) -> Booleans:
+        """Pairs with a flap, of its own column or the next: they meet at lock by design."""
+        first, second = (numbers % self.columns for numbers in pairs)
+        low, high = np.minimum(first, second), np.maximum(first, second)
+        flap = (low == 0) | (high == self.columns - 1)
+        return np.asarray(flap & (high - low <= 1) & self.flaps)
+
+    def kind(self, numbers: tuple[int, int]) -> Kind:
+        panels = self.panels(numbers)
+        rows = self.mechanism.grid.rows - 1
+        on_flap = [self.flaps and j in (0, self.columns - 1) for _, j in panels]
+        if all(on_flap):
+            return "flap on flap" if panels[0][1] == panels[1][1] else "opposite flaps"
+        if any(on_flap):
+            return "flap on panel"
+        if any(i in (0, rows - 1) or j in (0, self.columns - 1) for i, j in panels):
+            return "at the sheet's edge"
+        return "distant panels"
+
+    def touching_at_end(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
+        """Pairs that touch at the end, those left out that are to."""
+        if self.folded_flat is None:
+            return ()
+        faces = self.mechanism.grid.faces_vertices()
+        points = self.mechanism.positions(self.end).reshape(-1, 3)
+        pairs = find_contacts(points, faces, tolerance)
+        shared = (faces[pairs[:, 0]][:, :, None] == faces[pairs[:, 1]][:, None]).any(axis=(1, 2))
+        pairs = pairs[~shared & ~self.designed((pairs[:, 0], pairs[:, 1]))]
+        return tuple(self.panels((int(first), int(second))) for first, second in pairs)
+
+
+def _flap_panels(grid: Grid) -> Booleans:
+    """Panels (F,) of the first and last column."""
+    flags = np.zeros((grid.rows - 1, grid.columns - 1), np.bool_)
+    flags[:, [0, -1]] = True
+    return flags.ravel()

@@ -1,0 +1,142 @@
+"""``orishell check`` as a user meets it: status, messages, summary and JSON."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from orishell.cli.main import run
+from sheets import miura, write
+
+
+class Ran:
+    """What a run of the command left behind."""
+
+    def __init__(self, capsys: pytest.CaptureFixture[str], status: Any) -> None:
+        self.status = status
+        self.out, self.err = capsys.readouterr()
+
+
+def check(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str | Path
+) -> Ran:
+    monkeypatch.setattr(sys, "argv", ["orishell", "check", *map(str, arguments)])
+    with pytest.raises(SystemExit) as ended:
+        run()
+    return Ran(capsys, ended.value.code)
+
+
+def test_a_good_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write({**miura([0.3, 0.9]), "frame_unit": "mm"}, tmp_path)
+    ran = check(monkeypatch, capsys, path)
+    assert (ran.status, ran.err) == (0, "")
+    lines = ran.out.splitlines()
+    assert lines[0] == f"{path}: 20 panels, 31 creases, 12 inner vertices"
+    assert lines[1].startswith("frames    3, flat sheet in frame 0, diagonal ")
+    assert lines[1].endswith(" mm")
+    assert sum(line.startswith("PASS  ") for line in lines) == 10
+    assert lines[-1].startswith("not checked: contact between frames")
+
+
+def test_a_bad_sheet(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fold = miura([0.3, 0.9])
+    fold["file_frames"][1]["vertices_coords"][0][2] += 0.01
+    path = write(fold, tmp_path)
+    ran = check(monkeypatch, capsys, path)
+    assert (ran.status, ran.err) == (1, "")
+    wrong = [line for line in ran.out.splitlines() if line.startswith("FAIL  ")]
+    assert any("planarity" in line and "panel 0 in frame 2" in line for line in wrong)
+    printed = check(monkeypatch, capsys, path, "--json")
+    assert printed.status == 1
+    report = json.loads(printed.out)
+    assert report["passed"] is False
+    assert report["checks"]["planarity"]["panel"] == 0
+    assert check(monkeypatch, capsys, path, "--tolerance", "0.01").status == 0
+
+
+def test_the_summary_says_which_panels_were_turned(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fold = miura([])
+    fold["faces_vertices"][3] = fold["faces_vertices"][3][::-1]
+    ran = check(monkeypatch, capsys, write(fold, tmp_path))
+    assert ran.status == 0
+    assert "turned    1 panels listed the other way round" in ran.out
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "this is not JSON"),
+        ("[shell]\n", "this is not JSON"),
+        ("[1, 2]", "this is not FOLD"),
+        ("{}", "this key is missing"),
+        ('{"vertices_coords": [[0, 0], [1, 0], [1, 1]]}', "faces_vertices: this key is missing"),
+        ('{"vertices_coords": [[0, 0], [1, 0]], "faces_vertices": [[0, 1, 2, 3]]}', "no such"),
+        ('{"vertices_coords": [[0, NaN]], "faces_vertices": [[0, 1, 2, 3]]}', "not JSON"),
+        ('{"vertices_coords": [[0, 0], [1]], "faces_vertices": [[0, 1, 2, 3]]}', "vertex 1"),
+        ('{"vertices_coords": [[0, 0]], "faces_vertices": [[0, 0, 0]]}', "panel 0 does not fit"),
+        ('{"vertices_coords": [[0,0],[0,0],[0,0],[0,0]], "faces_vertices": [[0,1,2,3]]}', "size"),
+        ('{"file_frames": [{"frame_inherit": true, "frame_parent": 1}]}', "another frame"),
+        (
+            '{"file_frames": [{"frame_inherit": true, "frame_parent": 2},'
+            '{"frame_inherit": true, "frame_parent": 1}]}',
+            "in a circle",
+        ),
+    ],
+)
+def test_bad_files_are_one_message(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    text: str,
+    says: str,
+) -> None:
+    path = tmp_path / "sheet.fold"
+    path.write_text(text)
+    ran = check(monkeypatch, capsys, path)
+    assert ran.status == 2
+    assert ran.out == ""
+    assert ran.err.startswith(f"orishell: {path}")
+    assert says in ran.err
+    assert ran.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("tolerance", ["0", "-1", "nan", "inf", "small"])
+def test_bad_tolerances(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tolerance: str,
+) -> None:
+    ran = check(monkeypatch, capsys, write(miura([]), tmp_path), "--tolerance", tolerance)
+    assert (ran.status, ran.out) == (2, "")
+    assert "tolerance" in ran.err
+
+
+def test_paths_that_are_no_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert "does not exist" in check(monkeypatch, capsys, tmp_path / "none.fold").err
+    ran = check(monkeypatch, capsys, tmp_path)
+    assert ran.status == 2
+    assert "this is not a file" in ran.err
+
+
+def test_as_a_process(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "orishell", "check", str(write(miura([0.3]), tmp_path)), "--json"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(done.stdout)["passed"] is True

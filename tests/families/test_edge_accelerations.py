@@ -1,0 +1,187 @@
+"""No edge swings faster than its bound says, anywhere on the path.
+
+A second difference over v - h, v, v + h is a mean of the second derivative between v - h and
+v + h. So it is compared with the bound of just that range, and only rounding is allowed for: with
+positions right to some eps times the sheet's size it is ROUNDING eps size / h^2.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from orishell.families.longitudinal_linear_repeating import (
+    LongitudinalLinearRepeating,
+    RowKind,
+    Sectors,
+    acceleration,
+    find_solutions,
+)
+from orishell.families.longitudinal_linear_repeating.even_lengths import find_even_lengths
+from orishell.families.longitudinal_linear_repeating.fold_rates import fold_rates
+from orishell.families.longitudinal_linear_repeating.mechanism import Pose
+from orishell.families.longitudinal_linear_repeating.program import Wanted
+from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
+from orishell.families.longitudinal_linear_repeating.tessellation import (
+    Directions,
+    flat_foldable_rows,
+    repeat_columns,
+)
+from orishell.metrics import diagonal
+from orishell.motion import Mechanism
+from orishell.spec import read_design_file
+from strategies import (
+    OrthodiagonalRequest,
+    Request,
+    feasible_design,
+    orthodiagonal_requests,
+    requests,
+)
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+PAPER = (85.0, 80.0, 95.0, 100.0)
+STILL, TURNING = Pose(), Pose((1.0, 0.0, 0.0), (0.3, -1.0, 0.5))
+RANGES = 512
+ROUNDING = 100
+Array = np.ndarray
+
+
+def example(number: int) -> Mechanism:
+    file = read_design_file(EXAMPLES / f"figure{number}.toml")
+    return file.pattern.design(file.f, file.g).mechanism
+
+
+def sheet(
+    degrees: tuple[float, ...] = PAPER,
+    size: tuple[int, int] = (5, 6),
+    first_row: RowKind = "F",
+    solution: int = 0,
+    pose: Pose = STILL,
+) -> LongitudinalLinearRepeating | None:
+    """A sheet with the most even lengths, if there is one."""
+    rows, columns = size
+    made = repeat_columns(find_solutions(Sectors.from_degrees(degrees))[solution], columns)
+    inner = find_even_lengths(Directions.of(made, rows, first_row), Wanted())
+    if inner is None or inner.ratio > 500:
+        return None
+    bordered = with_fitting_border(made, first_row, inner, (0.02, 0.02), "auto")
+    return LongitudinalLinearRepeating(
+        bordered.columns, bordered.first_row, bordered.lengths, bordered.side, None, pose
+    )
+
+
+def shares_of_bounds(
+    mechanism: Mechanism, count: int = 24, ranges: int = RANGES
+) -> tuple[Array, Array]:
+    """True accelerations by their bounds (count,), row edges and column edges summed up.
+
+    Fails where one exceeds its bound.
+    """
+    h = 0.5 * mechanism.lock_drive / ranges
+    drives = np.linspace(h, mechanism.lock_drive - h, count)
+    bounds = mechanism.edge_accelerations(drives - h, drives + h)
+    before, now, after = (mechanism.positions(drives + step) for step in (-h, 0, h))
+    swing = (before - now) + (after - now)
+    size = diagonal(mechanism.positions(0.0)) + np.abs(now).max()
+    rounding = ROUNDING * np.finfo(float).eps * size / h**2
+    shares = []
+    for bound, axis in zip(bounds, (-2, -3), strict=True):
+        true = np.linalg.norm(np.diff(swing, axis=axis), axis=-1).max(axis=-3 - axis - 1) / h**2
+        assert true.shape == bound.shape
+        assert (true <= bound * (1 + 1e-9) + rounding).all()
+        shares.append(true.sum(axis=-1) / bound.sum(axis=-1))
+    return shares[0], shares[1]
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_examples_stay_within_the_bounds_and_near_them(number: int) -> None:
+    rows, columns = shares_of_bounds(example(number), count=60)
+    # Nothing is given away: sums of true accelerations are most of the sums of bounds.
+    assert rows.min() > 0.5
+    assert columns.min() > 0.5
+    assert max(rows.max(), columns.max()) > 0.95
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_long_ranges_are_bounded_too(number: int) -> None:
+    for ranges in (1, 3, 20):
+        shares_of_bounds(example(number), count=7, ranges=ranges)
+
+
+@settings(max_examples=60)
+@given(requests(), st.sampled_from([20, RANGES]))
+def test_any_parallel_repeating_design(request: Request, ranges: int) -> None:
+    shares_of_bounds(feasible_design(request).mechanism, 9, ranges)
+
+
+@settings(max_examples=60)
+@given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
+def test_any_orthodiagonal_design(request: OrthodiagonalRequest, ranges: int) -> None:
+    shares_of_bounds(request.feasible().mechanism, 9, ranges)
+
+
+@settings(max_examples=40)
+@given(
+    st.lists(st.floats(70, 110).map(lambda x: round(x, 3)), min_size=4, max_size=4),
+    st.sampled_from(["F", "S"]),
+    st.sampled_from([(1, 2), (2, 3), (3, 4), (4, 5)]),
+    st.sampled_from([1, 20, RANGES]),
+)
+def test_any_longitudinal_linear_repeating_sheet(
+    degrees: list[float], first_row: RowKind, size: tuple[int, int], ranges: int
+) -> None:
+    for number in range(len(find_solutions(Sectors.from_degrees(degrees)))):
+        mechanism = sheet(tuple(degrees), size, first_row, number, TURNING)
+        if mechanism is not None:
+            shares_of_bounds(mechanism, 9, ranges)
+
+
+def test_large_longitudinal_linear_repeating_sheets() -> None:
+    for size in (9, 35):
+        mechanism = sheet(size=(size, size))
+        assert mechanism is not None
+        rows, columns = shares_of_bounds(mechanism)
+        assert np.median(rows) > 0.3
+        assert np.median(columns) > 0.4
+
+
+def test_ranges_are_bounded_alike_alone_and_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    mechanism = sheet()
+    assert mechanism is not None
+    ends = np.linspace(0.0, mechanism.lock_drive, 8)
+    together = mechanism.edge_accelerations(ends[:-1], ends[1:])
+    monkeypatch.setattr(acceleration, "AT_ONCE", 1)
+    alone = mechanism.edge_accelerations(ends[:-1], ends[1:])
+    for one, other in zip(alone, together, strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-12)
+
+
+@pytest.mark.parametrize("first_row", ["F", "S"])
+@pytest.mark.parametrize(
+    ("degrees", "solution"),
+    [(PAPER, 0), ((85, 80, 85, 100), 1), ((89.9995, 89.999, 90.0005, 90.001), 0)],
+)
+@pytest.mark.parametrize("ranges", [1, 7, 300, 4000])
+def test_fold_rates(
+    first_row: RowKind, degrees: tuple[float, ...], solution: int, ranges: int
+) -> None:
+    # Differences over a range are means of the derivatives in it.
+    mechanism = sheet(degrees, (4, 5), first_row, solution)
+    assert mechanism is not None
+    h = 0.5 * mechanism.lock_drive / ranges
+    drives = np.linspace(h, mechanism.lock_drive - h, 40)
+    kinds = flat_foldable_rows(4, first_row)
+    rates = fold_rates(mechanism.columns, kinds, drives - h, drives + h)
+    angles = [mechanism.fold_angles(drives + step) for step in (-h, 0.0, h)]
+    sign = np.sign(angles[1].column[:, :, :1]) * np.sign(mechanism.columns.multipliers[0])
+    for rate, (before, now, after), signs in (
+        (rates[0], [each.column for each in angles], sign),
+        (rates[1], [each.row for each in angles], sign[:, 1:]),
+    ):
+        values = signs * (after - before) / (2 * h), signs * (before - 2 * now + after) / h**2
+        for value, interval, order in zip(values, (rate.first, rate.second), (1, 2), strict=True):
+            allowed = 1e-14 / h**order + 1e-9 * np.abs(value).max()
+            assert (value >= interval.low - allowed).all()
+            assert (value <= interval.high + allowed).all()

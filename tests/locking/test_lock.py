@@ -1,0 +1,128 @@
+"""How motions end: by flaps, by a clash, by a crease, or not at all."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brute_force import crosses, exact_contacts, first_crossing, not_designed
+from orishell.design import Design
+from orishell.locking import describe_lock, find_lock, unexamined_lock, warn_of_lock
+from orishell.metrics import corrugation_depth, diagonal
+from orishell.spec import read_design_file
+from planted import PLANTED, clear
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def example(figure: str) -> Design:
+    file = read_design_file(EXAMPLES / f"{figure}.toml")
+    return file.pattern.design(file.f, file.g)
+
+
+@pytest.mark.parametrize("figure", ["figure1", "figure2"])
+def test_the_paper_says_that_figures_1_and_2_lock_by_their_flaps(figure: str) -> None:
+    # "The rigid folding motion halts at the final rigidly folded states due to clashing of
+    # panels": the paper's introduction.
+    lock = find_lock(example(figure))
+    assert (lock.cause, lock.drive, lock.early, lock.touching) == ("flaps", np.pi, False, ())
+    contact = lock.first_contact
+    assert contact is not None
+    assert (contact.kind, contact.panels) == ("flap on flap", ((0, 0), (1, 0)))
+    assert contact.clear_until == pytest.approx(np.pi, rel=2e-6)
+    assert warn_of_lock(lock) == []
+
+
+@pytest.mark.parametrize("figure", ["figure1", "figure2", "figure3"])
+def test_exact_predicates_see_nothing_before_the_figures_meet_their_targets(figure: str) -> None:
+    mechanism = example(figure).mechanism
+    for drive in np.linspace(0, 0.999 * mechanism.lock_drive, 41):
+        pairs = exact_contacts(mechanism.positions(drive), mechanism.grid.faces_vertices())
+        assert not len(pairs), f"at drive {drive}"
+
+
+def test_figure_3_meets_its_target_and_then_rolls_up_until_its_rims_meet() -> None:
+    design = example("figure3")
+    lock = find_lock(design)
+    assert lock.cause == "clash"
+    assert not lock.early
+    assert lock.target == design.mechanism.lock_drive
+    assert lock.drive is not None
+    assert lock.drive > 2 * lock.target
+    assert lock.first_contact is not None
+    (above, _), (below, _) = lock.first_contact.panels
+    assert (above, below) == (0, design.mechanism.grid.rows - 2)
+    expected = first_crossing(design.mechanism, 0.12, 200)
+    assert expected == pytest.approx(lock.drive, abs=1e-6)
+
+
+def test_a_crease_folded_flat_ends_the_motion_where_nothing_clashes() -> None:
+    # Known: for the paper's angles an S row's crease reaches pi at v_1 = 119.747 degrees.
+    lock = unexamined_lock(example("figure3"))
+    assert lock.cause == "crease"
+    assert lock.drive == pytest.approx(np.deg2rad(119.747), abs=1e-5)
+    assert lock.first_contact is not None
+    assert lock.first_contact.kind == "neighbours"
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("spiral", "flap on panel"),
+        ("ring", "opposite flaps"),
+        ("wide flaps", "opposite flaps"),
+        ("waist", "at the sheet's edge"),
+        ("deep", "opposite flaps"),
+    ],
+)
+def test_kinds_of_planted_clashes(name: str, kind: str) -> None:
+    design = PLANTED[name]()
+    lock = find_lock(design)
+    contact = lock.first_contact
+    assert contact is not None
+    assert (lock.early, contact.kind) == (True, kind)
+    depth = corrugation_depth(design.mechanism.positions(contact.drive))
+    assert contact.depth == pytest.approx(depth)
+    (warning,) = warn_of_lock(lock)
+    assert str(list(contact.panels[0])) in warning
+
+
+def test_flaps_only_leaves_other_contacts_out() -> None:
+    assert find_lock(PLANTED["waist"](), flaps_only=True).cause == "flaps"
+    assert find_lock(PLANTED["wide flaps"](), flaps_only=True).early
+
+
+def test_a_wider_tolerance_touches_earlier_by_the_time_that_it_takes() -> None:
+    design = PLANTED["waist"]()
+    drives = [find_lock(design, tolerance=tolerance).drive for tolerance in (1e-12, 1e-6, 1e-4)]
+    assert all(drive is not None for drive in drives)
+    exact, wide, wider = (float(drive or 0) for drive in drives)
+    assert exact > wide > wider
+    # Distance shrinks smoothly, so the lead grows with the tolerance.
+    assert (exact - wider) / (exact - wide) == pytest.approx(100, rel=0.1)
+
+
+def test_what_the_report_says_of_a_lock() -> None:
+    design = clear()
+    said = describe_lock(find_lock(design))
+    assert (said["drive_deg"], said["cause"], said["target_drive_deg"]) == (180, "flaps", 180)
+    assert said["first_contact"]["panels"] == [[0, 0], [1, 0]]
+    path = said["path"]
+    assert path["states"] > 10
+    assert path["ranges"] >= path["states"] - 1
+    assert path["tests"] > design.mechanism.grid.panel_count
+    assert 0 < path["smallest_step_deg"] <= path["largest_step_deg"] <= 180 / 8
+    assert path["contact_tolerance"] == 1e-9 * diagonal(design.mechanism.positions(0.0))
+    assert "acceleration" in path["bound"]
+
+
+def test_panels_that_touch_at_lock_unasked_are_named() -> None:
+    # A circle closed but for what the columns' planes leave: the last column of the locked shell
+    # lies in the first one's plane, so the panels beside them touch there and not before.
+    lock = find_lock(PLANTED["ring"]())
+    assert lock.early
+    mechanism = PLANTED["ring"]().mechanism
+    counts = not_designed(mechanism.grid)
+    assert crosses(mechanism, np.pi, counts)
