@@ -8,8 +8,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
+from brute_force import exact_contacts
 from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
@@ -18,6 +20,7 @@ from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_b
 from orishell.families.longitudinal_linear_repeating.tessellation import Directions, repeat_columns
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.locking import find_lock
 from orishell.metrics import measure_residuals
 from orishell.motion import FoldingMotion
 
@@ -108,3 +111,29 @@ def test_writing_the_demo(benchmark: BenchmarkFixture, tmp_path: Path) -> None:
 
     motion = FoldingMotion(design(9, 11).mechanism, 25)
     benchmark(write_fold, tmp_path / "shell.fold", motion, "m", motion)
+
+
+@pytest.mark.parametrize(("size", "target"), [(50, 5), (100, 30)])
+def test_the_whole_path(benchmark: BenchmarkFixture, size: int, target: int) -> None:
+    # size x size panels, odd rows of vertices: the sheet of Figure 1, finer.
+    made = design(size - 1 - size % 2, size - 1)
+    lock = benchmark(find_lock, made)
+    proof = lock.proof
+    assert lock.cause == "flaps"
+    assert proof is not None
+    print(
+        f"\n{made.mechanism.grid.panel_count} panels: {proof.tests} tests of pairs in "
+        f"{proof.ranges} ranges of the drive (target {target} s)"
+    )
+
+
+def test_the_whole_path_against_one_exact_state(benchmark: BenchmarkFixture) -> None:
+    # libigl's tree and exact predicates on one state alone, as a measure of what a proof costs.
+    made = design(49, 50)
+    grid, state = made.mechanism.grid, made.mechanism.positions(2.0)
+    faces = grid.faces_vertices()
+    benchmark(exact_contacts, state, faces)
+    ratio = best_time(lambda: find_lock(made), 1) / best_time(
+        lambda: exact_contacts(state, faces), 3
+    )
+    print(f"\nproof of the whole path: {ratio:.0f} times one exact test of one state")

@@ -197,7 +197,7 @@ def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> 
             shell.motion,
             shell.design.targets,
             title=_title(shell),
-            last="Locked" if shell.lock.cause == "flaps" else "Folded until it meets the target",
+            last=_last_state(shell.lock),
             unit=shell.file.unit,
             contact=_drawn(shell.lock),
         )
@@ -229,6 +229,12 @@ def _drawn(lock: Lock) -> DrawnContact | None:
     if contact is None or not lock.early:
         return None
     return DrawnContact(contact.drive, contact.panels)
+
+
+def _last_state(lock: Lock) -> str:
+    if lock.early:
+        return "The target, which it does not reach"
+    return "Locked" if lock.cause == "flaps" else "Folded until it meets the target"
 
 
 def _title(shell: Shell) -> str:

@@ -1,0 +1,121 @@
+"""200 random feasible designs: what the proof says, exact arithmetic says too.
+
+libigl decides on all pairs of panels in exact arithmetic. Where the path is said to be clear it
+must see nothing in any of the states tried; where panels are said to touch it must see them cross
+within a millionth of the path.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
+
+from brute_force import crosses, not_designed
+from orishell.design import Design
+from orishell.errors import DesignError
+from orishell.families.longitudinal_linear_repeating import (
+    Sectors,
+    design_longitudinal_linear_repeating,
+)
+from orishell.locking import find_lock
+from strategies import (
+    OrthodiagonalRequest,
+    Request,
+    feasible_design,
+    graph,
+    numbers,
+    orthodiagonal_requests,
+    pair,
+    requests,
+)
+
+STATES = 25
+once = settings(
+    deadline=None,
+    phases=[Phase.generate],
+    suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
+)
+
+
+def require_agreement(design: Design, seen: Counter[str | None]) -> None:
+    mechanism, lock = design.mechanism, find_lock(design)
+    seen[lock.cause] += 1
+    counts = not_designed(mechanism.grid)
+    clear = (
+        lock.target if lock.first_contact is None else min(lock.first_contact.drive, lock.target)
+    )
+    for drive in np.linspace(0, (1 - 1e-4) * clear, STATES):
+        assert not crosses(mechanism, float(drive), counts), f"missed at {drive}: {lock}"
+    if lock.cause == "clash" and lock.drive is not None:
+        end = design.lock_drive or mechanism.lock_drive
+        later = [min(lock.drive + end * share, end) for share in (1e-9, 1e-8, 1e-7, 1e-6)]
+        anything = [crosses(mechanism, drive, lambda p: np.ones(len(p), bool)) for drive in later]
+        assert any(anything), f"a false alarm: {lock}"
+
+
+@pytest.mark.slow
+def test_75_parallel_repeating_designs() -> None:
+    seen: Counter[str | None] = Counter()
+
+    @settings(once, max_examples=75)
+    @given(requests())
+    def every(request: Request) -> None:
+        require_agreement(feasible_design(request), seen)
+
+    every()
+    assert seen["flaps"] > 30
+    assert seen["clash"] > 0
+
+
+@pytest.mark.slow
+def test_75_orthodiagonal_designs() -> None:
+    seen: Counter[str | None] = Counter()
+
+    @settings(once, max_examples=75)
+    @given(orthodiagonal_requests())
+    def every(request: OrthodiagonalRequest) -> None:
+        require_agreement(request.feasible(), seen)
+
+    every()
+    assert seen["flaps"] > 30
+
+
+@st.composite
+def longitudinal_requests(draw: st.DrawFn) -> dict[str, Any]:
+    """Arcs and parabolas along a line, sectors of the program's choice or near 90 degrees."""
+    span = draw(numbers(0.3, 1.4))
+    arc = pair("cos(t)", "sin(t)", 1.57 - span, 1.57 + span)
+    near = draw(st.tuples(*[numbers(-4, 4) for _ in range(4)]))
+    sectors = Sectors.from_degrees([90 + each for each in near])
+    return {
+        "f": draw(st.sampled_from([arc, graph("-x**2/2", -span, span)])),
+        "g": graph("0*x", 0, draw(numbers(0.5, 4))),
+        "rows": draw(st.integers(2, 9)),
+        "columns": draw(st.integers(2, 9)),
+        "first_row": draw(st.sampled_from(["F", "S"])),
+        "sectors": draw(st.sampled_from(["auto", "auto", "auto", sectors])),
+    }
+
+
+@pytest.mark.slow
+def test_50_longitudinal_designs() -> None:
+    seen: Counter[str | None] = Counter()
+
+    @settings(once, max_examples=400)
+    @given(longitudinal_requests())
+    def every(request: dict[str, Any]) -> None:
+        if seen.total() == 50:
+            return
+        try:
+            design = design_longitudinal_linear_repeating(**request)
+        except DesignError:
+            return
+        require_agreement(design, seen)
+
+    every()
+    assert seen.total() == 50
