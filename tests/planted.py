@@ -24,14 +24,14 @@ def spiral() -> Design:
     )
 
 
-def ring() -> Design:
+def ring(flap: float = 0.3) -> Design:
     """A closed circle: the last column comes to lie on the first."""
     return design_parallel_repeating(
         graph("-0.3*x**2", -1, 1),
         pair("4*cos(t)", "4*sin(t)", 0, 2 * np.pi),
         rows=9,
         columns=30,
-        flap=0.3,
+        flap=flap,
         xi=np.deg2rad(90),
     )
 

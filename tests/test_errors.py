@@ -16,6 +16,12 @@ def test_bare_messages() -> None:
     assert str(DesignError("it cannot be")) == "it cannot be."
 
 
+def test_a_file_alone_is_a_place_with_one_colon() -> None:
+    assert str(InputError("this is no file").located("a.fold:")) == "a.fold: this is no file."
+    inner = InputError("too small", where="[pattern] rows")
+    assert str(inner.located("a.toml:")) == "a.toml: [pattern] rows: too small."
+
+
 def test_design_error_says_where_how_much_and_what_works() -> None:
     error = DesignError("too large", place="at row 3", size="by 2", nearest="xi_deg = 50")
     assert str(error) == "too large, at row 3: by 2. Nearest that works: xi_deg = 50."

@@ -68,7 +68,7 @@ class InputError(OrishellError):
         if self.remedy:
             sentence += f" Remedy: {self.remedy}."
         if self.where:
-            sentence = f"{self.where}: {sentence}"
+            sentence = f"{self.where.removesuffix(':')}: {sentence}"
         return f"{sentence}\n{self.detail}" if self.detail else sentence
 
 

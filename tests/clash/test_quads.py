@@ -8,16 +8,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from brute_force import exact_contacts
-from orishell.clash.quads import common_gap, gap_along, nearest, normals
+from orishell.clash.quads import common_gap, gap_along, nearest, normals, turning_gap
 
 
 def random_quads(seed: int, count: int, spread: float) -> np.ndarray:
-    """Convex quadrilaterals (3, P, 4) on circles in random planes."""
+    """Convex quadrilaterals (3, 4, P) on circles in random planes."""
     rng = np.random.default_rng(seed)
     angle = np.sort(rng.uniform(0, 2 * np.pi, (count, 4)), axis=1)
     frame = np.linalg.qr(rng.normal(size=(count, 3, 3)))[0]
     circle = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)
-    return np.moveaxis(circle @ frame + spread * rng.normal(size=(count, 1, 3)), -1, 0)
+    return (circle @ frame + spread * rng.normal(size=(count, 1, 3))).T
 
 
 Corners = list[list[float]]
@@ -25,7 +25,7 @@ SQUARE: Corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
 
 
 def pair(first: Corners, second: Corners) -> tuple[np.ndarray, np.ndarray]:
-    return np.array(first, float).T[:, None], np.array(second, float).T[:, None]
+    return np.array(first, float).T[..., None], np.array(second, float).T[..., None]
 
 
 @given(st.integers(0, 10_000), st.floats(0.3, 3))
@@ -36,7 +36,7 @@ def test_a_distance_is_met_and_cannot_be_less(seed: int, spread: float) -> None:
     np.testing.assert_allclose(np.linalg.norm(between, axis=0), distance, atol=1e-15)
     apart = distance > 1e-9
     direction = (between / np.where(apart, distance, 1))[:, apart]
-    gap = gap_along(direction, first[:, apart], second[:, apart])
+    gap = gap_along(direction, first[..., apart], second[..., apart])
     np.testing.assert_allclose(gap, distance[apart], rtol=1e-9, atol=1e-12)
 
 
@@ -46,7 +46,7 @@ def test_the_distance_is_zero_just_where_exact_predicates_see_a_crossing(seed: i
     distance, _ = nearest(first, second)
     faces = np.arange(8).reshape(2, 4)
     for k, apart in enumerate(distance > 0):
-        points = np.concatenate([first[:, k].T, second[:, k].T])
+        points = np.concatenate([first[..., k].T, second[..., k].T])
         assert apart == (len(exact_contacts(points, faces)) == 0)
 
 
@@ -74,3 +74,34 @@ def test_a_common_gap_is_on_the_same_side_in_both_states() -> None:
     up = normals(first)
     assert common_gap(up, [(first, above), (first, above)])[0] == pytest.approx(1)
     assert common_gap(up, [(first, above), (first, below)])[0] == pytest.approx(-1)
+
+
+@given(st.integers(0, 10_000), st.floats(0.3, 3))
+def test_a_turning_direction_keeps_panels_apart_all_the_way(seed: int, spread: float) -> None:
+    # Corners go straight from the one state to the other; panels need not stay planar for this.
+    rng = np.random.default_rng(seed)
+    first, second = random_quads(seed, 40, spread), random_quads(seed + 1, 40, spread)
+    moved = [each + 0.5 * rng.normal(size=each.shape) for each in (first, second)]
+    states = [(first, second), (moved[0], moved[1])]
+    directions = [nearest(*state)[1] for state in states]
+    directions = [d / np.maximum(np.linalg.norm(d, axis=0), 1e-9) for d in directions]
+    gap = turning_gap((directions[0], directions[1]), states)
+    for share in np.linspace(0, 1, 21):
+        at = [(1 - share) * now + share * after for now, after in zip(*states, strict=True)]
+        direction = (1 - share) * directions[0] + share * directions[1]
+        assert (gap_along(direction, *at) >= gap - 1e-12).all()
+
+
+def test_a_turning_direction_sees_panels_apart_that_turn_together() -> None:
+    # Two long panels close together, turned by half a right angle: no standing direction will do.
+    long: Corners = [[0, 0, 0], [10, 0, 0], [10, 1, 0], [0, 1, 0]]
+    above: Corners = [[x, y, 0.1] for x, y, _ in long]
+    start = pair(long, above)
+    cosine = np.sqrt(0.5)
+    turn = np.array([[cosine, 0, cosine], [0, 1, 0], [-cosine, 0, cosine]])
+    stop = [np.einsum("ij,jpk->ipk", turn, panel) for panel in start]
+    states = [start, (stop[0], stop[1])]
+    standing = [common_gap(normals(state[0]), states)[0] for state in states]
+    assert max(standing) < 0
+    turning = turning_gap((normals(start[0]), normals(stop[0])), states)
+    assert turning == pytest.approx(0.1 * cosine)

@@ -7,12 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brute_force import crosses, exact_contacts, first_crossing, not_designed
+from brute_force import exact_contacts, first_crossing
 from orishell.design import Design
+from orishell.families.longitudinal_linear_repeating import (
+    RowKind,
+    Sectors,
+    design_longitudinal_linear_repeating,
+)
 from orishell.locking import describe_lock, find_lock, unexamined_lock, warn_of_lock
 from orishell.metrics import corrugation_depth, diagonal
 from orishell.spec import read_design_file
-from planted import PLANTED, clear
+from planted import PLANTED, clear, ring
+from strategies import graph
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -56,6 +62,29 @@ def test_figure_3_meets_its_target_and_then_rolls_up_until_its_rims_meet() -> No
     assert (above, below) == (0, design.mechanism.grid.rows - 2)
     expected = first_crossing(design.mechanism, 0.12, 200)
     assert expected == pytest.approx(lock.drive, abs=1e-6)
+
+
+def test_a_path_that_was_not_examined_is_not_said_to_be_clear() -> None:
+    contact = unexamined_lock(example("figure1")).first_contact
+    assert contact is not None
+    assert contact.clear_until == 0
+
+
+@pytest.mark.parametrize(("first_row", "columns"), [("F", 2), ("F", 3), ("S", 4)])
+def test_a_longitudinal_sheet_has_no_flaps(first_row: RowKind, columns: int) -> None:
+    # With one row the creases at its sides can reach pi together: all creases of an F row do.
+    design = design_longitudinal_linear_repeating(
+        graph("-0.3*x**2", -1, 1),
+        graph("0*x", 0, 1),
+        rows=1,
+        columns=columns,
+        first_row=first_row,
+        sectors=Sectors.from_degrees([85, 80, 95, 100]),
+    )
+    assert unexamined_lock(design).cause == "crease"
+    contact = find_lock(design).first_contact
+    assert contact is not None
+    assert contact.kind in {"neighbours", "at the sheet's edge"}
 
 
 def test_a_crease_folded_flat_ends_the_motion_where_nothing_clashes() -> None:
@@ -119,10 +148,16 @@ def test_what_the_report_says_of_a_lock() -> None:
 
 
 def test_panels_that_touch_at_lock_unasked_are_named() -> None:
-    # A circle closed but for what the columns' planes leave: the last column of the locked shell
-    # lies in the first one's plane, so the panels beside them touch there and not before.
-    lock = find_lock(PLANTED["ring"]())
-    assert lock.early
-    mechanism = PLANTED["ring"]().mechanism
-    counts = not_designed(mechanism.grid)
-    assert crosses(mechanism, np.pi, counts)
+    # A closed circle without flaps: the last column of the locked shell comes to lie on the first,
+    # slowly, so that it is within the tolerance a little earlier; exact predicates see no crossing.
+    design = ring(flap=0.0)
+    lock = find_lock(design)
+    assert (lock.cause, lock.early) == (None, False)
+    assert lock.touching
+    last = design.mechanism.grid.columns - 2
+    assert all({a[1], b[1]} == {0, last} for a, b in lock.touching)
+    (warning,) = warn_of_lock(lock)
+    assert "touch in the locked state" in warning
+    faces = design.mechanism.grid.faces_vertices()
+    for drive in np.linspace(0, np.pi * (1 - 1e-6), 30):
+        assert not len(exact_contacts(design.mechanism.positions(drive), faces))

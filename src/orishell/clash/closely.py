@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import os
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.clash.quads import common_gap, corners_of, nearest, normals
+from orishell.clash.quads import common_gap, corners_of, nearest, normals, turning_gap
 from orishell.clash.tree import CHUNK, Integers, Pairs, chosen, joined
 
 Array = NDArray[np.float64]
+
+CROWDED = 3
+"""Chunks of pairs from which the processor's cores share the work."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,6 +40,9 @@ def look_closely(
 ) -> Closely:
     """Try the panels' normals and the lines between their nearest points as directions.
 
+    They stay as they are at one end, or turn from the one to the other: panels that turn together
+    are seen apart by their own normals in steps far longer than any standing direction allows.
+
     Parameters
     ----------
     points
@@ -48,23 +56,25 @@ def look_closely(
     stray
         How far (P,) vectors between their corners can be from the straight line in between.
     """
-    left: list[Pairs] = []
-    touching: tuple[list[_Touch], list[_Touch]] = ([], [])
-    for k in range(0, len(pairs[0]), CHUNK):
-        part = slice(k, k + CHUNK)
-        group = _Group.of(
-            points, faces, (pairs[0][part], pairs[1][part]), tolerance[part], stray[part]
-        )
-        for end in (0, 1):
-            for panel in (0, 1):
-                group = group.without(normals(group.corners[end][panel]))
-        for end in (0, 1):
-            distance, between = nearest(*group.corners[end])
-            touching[end].extend(group.touching(distance))
-            group = group.without(between / np.where(distance > 0, distance, 1.0))
-        left.append(group.pairs)
-    at_start, at_stop = (min(found)[1] if found else None for found in touching)
-    return Closely(joined(left), at_start, at_stop)
+    parts = [slice(k, k + CHUNK) for k in range(0, len(pairs[0]), CHUNK)]
+
+    def look(part: slice) -> tuple[Pairs, list[_Touch], list[_Touch]]:
+        some = pairs[0][part], pairs[1][part]
+        return _Group.of(points, faces, some, tolerance[part], stray[part]).looked_at()
+
+    if len(parts) < CROWDED:
+        looks = [look(part) for part in parts]
+    else:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            looks = list(pool.map(look, parts))
+    at_start, at_stop = (
+        min((touch for found in looks for touch in found[end]), default=None) for end in (1, 2)
+    )
+    return Closely(
+        joined([found[0] for found in looks]),
+        None if at_start is None else at_start[1],
+        None if at_stop is None else at_stop[1],
+    )
 
 
 _Touch = tuple[float, tuple[int, int]]
@@ -92,12 +102,27 @@ class _Group:
         corners = [(corners_of(state, first), corners_of(state, second)) for state in points]
         return cls(pairs, corners, tolerance, tolerance + stray)
 
-    def without(self, direction: Array) -> _Group:
-        """Those that their directions (3, P) do not keep apart."""
-        near = common_gap(direction, self.corners) <= self.need
+    def looked_at(self) -> tuple[Pairs, list[_Touch], list[_Touch]]:
+        """Pairs that stay open, and the nearest that touch at the start and at the stop."""
+        group = self
+        for panel in (0, 1):
+            group = group.without(*(normals(state[panel]) for state in group.corners))
+        touching, lines = [], []
+        for state in group.corners:
+            distance, between = nearest(*state)
+            touching.append(group.touching(distance))
+            lines.append(between / np.where(distance > 0, distance, 1.0))
+        return group.without(*lines).pairs, touching[0], touching[1]
+
+    def without(self, start: Array, stop: Array) -> _Group:
+        """Those that neither one of two directions (3, P) nor their turn keeps apart."""
+        gap = turning_gap((start, stop), self.corners)
+        for direction in (start, stop):
+            gap = np.maximum(gap, common_gap(direction, self.corners))
+        near = gap <= self.need
         if near.all():
             return self
-        corners = [(first[:, near], second[:, near]) for first, second in self.corners]
+        corners = [(first[..., near], second[..., near]) for first, second in self.corners]
         return _Group(chosen(self.pairs, near), corners, self.tolerance[near], self.need[near])
 
     def touching(self, distance: Array) -> list[_Touch]:

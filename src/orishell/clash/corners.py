@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.clash.quads import corners_of, normals
 from orishell.clash.tree import Pairs
 
 Array = NDArray[np.float64]
@@ -46,23 +45,19 @@ def _folded_flat(
     """Whether the far corners of one panel lie on the plane of the other, on its side."""
     if not len(first):
         return np.zeros(0, np.bool_)
-    a, b = corners_of(points, first), corners_of(points, second)
+    a, b = points[first], points[second]
     on_a, on_b = same.any(axis=2), same.any(axis=1)
-    shared = a[:, on_a].reshape(3, -1, 2)
-    along = shared[..., 1] - shared[..., 0]
+    shared = a[on_a].reshape(-1, 2, 3)
+    along = _unit(shared[:, 1] - shared[:, 0])
     far_a, far_b = (
-        corners[:, ~on].reshape(3, -1, 2) - shared[..., :1]
-        for corners, on in [(a, on_a), (b, on_b)]
+        corners[~on].reshape(-1, 2, 3) - shared[:, :1] for corners, on in ((a, on_a), (b, on_b))
     )
-    normal = normals(a)
-    height = np.abs((normal[..., None] * far_b).sum(axis=0)).max(axis=-1)
+    normal = _unit(np.cross(a[:, 2] - a[:, 0], a[:, 3] - a[:, 1]))
+    height = np.abs(_dot(normal[:, None], far_b)).max(axis=1)
     # Parts of the far corners square to the crease point the same way.
-    length = (along**2).sum(axis=0)
-    across = [
-        far.sum(axis=-1) - along * ((far.sum(axis=-1) * along).sum(axis=0) / length)
-        for far in (far_a, far_b)
-    ]
-    result: Booleans = (height <= tolerance) & ((across[0] * across[1]).sum(axis=0) > 0)
+    sides = [far.sum(axis=1) for far in (far_a, far_b)]
+    across = [side - along * _dot(side, along)[:, None] for side in sides]
+    result: Booleans = (height <= tolerance) & (_dot(across[0], across[1]) > 0)
     return result
 
 

@@ -2,9 +2,10 @@
 
 Between two states at drives a and b every vector between two vertices stays within
 (b-a)^2/8 times a bound of its acceleration of the straight line. So a direction along which two
-panels are apart by more than that in both states keeps them apart in between. Where no direction
-does, the range of the drive is halved. Ranges are worked through in the order of the drive, so
-what is found is the first contact, and everything before it is proved.
+panels are apart by more than that in both states keeps them apart in between, and so does one
+that turns evenly from one state to the other (see ``turning_gap``). Where no direction does, the
+range of the drive is halved. Ranges are worked through in the order of the drive, so what is
+found is the first contact, and everything before it is proved.
 """
 
 from __future__ import annotations
@@ -40,6 +41,9 @@ CROWDED_ABOVE = TICKS >> 20
 """Ranges no longer than this are looked at, whatever the crowd (ticks)."""
 WORTH_HALVING = 4.0
 """A pair of nodes waits for half the step if a quarter of the bound would do."""
+WORTH_SPLITTING = 3.0
+"""It also does if the bound is so many times the room and that of motions within the nodes: then
+their parts are no better off."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,12 +260,16 @@ class _Search:
             if len(room) > CROWD << level and part.stop - part.start > CROWDED_ABOVE:
                 waiting[level] = [pairs]
                 continue
-            if level == self.tree.depth:
-                near = self._panels(pairs)
-                break
-            halving = (room > 0) & (need <= WORTH_HALVING * room)
+            halving = np.zeros(len(room), np.bool_)
+            if part.stop - part.start > 1:
+                own = stray * (bound.within(level, pairs[0]) + bound.within(level, pairs[1]))
+                soon = (need <= WORTH_HALVING * room) & (level < self.tree.depth)
+                halving = (room > 0) & (soon | (need > WORTH_SPLITTING * np.maximum(own, room)))
             if halving.any():
                 waiting[level] = [chosen(pairs, halving)]
+            if level == self.tree.depth:
+                near = self._panels(chosen(pairs, ~halving))
+                break
             fresh = self._wanted(level + 1, split(chosen(pairs, ~halving)))
         pairs = joined([part.panels, near])
         self.tests += len(pairs[0])

@@ -1,6 +1,7 @@
 """Pairs of convex quadrilaterals in space: gaps along directions, distances, nearest points.
 
-Corners are arrays (3, P, 4): coordinates first, so that every operation runs over whole arrays.
+Corners are arrays (3, 4, P): coordinates first and pairs last, so that every operation runs over
+all pairs at once.
 """
 
 from __future__ import annotations
@@ -15,31 +16,49 @@ PARALLEL = 1e-14
 
 
 def corners_of(points: Array, faces: NDArray[np.int64]) -> Array:
-    """Corners (3, P, 4) of faces (P, 4), from vertices (V, 3)."""
-    return np.ascontiguousarray(points.T)[:, faces]
+    """Corners (3, 4, P) of faces (P, 4), from vertices (V, 3)."""
+    return np.ascontiguousarray(points.T)[:, faces.T]
 
 
 def normals(corners: Array) -> Array:
     """Unit normals (3, P): across both diagonals."""
-    normal = _cross(corners[..., 2] - corners[..., 0], corners[..., 3] - corners[..., 1])
+    normal = _cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     length = np.sqrt(_dot(normal, normal))
     return np.asarray(normal / np.where(length > 0, length, 1.0))
 
 
 def gap_along(direction: Array, first: Array, second: Array) -> Array:
     """Gap (P,) between pairs seen along directions (3, P), negative if the views overlap."""
-    a, b = _dot(direction[..., None], first), _dot(direction[..., None], second)
-    return np.asarray(np.maximum(b.min(axis=-1) - a.max(axis=-1), a.min(axis=-1) - b.max(axis=-1)))
+    return _narrowest([(_seen(direction, first), _seen(direction, second))])
 
 
 def common_gap(direction: Array, states: list[tuple[Array, Array]]) -> Array:
     """Gap (P,) along directions (3, P) that both states have on the same side."""
-    above, below = [], []
-    for first, second in states:
-        a, b = _dot(direction[..., None], first), _dot(direction[..., None], second)
-        above.append(b.min(axis=-1) - a.max(axis=-1))
-        below.append(a.min(axis=-1) - b.max(axis=-1))
-    return np.asarray(np.maximum(np.minimum(*above), np.minimum(*below)))
+    return _narrowest(
+        [(_seen(direction, first), _seen(direction, second)) for first, second in states]
+    )
+
+
+def turning_gap(directions: tuple[Array, Array], states: list[tuple[Array, Array]]) -> Array:
+    """Gap (P,) that stays along directions which turn evenly from one state to the other.
+
+    Between two states with straight lines in between, the view of a vector v along a direction d
+    is a parabola with the control values d0 v0, (d0 v1 + d1 v0)/2 and d1 v1: it is nowhere less
+    than the least of the three. The directions (3, P) are unit vectors, so that no direction in
+    between is longer than that.
+    """
+    d0, d1 = directions
+    start, stop = states
+    middle = [
+        0.5 * (_seen(d0, after) + _seen(d1, now)) for now, after in zip(start, stop, strict=True)
+    ]
+    return _narrowest(
+        [
+            (_seen(d0, start[0]), _seen(d0, start[1])),
+            (middle[0], middle[1]),
+            (_seen(d1, stop[0]), _seen(d1, stop[1])),
+        ]
+    )
 
 
 def nearest(first: Array, second: Array) -> tuple[Array, Array]:
@@ -51,20 +70,20 @@ def nearest(first: Array, second: Array) -> tuple[Array, Array]:
     square, between = _between_edges(first, second)
     for panel, other, sign in ((first, second, -1.0), (second, first, 1.0)):
         normal = normals(panel)
-        height = _dot(normal[..., None], other - panel[..., :1])
+        height = _seen(normal, other - panel[:, :1])
         over = _inside(panel, normal, other)
         above = np.where(over, height**2, np.inf)
-        corner = above.argmin(axis=-1)[:, None]
-        best = np.take_along_axis(above, corner, axis=-1)[:, 0]
+        corner = above.argmin(axis=0)[None]
+        best = np.take_along_axis(above, corner, axis=0)[0]
         closer = best < square
         square = np.where(closer, best, square)
-        at = np.take_along_axis(height, corner, axis=-1)[:, 0]
+        at = np.take_along_axis(height, corner, axis=0)[0]
         between = np.where(closer, -sign * at * normal, between)
-        following = np.roll(height, -1, axis=-1)
+        following = _next(height)
         with np.errstate(divide="ignore", invalid="ignore"):
             share = np.where(height * following < 0, height / (height - following), np.nan)
-        through = other + share * (np.roll(other, -1, axis=-1) - other)
-        pierced = _inside(panel, normal, through).any(axis=-1)
+        through = other + share * (_next(other) - other)
+        pierced = _inside(panel, normal, through).any(axis=0)
         square = np.where(pierced, 0.0, square)
     between = np.where(square > 0, between, 0.0)
     return np.sqrt(square), between
@@ -72,9 +91,9 @@ def nearest(first: Array, second: Array) -> tuple[Array, Array]:
 
 def _between_edges(first: Array, second: Array) -> tuple[Array, Array]:
     """Smallest squared distance (P,) of two edges, and the vector (3, P) from first to second."""
-    p, q = first[..., :, None], second[..., None, :]
-    u = np.roll(p, -1, axis=-2) - p
-    v = np.roll(q, -1, axis=-1) - q
+    p, q = first[:, :, None], second[:, None]
+    u = (_next(first) - first)[:, :, None]
+    v = (_next(second) - second)[:, None]
     r = p - q
     uu, vv, uv = _dot(u, u), _dot(v, v), _dot(u, v)
     ur, vr = _dot(u, r), _dot(v, r)
@@ -83,22 +102,40 @@ def _between_edges(first: Array, second: Array) -> tuple[Array, Array]:
     s = np.where(flat, 0.0, np.clip((uv * vr - ur * vv) / np.where(flat, 1.0, area), 0, 1))
     t = np.clip((uv * s + vr) / np.where(vv > 0, vv, 1.0), 0, 1)
     s = np.clip((uv * t - ur) / np.where(uu > 0, uu, 1.0), 0, 1)
-    between = t * v - s * u - r
-    square = _dot(between, between).reshape(first.shape[1], 16)
-    which = square.argmin(axis=-1)
-    rows = np.arange(len(which))
-    return square[rows, which], between.reshape(3, -1, 16)[:, rows, which]
+    between = (t * v - s * u - r).reshape(3, 16, -1)
+    square = _dot(between, between)
+    which = square.argmin(axis=0)[None]
+    return (
+        np.take_along_axis(square, which, axis=0)[0],
+        np.take_along_axis(between, which[None], axis=1)[:, 0],
+    )
 
 
 def _inside(panel: Array, normal: Array, points: Array) -> NDArray[np.bool_]:
-    """Whether points (3, P, K) lie over the panel, seen along its normal."""
-    edge = np.roll(panel, -1, axis=-1) - panel
-    inward = _cross(normal[..., None], edge)
+    """Whether points (3, K, P) lie over the panel, seen along its normal."""
+    inward = _cross(normal[:, None], _next(panel) - panel)
     level = _dot(inward, panel)
     inside = np.ones(points.shape[1:], np.bool_)
     for k in range(4):
-        inside &= _dot(inward[..., k, None], points) >= level[:, k, None]
+        inside &= _dot(inward[:, k, None], points) >= level[k]
     return inside
+
+
+def _narrowest(views: list[tuple[Array, Array]]) -> Array:
+    """Gap (P,) that all views (4, P) of two panels have on the same side."""
+    above = [b.min(axis=0) - a.max(axis=0) for a, b in views]
+    below = [a.min(axis=0) - b.max(axis=0) for a, b in views]
+    return np.asarray(np.maximum(np.min(above, axis=0), np.min(below, axis=0)))
+
+
+def _seen(direction: Array, corners: Array) -> Array:
+    """Views (K, P) of points (3, K, P) along directions (3, P)."""
+    return _dot(direction[:, None], corners)
+
+
+def _next(corners: Array) -> Array:
+    """Every corner's successor, of arrays (..., 4, P)."""
+    return corners[..., [1, 2, 3, 0], :]
 
 
 def _dot(u: Array, v: Array) -> Array:

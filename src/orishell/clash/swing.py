@@ -113,6 +113,10 @@ class Bound:
 
         return in_chunks(of, first, second)
 
+    def within(self, level: int, nodes: Integers) -> Array:
+        """Bound (P,) of the acceleration of any vector within a node."""
+        return self.accelerations(level, nodes, nodes)
+
     def of_panels(self, first: Integers, second: Integers) -> Array:
         """Bound (P,) of the acceleration of any vector between two panels."""
         (i, j), (k, m) = np.divmod(first, self.columns), np.divmod(second, self.columns)

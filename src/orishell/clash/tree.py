@@ -21,7 +21,7 @@ Pairs = tuple[Integers, Integers]
 DIRECTIONS = np.array([d for d in product((1.0, 0.0, -1.0), repeat=3) if d > (0.0, 0.0, 0.0)])
 DIRECTIONS /= np.linalg.norm(DIRECTIONS, axis=-1, keepdims=True)
 """The 13 directions (13, 3) to faces, edges and corners of a cube, along which nodes are seen."""
-CHUNK = 1 << 14
+CHUNK = 1 << 12
 """Pairs looked at in one go, so that they stay near the processor."""
 
 

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.clash import Proof, find_contacts, find_first_contact
+from orishell.clash import PathResult, Proof, find_contacts, find_first_contact
 from orishell.design import Design
 from orishell.metrics import corrugation_depth, diagonal
 from orishell.motion import Mechanism
@@ -24,6 +24,9 @@ CONTACT_TOLERANCE = 1e-9
 """Distance at which panels touch, relative to the diagonal of the flat sheet."""
 SHORT_OF_END = 1e-6
 """Where creases are folded flat at the end, the path is proved up to this share before it."""
+LATE, NARROW = 1 - 1e-3, 1e-4
+"""A contact in this last part of the path is looked at with this share of the tolerance: panels
+that still do not touch meet at the end, not before."""
 FOLDED_FLAT = 1e-9
 """A crease whose fold angle is this near to pi is folded flat (radians)."""
 
@@ -47,12 +50,13 @@ class Contact:
     drive
         Where they touch (radians).
     clear_until
-        Up to here no panels touch (radians).
+        Up to here no panels touch, proved: 0 if the path was not examined (radians).
     panels
         The two panels.
     kind
-        Two flaps of one column, as designed, or of both; a flap on another panel; neighbours about
-        a crease that is folded flat; a panel of the sheet's border on another; panels inside it.
+        Two flaps of one column (neighbours of these at the end of the motion are what the design
+        means), or of both; a flap on another panel; neighbours about a crease that is folded flat;
+        a panel of the sheet's border on another; panels inside it.
     depth
         Depth of the corrugation there (length).
     """
@@ -129,19 +133,28 @@ def find_lock(
     -----
     Where creases are folded flat at the end, panels beside them come as near as one likes before
     it: there the path is proved up to a millionth of it, and flaps count as touching within a
-    ten-thousandth of the tolerance.
+    ten-thousandth of the tolerance. So do other panels that come within the tolerance in the last
+    thousandth only; if they touch at the end, they are named as touching there.
     """
     mechanism = design.mechanism
     sheet = _Sheet.of(design)
     size = tolerance * diagonal(mechanism.positions(0.0))
-    path = find_first_contact(
-        mechanism,
-        sheet.path_end,
-        size,
-        lenient=sheet.designed if sheet.folded_flat else None,
-        only=_flap_panels(mechanism.grid) if flaps_only else None,
-        advanced=advanced,
-    )
+
+    def search(end: float, distance: float) -> PathResult:
+        return find_first_contact(
+            mechanism,
+            end,
+            distance,
+            lenient=sheet.designed if sheet.folded_flat else None,
+            only=_flap_panels(mechanism.grid) if flaps_only else None,
+            advanced=advanced,
+        )
+
+    path = search(sheet.path_end, size)
+    if path.contact is not None and path.contact.drive > LATE * sheet.end:
+        # Panels that meet at the end, however slowly, come within any tolerance before it.
+        closer = search(sheet.end * (1 - SHORT_OF_END), NARROW * size)
+        path = closer if closer.contact is None else path
     if path.contact is not None:
         drive = path.contact.drive
         found = Contact(
@@ -168,7 +181,7 @@ def unexamined_lock(
     flaps = sheet.flaps and column in (0, sheet.columns - 1)
     found = Contact(
         sheet.end,
-        sheet.path_end,
+        0.0 if proof is None else sheet.path_end,
         ((row, column), (row + 1, column)),
         "flap on flap" if flaps else "neighbours",
         corrugation_depth(design.mechanism.positions(sheet.end)),
@@ -183,7 +196,7 @@ class _Sheet:
     mechanism: Mechanism
     end: float
     flaps: bool
-    """Whether all row creases of the first and last column of panels are folded flat at the end."""
+    """Whether the first and last column of panels are flaps: made to fold flat at the end."""
     folded_flat: Panel | None
     """Row and column of the panel above a row crease that is folded flat at the end."""
 
@@ -194,7 +207,9 @@ class _Sheet:
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)
         first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        return cls(mechanism, end, bool(flat[:, [0, -1]].all()), first)
+        # A design that gives the end of its motion is ended by a crease, wherever that is.
+        flaps = design.lock_drive is None and bool(flat[:, [0, -1]].all())
+        return cls(mechanism, end, flaps, first)
 
     @property
     def columns(self) -> int:
@@ -242,8 +257,6 @@ class _Sheet:
 
     def touching_at_end(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
         """Pairs that touch at the end, those left out that are to."""
-        if self.folded_flat is None:
-            return ()
         faces = self.mechanism.grid.faces_vertices()
         points = self.mechanism.positions(self.end).reshape(-1, 3)
         pairs = find_contacts(points, faces, tolerance)

@@ -118,25 +118,28 @@ def _refusal(request: Request, design: Design, lock: Lock) -> DesignError:
 
 def _nearest(request: Request, design: Design, contact: Contact) -> str:
     """The nearest flaps, f or part of g that meet nothing, found by trying them."""
-    if "flap" in contact.kind:
+    # Where the sheet meets itself without flaps, no width of flaps helps.
+    if "flap" in contact.kind and replace(request, flap=0.0).locks():
         width = _widest_flap(request, design)
         if width is not None and replace(request, flap=width).locks():
             return f"flap = {width:.4g}"
     scale = _largest(
-        lambda share: replace(request, f=request.f.scaled(share)).locks(), SMALLEST, COARSE
+        lambda scale: replace(request, f=request.f.scaled(scale)).locks(), 1.0, SMALLEST, COARSE
     )
     if scale is not None:
         return f"scale in [target.f] times {scale:.4g} (scale is 1 where none is given)"
     start, stop = request.g.start, request.g.stop
 
-    def part(share: float) -> Curve:
-        end = start + share * (stop - start)
+    def part(length: float) -> Curve:
+        end = start + length
         inner = tuple(at for at in request.g.breaks if at < end)
         return replace(request.g, stop=end, breaks=inner)
 
-    share = _largest(lambda share: replace(request, g=part(share)).locks(), SMALLEST, COARSE)
-    if share is not None:
-        return f"the part of g from parameter {start:.6g} to {part(share).stop:.6g}"
+    length = _largest(
+        lambda length: replace(request, g=part(length)).locks(), stop - start, SMALLEST, COARSE
+    )
+    if length is not None:
+        return f"the part of g from parameter {start:.10g} to {part(length).stop:.10g}"
     return "an f and a g that keep farther from themselves"
 
 
@@ -146,21 +149,26 @@ def _widest_flap(request: Request, design: Design) -> float | None:
     assert isinstance(asked, float | int)
     if asked <= 0:
         return None
-    share = _largest(
-        lambda share: replace(request, flap=share * asked).locks(flaps_only=True), NARROWEST, FINE
+    return _largest(
+        lambda width: replace(request, flap=width).locks(flaps_only=True), asked, NARROWEST, FINE
     )
-    return None if share is None else share * asked
 
 
-def _largest(works: Callable[[float], bool], smallest: float, step: float) -> float | None:
-    """The largest share below 1 that works, rounded down if that works too; None if none does."""
-    good, bad = 0.5, 1.0
+def _largest(
+    works: Callable[[float], bool], most: float, smallest: float, step: float
+) -> float | None:
+    """The largest value below the most that works, None if none down to a share of it does.
+
+    Rounded down to the four digits that messages show if that works too.
+    """
+    good, bad = 0.5 * most, most
     while not works(good):
         good, bad = 0.5 * good, good
-        if good < smallest:
+        if good < smallest * most:
             return None
     while bad - good > step * good:
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if works(middle) else (good, middle)
-    tidy = float(np.floor(good * 1e4) / 1e4)
-    return tidy if tidy > 0 and works(tidy) else good
+    unit = 10.0 ** (np.floor(np.log10(good)) - 3)
+    tidy = float(f"{np.floor(good / unit) * unit:.4g}")
+    return tidy if works(tidy) else good
