@@ -134,6 +134,7 @@ def requests(draw: st.DrawFn) -> Request:
             draw(st.sampled_from(["start", "end"])),
         ),
         "spacing": draw(st.sampled_from(["curvature", "equal"])),
+        "placement": draw(st.sampled_from(["inscribed", "balanced"])),
     }
     return Request(f, g, options)
 
@@ -219,5 +220,6 @@ def orthodiagonal_requests(draw: st.DrawFn) -> OrthodiagonalRequest:
         "flap": draw(st.sampled_from(["auto", 0.05, 0.5, 0.0])),
         "flap_sides": (draw(side), draw(side)),
         "spacing": draw(st.sampled_from(["curvature", "equal"])),
+        "placement": draw(st.sampled_from(["inscribed", "balanced"])),
     }
     return OrthodiagonalRequest(f, g, options)

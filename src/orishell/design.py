@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from orishell.motion import Mechanism
 from orishell.polylines import Closeness
+from orishell.surface import Surface
 
 Array = NDArray[np.float64]
 
@@ -18,6 +19,22 @@ FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""
 
 Parameter = float | int | str | list[float] | list[str]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Approached:
+    """What finer and finer shells of a family come close to, where that is not f swept along g.
+
+    Parameters
+    ----------
+    what
+        A sentence that says what it is, with its sizes in the unit of the curves.
+    surface
+        The surface, or None where it has no simple form.
+    """
+
+    what: str
+    surface: Surface | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,8 +53,12 @@ class Design:
         meets them.
     closeness
         Distance of the polylines the shell locks on to the target curves, by the same names.
+    surface
+        f swept along g as asked for, placed as the locked shell meets it.
     warnings
         Sentences a user should read: the design is made, but may not be what was meant.
+    approached
+        What the family approaches instead of the surface, if it does.
     lock_drive
         Drive at which a crease ends the motion beyond the stage that meets the target (radians),
         or None if the mechanism's ``lock_drive`` is the end.
@@ -47,7 +68,9 @@ class Design:
     parameters: Mapping[str, Parameter]
     targets: Mapping[str, Array]
     closeness: Mapping[str, Closeness]
+    surface: Surface
     warnings: tuple[str, ...]
+    approached: Approached | None = None
     lock_drive: float | None = None
 
 

@@ -31,6 +31,11 @@ class Mechanism(Protocol):
         ...
 
     @property
+    def inner_columns(self) -> slice:
+        """Columns 1 ... n: those that are to meet the target, without flaps or border strips."""
+        ...
+
+    @property
     def lock_drive(self) -> float:
         """The drive angle at which the motion ends by design; the flat sheet is drive 0."""
         ...

@@ -6,13 +6,20 @@ import json
 import math
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 
+from orishell.choosing import Choice
 from orishell.design import Design
+from orishell.deviation import (
+    Deviation,
+    describe_deviation,
+    measure_approach,
+    measure_deviation,
+)
 from orishell.errors import InputError, VerificationError
 from orishell.io import OutputDirectory, write_fold
 from orishell.locking import (
@@ -26,9 +33,10 @@ from orishell.locking import (
 from orishell.metrics import AssignmentCheck, Residuals, extents, measure_residuals, sheet_area
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.pattern import CreaseValues
-from orishell.plot import DrawnContact, plot_overview
+from orishell.pictures import draw_pictures
 from orishell.quoting import tidy_degrees
 from orishell.spec import DesignFile, read_design_file
+from orishell.tolerance import describe_choice, meet_tolerance
 
 LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
 """Residuals above these (relative lengths, radians) mean that the program, not the design, is
@@ -85,6 +93,10 @@ class Shell:
         How its motion ends.
     motion
         Its states.
+    deviation
+        How close the locked shell is to the surface asked for.
+    choice
+        What rows and columns were chosen from, if there was a tolerance.
     report
         The fields of ``report.json``.
     seconds
@@ -95,12 +107,17 @@ class Shell:
     design: Design
     lock: Lock
     motion: FoldingMotion
+    deviation: Deviation
+    choice: Choice | None
     report: dict[str, Any]
     seconds: dict[str, float]
 
 
 def design_shell(
-    path: Path, watched: Watched = unwatched, clash_test: ClashTest = CLASH_TEST
+    path: Path,
+    watched: Watched = unwatched,
+    clash_test: ClashTest = CLASH_TEST,
+    searched: Callable[[float], None] | None = None,
 ) -> Shell:
     """Read a design file, design the shell, verify its states and prove how its motion ends.
 
@@ -112,6 +129,8 @@ def design_shell(
         Shows progress over the states.
     clash_test
         How contact between panels is looked for.
+    searched
+        Called with the share that is done of the search for a pattern that meets a tolerance.
 
     Raises
     ------
@@ -124,6 +143,11 @@ def design_shell(
     """
     clock = _Clock()
     file = read_design_file(path)
+    choice: Choice | None = None
+    if file.tolerance is not None:
+        pattern, choice = meet_tolerance(file, file.tolerance, searched)
+        file = replace(file, pattern=pattern)
+        clock.lap("choose")
     request = Request(
         file.pattern.designed, file.f, file.g, file.pattern.flap, file.contact_tolerance
     )
@@ -153,6 +177,9 @@ def design_shell(
     _require_verified(residuals, assignment)
     clock.lap("fold")
 
+    deviation, approach = measure_deviation(design), measure_approach(design)
+    clock.lap("deviation")
+
     signs = find_assignment(design.mechanism)
     drive, packed = min(boxes, key=lambda entry: math.hypot(*entry[1]))
     width, height, _ = extents(flat.positions)
@@ -162,22 +189,23 @@ def design_shell(
         "rows": file.pattern.rows,
         "columns": file.pattern.columns,
         "parameters": dict(design.parameters),
-        "feasible": not lock.early,
+        **_chosen(file, choice),
+        "feasible": None if clash_test.skipped else not lock.early,
         "warnings": [*design.warnings, *warn_of_lock(lock)],
         "residuals": asdict(residuals),
         "assignment": {**_count(signs), **asdict(assignment)},
         "lock": describe_lock(lock),
         "not_checked": ["contact between panels before lock"] if clash_test.skipped else [],
-        "deviation": {name: asdict(closeness) for name, closeness in design.closeness.items()},
+        "deviation": describe_deviation(design, deviation, approach),
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),
         "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},
     }
-    return Shell(file, design, lock, motion, report, clock.seconds)
+    return Shell(file, design, lock, motion, deviation, choice, report, clock.seconds)
 
 
 def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> list[Path]:
-    """Write ``shell.fold``, ``report.json`` and ``overview.png``: all of them or none.
+    """Write ``shell.fold``, ``report.json`` and the two pictures: all of them or none.
 
     Raises
     ------
@@ -192,14 +220,14 @@ def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> 
         (draft / "report.json").write_text(
             json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
         )
-        plot_overview(
-            draft / "overview.png",
+        draw_pictures(
+            draft,
+            shell.file,
+            shell.design,
             shell.motion,
-            shell.design.targets,
-            title=_title(shell),
-            last=_last_state(shell.lock),
-            unit=shell.file.unit,
-            contact=_drawn(shell.lock),
+            lock=shell.lock,
+            deviation=shell.deviation,
+            choice=shell.choice,
         )
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
@@ -223,24 +251,10 @@ def _require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None
     )
 
 
-def _drawn(lock: Lock) -> DrawnContact | None:
-    """What the picture shows of a contact before the target."""
-    contact = lock.first_contact
-    if contact is None or not lock.early:
-        return None
-    return DrawnContact(contact.drive, contact.panels)
-
-
-def _last_state(lock: Lock) -> str:
-    if lock.early:
-        return "The target, which it does not reach"
-    return "Locked" if lock.cause == "flaps" else "Folded until it meets the target"
-
-
-def _title(shell: Shell) -> str:
-    pattern = shell.file.pattern
-    family = shell.file.family.replace("-", " ").capitalize()
-    return f"{family}, {pattern.rows} × {pattern.columns} inner vertices"
+def _chosen(file: DesignFile, choice: Choice | None) -> dict[str, Any]:
+    if choice is None or file.tolerance is None:
+        return {}
+    return {"chosen": describe_choice(choice, file.tolerance)}
 
 
 def _box(size: tuple[float, float, float]) -> dict[str, float]:

@@ -17,7 +17,7 @@ def random_quads(seed: int, count: int, spread: float) -> np.ndarray:
     angle = np.sort(rng.uniform(0, 2 * np.pi, (count, 4)), axis=1)
     frame = np.linalg.qr(rng.normal(size=(count, 3, 3)))[0]
     circle = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)
-    return (circle @ frame + spread * rng.normal(size=(count, 1, 3))).T
+    return np.asarray((circle @ frame + spread * rng.normal(size=(count, 1, 3))).T)
 
 
 Corners = list[list[float]]

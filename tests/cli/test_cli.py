@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
-FILES = ["overview.png", "report.json", "shell.fold"]
+FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
 
 
 def orishell(*arguments: str | Path, cwd: Path) -> subprocess.CompletedProcess[str]:
@@ -38,7 +38,7 @@ def test_json_report_and_the_same_bytes_twice(tmp_path: Path) -> None:
     first = orishell("design", EXAMPLE, "--out", "one", "--json", cwd=tmp_path)
     orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
     printed = json.loads(first.stdout)
-    assert set(printed.pop("seconds")) == {"design", "clash", "fold", "write"}
+    assert set(printed.pop("seconds")) == {"design", "clash", "fold", "deviation", "write"}
     assert printed == json.loads((tmp_path / "one" / "report.json").read_text())
     for name in FILES:
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()

@@ -62,7 +62,16 @@ def test_report_has_the_fields_of_the_contract(shell: Shell) -> None:
         "sector_sum_rad",
         "fold_angle_rad",
     }
-    assert set(report["deviation"]) == {"f", "g"}
+    assert set(report["deviation"]) == {"f", "g", "surface", "approached"}
+    sizes = {"max", "rms", "mean", "p95", "sample_spacing"}
+    surface = report["deviation"]["surface"]
+    assert set(surface) == sizes | {"shell_to_surface", "surface_to_shell"}
+    for way in ("shell_to_surface", "surface_to_shell"):
+        assert set(surface[way]) == sizes | {"grid_spacing"}
+        assert surface[way]["max"] <= surface["max"]
+    assert surface["max"] == pytest.approx(0.226, abs=1e-3)
+    assert surface["sample_spacing"] < 1e-3
+    assert report["deviation"]["approached"] is None
     assert report["deviation"]["f"]["max"] == pytest.approx(0.133464, abs=1e-6)
     assert set(report["sheet"]) == {"width", "height", "area"}
     assert set(report["deployed"]) == {"width", "depth", "height"}

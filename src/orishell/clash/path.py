@@ -265,8 +265,7 @@ class _Search:
                 own = stray * (bound.within(level, pairs[0]) + bound.within(level, pairs[1]))
                 soon = (need <= WORTH_HALVING * room) & (level < self.tree.depth)
                 halving = (room > 0) & (soon | (need > WORTH_SPLITTING * np.maximum(own, room)))
-            if halving.any():
-                waiting[level] = [chosen(pairs, halving)]
+            waiting[level] = [chosen(pairs, halving)] if halving.any() else []
             if level == self.tree.depth:
                 near = self._panels(chosen(pairs, ~halving))
                 break

@@ -36,11 +36,11 @@ def design(
         typer.Option("--no-clash-test", help="Do not look for contact (for very fine sheets)."),
     ] = False,
 ) -> None:
-    """Design a shell, verify its motion, write shell.fold, report.json and overview.png."""
+    """Design a shell, verify its motion, write shell.fold, report.json and two pictures."""
     OutputDirectory(out).require_usable()
-    with _path_bar() as advanced:
+    with _bar("choosing rows and columns") as searched, _bar("looking for contact") as advanced:
         clash_test = ClashTest(skipped=no_clash_test, allowed=allow_clash, advanced=advanced)
-        shell = design_shell(file, _watched, clash_test)
+        shell = design_shell(file, _watched, clash_test, searched)
     for warning in shell.report["warnings"]:
         typer.echo(f"orishell: warning: {warning}", err=True)
     written = write_shell(shell, out, _watched)
@@ -62,8 +62,8 @@ def _watched(motion: FoldingMotion, what: str) -> Iterator[FoldedState]:
 
 
 @contextlib.contextmanager
-def _path_bar() -> Iterator[Callable[[float], None] | None]:
-    """A progress bar on standard error for the search along the path, if it takes a second."""
+def _bar(what: str) -> Iterator[Callable[[float], None] | None]:
+    """A progress bar on standard error for a search, if it takes a second."""
     if not sys.stderr.isatty():
         yield None
         return
@@ -71,14 +71,16 @@ def _path_bar() -> Iterator[Callable[[float], None] | None]:
     from rich.progress import Progress
 
     bar = Progress(console=Console(stderr=True), transient=True)
-    task = bar.add_task("looking for contact", total=1.0)
-    begin = time.monotonic()
+    task = bar.add_task(what, total=1.0)
+    begin: list[float] = []
 
     def advanced(share: float) -> None:
         bar.update(task, completed=share)
         if share == 1.0:
             bar.stop()
-        elif time.monotonic() - begin > 1 and not bar.live.is_started:
+            return
+        begin.append(time.monotonic())
+        if begin[-1] - begin[0] > 1 and not bar.live.is_started:
             bar.start()
 
     try:
@@ -94,12 +96,14 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
     lines = [
         f"{report['family']}: {report['rows']} x {report['columns']} inner vertices, "
         f"{grid.panel_count} panels",
+        *_choice_lines(shell),
         f"sheet     {sheet['width']:.4g} x {sheet['height']:.4g} {unit}, "
         f"area {sheet['area']:.4g} {unit}2",
         f"deployed  {deployed['width']:.4g} x {deployed['depth']:.4g} x "
         f"{deployed['height']:.4g} {unit}",
         f"deviation f {report['deviation']['f']['max']:.4g} {unit}, "
         f"g {report['deviation']['g']['max']:.4g} {unit}",
+        *_deviation_lines(shell),
         f"rigid     panel lengths to {residuals['panel_length']:.1e}, fold angles to "
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
         *_lock_lines(shell),
@@ -107,6 +111,30 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
     ]
     for line in lines:
         typer.echo(line)
+
+
+def _choice_lines(shell: Shell) -> list[str]:
+    if shell.choice is None or shell.file.tolerance is None:
+        return []
+    limit = shell.file.tolerance.surface
+    return [
+        f"chosen    for {limit:g} {shell.file.unit} from the surface, with the fewest panels of "
+        f"{shell.choice.tried} designs tried"
+    ]
+
+
+def _deviation_lines(shell: Shell) -> list[str]:
+    deviation, unit = shell.report["deviation"], shell.file.unit
+    surface, approached = deviation["surface"], deviation["approached"]
+    lines = [
+        f"surface   max {surface['max']:.4g} {unit} (known to {surface['sample_spacing']:.1g}), "
+        f"rms {surface['rms']:.4g} {unit}"
+    ]
+    if approached is not None:
+        size = approached["max"]
+        found = "" if size is None else f"; max {size:.4g} {unit} from that"
+        lines.append(f"approach  {approached['what']}{found}")
+    return lines
 
 
 def _lock_lines(shell: Shell) -> list[str]:

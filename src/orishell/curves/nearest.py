@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 POLISHING_STEPS = 6
 POLISHED = 1e-13
 """A step in the parameter below this, relative to its range, ends the polishing."""
+NEWTON = 0.01
+"""Newton's step is taken where the squared distance curves upwards by at least this share of what
+it does beside a straight line."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +57,7 @@ class Nearest:
             away, speed = points - position, (first * first).sum(axis=-1)
             bend = speed - (away * second).sum(axis=-1)
             # Newton; Gauss-Newton where the curve bends around the point, or more than is finite.
-            step = (away * first).sum(axis=-1) / np.where(bend > 0.1 * speed, bend, speed)
+            step = (away * first).sum(axis=-1) / np.where(bend > NEWTON * speed, bend, speed)
             better = np.clip(t + step, low, high)
             moved = np.abs(better - t).max()
             t = better

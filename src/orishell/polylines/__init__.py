@@ -1,6 +1,6 @@
 """Polylines that follow curves: numbers only."""
 
-from orishell.polylines.chords import Spacing, place_vertices
+from orishell.polylines.chords import Chords, Placement, Spacing, place_chords
 from orishell.polylines.closeness import Closeness, measure_closeness
 from orishell.polylines.coarse import warn_of_coarse_row
 from orishell.polylines.staircase import Staircase, fit_staircase
@@ -15,7 +15,9 @@ from orishell.polylines.zigzag import (
 )
 
 __all__ = [
+    "Chords",
     "Closeness",
+    "Placement",
     "Spacing",
     "Staircase",
     "Zigzag",
@@ -25,7 +27,7 @@ __all__ = [
     "choose_xi",
     "fit_staircase",
     "measure_closeness",
-    "place_vertices",
+    "place_chords",
     "place_zigzag",
     "place_zigzags",
     "smallest_radius",

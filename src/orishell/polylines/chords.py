@@ -1,7 +1,17 @@
-"""Polylines inscribed in a curve, their vertices placed where the curve bends."""
+"""Polylines that follow a curve, their vertices placed where the curve bends.
+
+The first guess puts vertices as dense as the square root of the curvature. On coarse polylines and
+near inflections that is not yet even, so it is corrected by what the edges really leave out, until
+all leave the curve by the same distance.
+
+A balanced polyline errs on both sides: its vertices overshoot the curve as far as its edges
+undershoot it. That halves the distance on the inside of a curve; the ends, which are kept, cost a
+little of that. An edge that crosses an inflection goes from one side of the curve to the other.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -9,18 +19,61 @@ from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.curves.jets import Array
+from orishell.polylines.closeness import measure_closeness
+from orishell.polylines.edge_errors import measure_edges
 
 Spacing = Literal["curvature", "equal"]
+Placement = Literal["inscribed", "balanced"]
 
-STRAIGHT_SHARE = 0.25
-"""Weight of arc length beside curvature: straight parts keep vertices at this share of the mean
-density."""
+SPARSEST = 0.2
+"""Straight parts keep vertices at this share of the mean density."""
 ROUNDING = 1e-12
-"""Turns from sample to sample below this are noise of a straight piece (radians)."""
+"""Turns from sample to sample below this are noise of a straight piece (radians), errors below
+this share of the length are noise of an exact polyline."""
+SWEEPS = 60
+"""Corrections at most: enough for five digits where there are few inflections."""
+IDLE_SWEEPS = 20
+"""Corrections that go by without bringing the polyline closer by :data:`GAIN` before they end."""
+GAIN = 1e-4
+EVEN = 1e-6
+"""The errors are even when they agree to this, relative to the largest."""
+LARGEST_CORRECTION = 2.0
+"""A sweep changes the density of vertices by at most this factor."""
+DAMPING = 20
+"""Sweeps after which corrections are half of what they are at first: edges that cross inflections
+change too much with their place to follow at once."""
+SMALLEST_STEP = 0.3
+"""Share of a correction that is always made."""
+OFFSET_STEP = 2 / 3
+"""Share of a vertex's bias by which it moves: two thirds is stable and quickest where all edges are
+alike, since a vertex takes half of the adjacent edges' errors along."""
+LARGEST_OFFSET = 0.25
+"""A vertex stays within this share of its shorter piece of the curve."""
 
 
-def place_vertices(trace: Trace, count: int, spacing: Spacing = "curvature") -> Array:
-    """Parameters (count,) of the vertices of an inscribed polyline, both ends included.
+@dataclass(frozen=True, slots=True, eq=False)
+class Chords:
+    """A polyline along a curve.
+
+    Parameters
+    ----------
+    parameters
+        Parameters (n,) of the points of the curve that the vertices belong to, both ends included.
+    vertices
+        Vertices (n, 2): those points, or points on the curve's normals there.
+    """
+
+    parameters: Array
+    vertices: Array
+
+
+def place_chords(
+    trace: Trace,
+    count: int,
+    spacing: Spacing = "curvature",
+    placement: Placement = "inscribed",
+) -> Chords:
+    """Place the vertices of a polyline that follows a curve from end to end.
 
     Parameters
     ----------
@@ -29,44 +82,114 @@ def place_vertices(trace: Trace, count: int, spacing: Spacing = "curvature") -> 
     count
         Number of vertices, at least 2.
     spacing
-        ``"curvature"``: chords of equal sagitta, that is, vertices as dense as the square root
-        of the curvature (never sparser than :data:`STRAIGHT_SHARE` of the mean), and a vertex on
-        every corner of the curve if there are enough. ``"equal"``: equal arc lengths.
+        ``"curvature"``: edges of equal distance from the curve (equal sagittas), but never sparser
+        than :data:`SPARSEST` of the mean, and a vertex on every corner of the curve if there are
+        enough. ``"equal"``: equal arc lengths.
+    placement
+        ``"inscribed"``: vertices on the curve. ``"balanced"``: they overshoot it as far as the
+        edges undershoot it, but for the ends and the vertices on corners, which stay; on curves
+        that this brings no closer it is the same as ``"inscribed"``.
     """
-    if spacing == "equal":
-        t = trace.parameter_at(np.linspace(0.0, trace.length, count))
-    else:
-        t = _by_curvature(trace, count)
+    inscribed = _settle(trace, count, spacing, "inscribed")
+    if placement == "inscribed":
+        return inscribed
+    balanced = _settle(trace, count, spacing, "balanced")
+    distances = [measure_closeness(trace, each.vertices).max for each in (balanced, inscribed)]
+    return balanced if distances[0] < distances[1] else inscribed
+
+
+def _settle(trace: Trace, count: int, spacing: Spacing, placement: Placement) -> Chords:
+    """The closest of the first guess and what the sweeps make of it."""
+    bend, corners = _bends(trace, count)
+    offsets = np.zeros(count)
+    best, least, gained = None, np.inf, 0
+    for sweep in range(SWEEPS):
+        t = _equal(trace, count) if spacing == "equal" else _cut(trace, bend, corners, count)
+        offsets = _admissible(trace, t, offsets)
+        vertices = trace.curve.position(t) + offsets[:, None] * _normals(trace, t)
+        errors = measure_edges(trace, t, vertices, offsets)
+        distance = float(errors.largest.max())
+        if distance < (1 - GAIN) * least:
+            gained = sweep
+        if best is None or distance < least:
+            best, least = Chords(t, vertices), distance
+        uneven = errors.largest if placement == "inscribed" else errors.swing
+        spread = float(np.ptp(uneven)) if spacing == "curvature" else 0.0
+        bias = float(np.abs(errors.bias[1:-1]).max(initial=0.0)) if placement == "balanced" else 0.0
+        if max(spread, bias) <= EVEN * distance or distance <= ROUNDING * trace.length:
+            break
+        if sweep - gained >= IDLE_SWEEPS:
+            break
+        step = max(SMALLEST_STEP, 1 / (1 + sweep / DAMPING))
+        bend = bend * _correction(trace, t, uneven) ** step
+        if placement == "balanced":
+            offsets = offsets - OFFSET_STEP * errors.bias
+    assert best is not None
+    return best
+
+
+def _equal(trace: Trace, count: int) -> Array:
+    """Parameters (count,) at equal arc lengths."""
+    t = trace.parameter_at(np.linspace(0.0, trace.length, count))
     t[0], t[-1] = trace.t[0], trace.t[-1]
     return t
 
 
-def _by_curvature(trace: Trace, count: int) -> Array:
+def _bends(trace: Trace, count: int) -> tuple[Array, NDArray[np.intp]]:
+    """Square root of curvature over every cell (N-1,), and the samples that take a vertex."""
     corners = trace.corners
-    fit = len(corners) + 2 <= count
     turn = np.maximum(np.abs(trace.arriving[1:] - trace.heading[:-1]) - ROUNDING, 0.0)
-    if not fit:
+    if len(corners) + 2 > count:
         # Too many corners for one vertex each: see them as curvature spread over a chord.
         turn = _spread_turn(trace, trace.length / (count - 1))
         corners = corners[:0]
-    cells = np.diff(trace.arc)
-    bend = np.sqrt(turn * cells)
-    mean = bend.sum() / trace.length
-    weight = bend + STRAIGHT_SHARE * mean * cells if mean > 0 else cells
-    progress = np.concatenate([[0.0], np.cumsum(weight)])
+    return np.sqrt(turn * np.diff(trace.arc)), corners
 
+
+def _cut(trace: Trace, bend: Array, corners: NDArray[np.intp], count: int) -> Array:
+    """Parameters (count,) at equal steps of the bend (N-1,) summed up, but on straight parts."""
+    cells = np.diff(trace.arc)
+    measure = bend if bend.sum() > 0 else cells
+    while True:
+        sparsest = SPARSEST * measure.sum() / trace.length * cells
+        if (measure >= (1 - ROUNDING) * sparsest).all():
+            break
+        measure = np.maximum(measure, sparsest)
+    progress = np.concatenate([[0.0], np.cumsum(measure)])
     nodes = np.concatenate([[0], corners, [len(progress) - 1]])
-    shares = np.diff(progress[nodes])
-    chords = _share_out(shares, count - 1)
+    chords = _share_out(np.diff(progress[nodes]), count - 1)
     targets = [
         np.linspace(progress[a], progress[b], k + 1)[:-1]
         for a, b, k in zip(nodes[:-1], nodes[1:], chords, strict=True)
     ]
-    goals = np.concatenate([*targets, progress[-1:]])
-    t: Array = np.interp(goals, progress, trace.t)
-    at_corner = np.cumsum(chords)[:-1]
-    t[at_corner] = trace.t[corners]
+    t: Array = np.interp(np.concatenate([*targets, progress[-1:]]), progress, trace.t)
+    t[np.concatenate([[0], np.cumsum(chords)])] = trace.t[nodes]
     return t
+
+
+def _correction(trace: Trace, t: Array, uneven: Array) -> Array:
+    """Factors (N-1,) of the density: the square roots of the edges' errors over their mean."""
+    factor = np.sqrt(uneven)
+    factor = np.clip(factor / factor.mean(), 1 / LARGEST_CORRECTION, LARGEST_CORRECTION)
+    middle = 0.5 * (trace.t[:-1] + trace.t[1:])
+    corrected: Array = factor[np.searchsorted(t, middle) - 1]
+    return corrected
+
+
+def _admissible(trace: Trace, t: Array, offsets: Array) -> Array:
+    """The offsets (n,), zero at ends and corners and small beside the pieces of the curve."""
+    pieces = np.diff(np.interp(t, trace.t, trace.arc))
+    limit = np.zeros(len(t))
+    limit[1:-1] = LARGEST_OFFSET * np.minimum(pieces[1:], pieces[:-1])
+    limit[np.isin(t, trace.t[trace.corners])] = 0.0
+    clipped: Array = np.clip(offsets, -limit, limit)
+    return clipped
+
+
+def _normals(trace: Trace, t: Array) -> Array:
+    """Unit normals (n, 2) to the left of the curve."""
+    heading = trace.heading_at(t)
+    return np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
 
 
 def _spread_turn(trace: Trace, window: float) -> Array:

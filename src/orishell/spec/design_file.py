@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import BaseModel, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.choosing import Tolerance
 from orishell.curves import (
     Curve,
     Formula,
@@ -31,6 +32,8 @@ MAX_BYTES = 1_000_000
 MAX_FOLD = 5_000_000_000
 """Largest shell.fold that is written, in bytes, and what a vertex takes in each frame of it."""
 FOLD_BYTES = 170
+ANY_SIZE = {"rows": 1, "columns": 2}
+"""Stands in a pattern whose size is to be chosen."""
 Unit = Literal["mm", "cm", "m", "in", "ft"]
 
 
@@ -84,10 +87,27 @@ class _Motion(Table):
     contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
 
 
+class _Tolerance(Table):
+    surface: Annotated[Number, Field(gt=0)]
+    panel_min: Annotated[Number, Field(ge=0)] = 0.0
+    panel_max: Annotated[float, Field(gt=0)] = math.inf
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if not self.panel_min < self.panel_max:
+            raise PydanticCustomError(
+                "panel_sizes",
+                "a value above panel_min ({low})",
+                {"low": self.panel_min, "key": "panel_max", "got": self.panel_max},
+            )
+        return self
+
+
 class _File(Table):
     shell: _Shell
     target: _Targets
-    pattern: dict[str, Any]
+    pattern: dict[str, Any] = Field(default_factory=dict)
+    tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
 
 
@@ -106,7 +126,9 @@ class DesignFile:
     f, g
         The target curves.
     pattern
-        The family's parameters.
+        The family's parameters; its rows and columns have no meaning if there is a tolerance.
+    tolerance
+        How near the shell is to be to its surface, if rows and columns are to be chosen.
     frames
         Number of states to write.
     contact_tolerance
@@ -119,6 +141,7 @@ class DesignFile:
     f: Curve
     g: Curve
     pattern: Pattern
+    tolerance: Tolerance | None
     frames: int
     contact_tolerance: float
 
@@ -137,11 +160,14 @@ def read_design_file(path: Path) -> DesignFile:
     except ValidationError as error:
         raise explain(path, raw, error, _keys(Pattern)) from None
     family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
+    table = file.pattern
+    if file.tolerance is not None:
+        table = {**_require_no_size(path, table), **ANY_SIZE}
     try:
-        pattern = family.pattern.model_validate(file.pattern)
+        pattern = family.pattern.model_validate(table)
     except ValidationError as error:
         raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
-    _require_memory(path, pattern, file.motion.frames)
+    require_memory(path, pattern, file.motion.frames)
     curves = {}
     for name, target in (("f", file.target.f), ("g", file.target.g)):
         try:
@@ -155,6 +181,7 @@ def read_design_file(path: Path) -> DesignFile:
         curves["f"],
         curves["g"],
         pattern,
+        None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
         file.motion.frames,
         file.motion.contact_tolerance,
     )
@@ -167,7 +194,27 @@ def _formula(text: str) -> Formula:
         raise error.located("formula") from None
 
 
-def _require_memory(path: Path, pattern: Pattern, frames: int) -> None:
+def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
+    """A tolerance and a number of rows or columns say different things."""
+    for key in ANY_SIZE:
+        if key in table:
+            raise InputError(
+                "rows and columns are chosen where there is a tolerance",
+                where=f"{path}: [pattern] {key}",
+                got=repr(table[key]),
+                remedy=f"remove {key}, or the table [tolerance]",
+            )
+    return table
+
+
+def require_memory(path: Path, pattern: Pattern, frames: int) -> None:
+    """Refuse a pattern whose states or whose file would be too large.
+
+    Raises
+    ------
+    InputError
+        Naming the key to change.
+    """
     vertices = (pattern.rows + 2) * (pattern.columns + 2)
     if vertices > MAX_VERTICES:
         raise InputError(
@@ -217,7 +264,12 @@ def _read_toml(path: Path) -> dict[str, Any]:
 
 def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
     """The keys that each table of the file may hold, given the family's pattern."""
-    tables: dict[str, type[BaseModel]] = {"shell": _Shell, "motion": _Motion, "pattern": model}
+    tables: dict[str, type[BaseModel]] = {
+        "shell": _Shell,
+        "tolerance": _Tolerance,
+        "motion": _Motion,
+        "pattern": model,
+    }
 
     def keys(location: Location) -> list[str]:
         match location:

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self, TypeVar
 
 import numpy as np
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.choosing import Tolerance
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
 from orishell.errors import InputError
@@ -24,10 +25,12 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
-from orishell.polylines import Spacing
+from orishell.polylines import Placement, Spacing
+from orishell.spec import starters
 from orishell.spec.table import Number, Table
 
 Auto = Literal["auto"]
+P = TypeVar("P", bound="Pattern")
 
 
 class Pattern(Table):
@@ -38,9 +41,20 @@ class Pattern(Table):
 
     flap: Annotated[Number, Field(ge=0)] | Auto = "auto"
 
+    most: ClassVar[int] = 201
+    """Rows and columns that are tried at most to meet a tolerance."""
+
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and two target curves ask for."""
         raise NotImplementedError
+
+    def sized(self, rows: int, columns: int) -> Self:
+        """The same with other numbers of rows and columns."""
+        return self.model_copy(update={"rows": rows, "columns": columns})
+
+    def variants(self, tolerance: Tolerance) -> list[Self]:
+        """What the file leaves open, settled in the ways that can take the fewest panels."""
+        return [self]
 
     def designed(self, f: Curve, g: Curve, flap: float | Auto) -> Design:
         """The same with other curves and flaps of another width."""
@@ -55,11 +69,16 @@ class ParallelRepeatingPattern(Pattern):
     theta_deg: Annotated[Number, Field(ge=-360, le=360)] | Auto = 0.0
     plane_deg: Annotated[Number, Field(gt=0, lt=180)] = 90.0
     spacing: Spacing = "curvature"
+    placement: Placement = "inscribed"
 
     @model_validator(mode="after")
     def _check(self) -> Self:
         _require_odd(self.rows)
         return self
+
+    def variants(self, tolerance: Tolerance) -> list[Self]:
+        """Vertices of g balanced, and if panels may not be long also equally far apart."""
+        return _placed(self, tolerance)
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
@@ -75,6 +94,7 @@ class ParallelRepeatingPattern(Pattern):
             theta=_radians(self.theta_deg),
             plane=float(np.deg2rad(self.plane_deg)),
             spacing=self.spacing,
+            placement=self.placement,
         )
 
 
@@ -87,11 +107,23 @@ class OrthodiagonalPattern(Pattern):
     depth: Annotated[Number, Field(gt=0)] | Auto = "auto"
     heading_deg: Annotated[Number, Field(ge=0, le=180)] | Auto = 90.0
     spacing: Spacing = "curvature"
+    placement: Placement = "inscribed"
 
     @model_validator(mode="after")
     def _check(self) -> Self:
         _require_odd(self.rows)
         return self
+
+    def variants(self, tolerance: Tolerance) -> list[Self]:
+        """As for parallel repeating, and shallower zigzags with fewer rows."""
+        placed = _placed(self, tolerance)
+        if "depth" in self.model_fields_set:
+            return placed
+        depths = [share * tolerance.surface for share in (0.9, 0.7)]
+        return [
+            *placed,
+            *(each.model_copy(update={"depth": depth}) for each in placed for depth in depths),
+        ]
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
@@ -106,6 +138,7 @@ class OrthodiagonalPattern(Pattern):
             flap=self.flap,
             flap_sides=(side, side) if isinstance(side, str) else (side[0], side[1]),
             spacing=self.spacing,
+            placement=self.placement,
         )
 
 
@@ -115,6 +148,8 @@ Length = Annotated[Number, Field(gt=0)]
 
 class LongitudinalPattern(Pattern):
     """Parameters of the longitudinal linear repeating family."""
+
+    most: ClassVar[int] = 25
 
     sector_deg: Annotated[list[Angle], Field(min_length=4, max_length=4)] | Auto
     solution: Annotated[int, Field(ge=0)] = 0
@@ -168,98 +203,10 @@ class Family:
 
 
 FAMILIES: Mapping[str, Family] = {
-    "parallel-repeating": Family(
-        ParallelRepeatingPattern,
-        """\
-[shell]
-family = "parallel-repeating"
-unit = "m"                  # mm, cm, m, in, ft
-
-[target.f]                  # the curve that is swept, in its own plane
-formula = "-x**2"           # y(x); or a pair, x(t) and y(t): ["t", "-t**2"]
-range = [-1, 1]
-# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line
-# smooth = true             # a spline through the points, or false: the polyline itself
-# scale = 1.0               # enlarges the curve about its origin
-
-[target.g]                  # the curve that it is swept along
-formula = "5*sin(pi*x/10)"
-range = [0, 20]
-
-[pattern]
-rows = 9                    # rows of inner vertices, odd
-columns = 11                # columns of inner vertices
-flap = 0.3                  # width of the locking panels; "auto"; 0: none, then it does not lock
-xi_deg = 50                 # angle between the creases of column 1 when locked; "auto"
-theta_deg = 0               # turns f in its plane; "auto"
-plane_deg = 90              # angle between f's plane and g's tangent
-
-[motion]
-frames = 25                 # states written, flat to locked
-""",
-    ),
-    "orthodiagonal": Family(
-        OrthodiagonalPattern,
-        """\
-[shell]
-family = "orthodiagonal"
-unit = "m"                  # mm, cm, m, in, ft
-
-[target.f]                  # the curve that is swept, in its own plane
-formula = "-x**2"           # y(x); or a pair, x(t) and y(t): ["t", "-t**2"]
-range = [-1, 1]
-# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line
-# smooth = true             # a spline through the points, or false: the polyline itself
-# scale = 1.0               # enlarges the curve about its origin
-
-[target.g]                  # the curve that it is swept along
-formula = "0.25*sin(pi*x/2)"
-range = [0, 4]
-
-[pattern]
-rows = 9                    # rows of inner vertices, odd
-columns = 13                # columns of inner vertices
-flap = 0.15                 # width of the locking panels; "auto"; 0: none, then it does not lock
-depth = 0.12                # of the corrugation: vertices this far from f on both sides; "auto"
-heading_deg = 90            # angle between f's plane and g's x axis; "auto"
-
-[motion]
-frames = 25                 # states written, flat to locked
-""",
-    ),
+    "parallel-repeating": Family(ParallelRepeatingPattern, starters.PARALLEL_REPEATING),
+    "orthodiagonal": Family(OrthodiagonalPattern, starters.ORTHODIAGONAL),
     "longitudinal-linear-repeating": Family(
-        LongitudinalPattern,
-        """\
-[shell]
-family = "longitudinal-linear-repeating"
-unit = "m"                  # mm, cm, m, in, ft
-
-[target.f]                  # the curve that is swept, in its own plane: convex
-formula = ["cos(t)", "sin(t)"]  # x(t), y(t); or y(x): "-x**2"
-range = [0.3, 2.8416]
-# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line
-# smooth = true             # a spline through the points, or false: the polyline itself
-# scale = 1.0               # enlarges the curve about its origin
-
-[target.g]                  # the line that it is swept along: straight
-formula = "0*x"
-range = [0, 2.93]
-
-[pattern]
-rows = 7                    # rows of inner vertices
-columns = 9                 # columns of inner vertices
-sector_deg = [85, 80, 95, 100]  # alpha, beta, gamma, delta of column 1; "auto"
-solution = 0                # which one of those that orishell solve lists
-first_row = "F"             # kind of the first row: "F" or "S"
-row_lengths = "auto"        # the most even ones; or 8 ratios, along the middle row
-column_lengths = "auto"     # those that follow f; or 8 ratios, down column 1
-stage_deg = "auto"          # fold angle of column 1 at which the shell meets f
-flap = "auto"               # length of the row creases at the left and right border
-couplings = "periodic"      # or 8 times "solve" or "parallel": columns without the period
-
-[motion]
-frames = 25                 # states written, flat to the stage
-""",
+        LongitudinalPattern, starters.LONGITUDINAL_LINEAR_REPEATING
     ),
 }
 
@@ -276,6 +223,16 @@ def require_family(name: str, where: str) -> str:
 def starter_file(family: str) -> str:
     """Text of a design file to begin with."""
     return FAMILIES[require_family(family, "family")].starter
+
+
+def _placed(pattern: P, tolerance: Tolerance) -> list[P]:
+    """Patterns whose vertices of g are placed as the file says, or else in the best ways."""
+    given = pattern.model_fields_set
+    best = {"placement": "balanced", "spacing": "curvature"}
+    ways = [{key: value for key, value in best.items() if key not in given}]
+    if "spacing" not in given and tolerance.panel_max < np.inf:
+        ways.append({**ways[0], "spacing": "equal"})
+    return [pattern.model_copy(update=way) for way in ways]
 
 
 def _radians(degrees: float | Auto) -> float | Auto:

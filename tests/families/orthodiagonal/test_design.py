@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from orishell.curves import Curve, curve_from_points
+from orishell.curves import Curve, curve_from_points, trace_curve
+from orishell.curves.nearest import Nearest
 from orishell.errors import CurveError, DesignError
 from strategies import OrthodiagonalRequest, graph, orthodiagonal_requests, pair
 
@@ -78,6 +79,18 @@ def test_auto_heading() -> None:
     assert refusal(request(g=g))
     heading = request(g=g, heading="auto").design().parameters["heading_deg"]
     assert heading == pytest.approx(90 - np.rad2deg(np.arctan2(2.5, 3)), abs=1)
+
+
+def test_balanced_row_errs_on_both_sides_of_g() -> None:
+    inscribed, balanced = (
+        request(placement=placement).design() for placement in ("inscribed", "balanced")
+    )
+    assert balanced.parameters["placement"] == "balanced"
+    assert 0.5 < balanced.closeness["g"].max / inscribed.closeness["g"].max < 0.6
+    locked = balanced.mechanism.positions(np.pi)[5, 1:-1]
+    _, off = Nearest.to(trace_curve(WAVE))(locked[:, :2])
+    assert off.max() == pytest.approx(balanced.closeness["g"].max, rel=1e-3)
+    np.testing.assert_allclose(locked[[0, -1]], [[0, 0, 0], [4, 0, 0]], atol=1e-12)
 
 
 def test_plane_that_does_not_cross_g() -> None:

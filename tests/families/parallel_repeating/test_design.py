@@ -6,8 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from orishell.curves import Curve, curve_from_points
+from orishell.curves import Curve, curve_from_points, trace_curve
+from orishell.curves.nearest import Nearest
 from orishell.errors import CurveError, DesignError, InputError
+from orishell.families.parallel_repeating import ParallelRepeating
 from strategies import Request, graph, pair
 
 PARABOLA = graph("-x**2", -1, 1)
@@ -201,6 +203,7 @@ def test_panels_lost_in_rounding_are_refused() -> None:
         ("plane", 0.0),
         ("flap_sides", ("left", "right")),
         ("spacing", "even"),
+        ("placement", "outside"),
     ],
 )
 def test_parameters_without_meaning_are_refused(name: str, value: Any) -> None:
@@ -234,6 +237,39 @@ def test_polyline_g_is_followed_exactly() -> None:
     g = curve_from_points(corners, smooth=False)
     design = request(g=g, columns=10).design()
     assert design.closeness["g"].max < 1e-12
+
+
+def test_balanced_row_errs_on_both_sides_of_g() -> None:
+    inscribed, balanced = (
+        request(placement=placement).design() for placement in ("inscribed", "balanced")
+    )
+    assert balanced.parameters["placement"] == "balanced"
+    assert 0.5 < balanced.closeness["g"].max / inscribed.closeness["g"].max < 0.6
+    mechanism = balanced.mechanism
+    assert isinstance(mechanism, ParallelRepeating)
+    locked = mechanism.positions(np.pi)[5, 1:-1]
+    # The locked middle row is the polyline, off g by as much as its edges are.
+    vertices = np.stack([mechanism.points.real, mechanism.points.imag], axis=-1)
+    np.testing.assert_allclose(locked[:, :2], vertices, atol=1e-12)
+    np.testing.assert_allclose(locked[:, 2], 0, atol=1e-12)
+    _, off = Nearest.to(trace_curve(WAVE))(locked[:, :2])
+    np.testing.assert_allclose(off[[0, -1]], 0, atol=1e-12)
+    assert off.max() == pytest.approx(balanced.closeness["g"].max, rel=1e-3)
+    # Columns keep the directions of g at their parameters, where they stand on g's normals.
+    foot, _ = Nearest.to(trace_curve(WAVE))(locked[1:-1, :2])
+    slope = 0.5 * np.pi * np.cos(np.pi * foot[:, 0] / 10)
+    np.testing.assert_allclose(
+        np.angle(mechanism.axes[1:-1]), np.arctan(slope) - np.pi / 2, atol=1e-6
+    )
+
+
+def test_balanced_row_on_a_polyline_is_the_inscribed_one() -> None:
+    g = curve_from_points([[0, 0], [6, 1], [12, -1], [20, 0]], smooth=False)
+    inscribed, balanced = (
+        request(g=g, placement=placement).design().mechanism.positions(2.0)
+        for placement in ("inscribed", "balanced")
+    )
+    np.testing.assert_array_equal(balanced, inscribed)
 
 
 @pytest.mark.parametrize(("rows", "columns"), [(1, 2), (1, 11), (9, 2), (3, 3)])

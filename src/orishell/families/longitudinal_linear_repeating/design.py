@@ -154,6 +154,8 @@ def design_longitudinal_linear_repeating(
         },
         targets=placed.targets,
         closeness=placed.closeness,
+        surface=placed.surface,
+        approached=placed.approached,
         warnings=(),
         lock_drive=mechanism.crease_end,
     )

@@ -94,6 +94,11 @@ class LongitudinalLinearRepeating:
         return Grid(self.lengths.row.shape[0] + 2, len(self.columns) + 2)
 
     @property
+    def inner_columns(self) -> slice:
+        """Where columns 1 ... n are in the grid: the strips beside them stand beyond g's ends."""
+        return slice(1, 1 + len(self.columns))
+
+    @property
     def lock_drive(self) -> float:
         """Where the motion ends: as asked for, or where the first crease reaches pi."""
         return self.crease_end if self.stop is None else self.stop

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.design import Parameter
+from orishell.design import Approached, Parameter
 from orishell.families.longitudinal_linear_repeating.measures import (
     circle_radius,
     measure_departures,
@@ -20,6 +20,7 @@ from orishell.families.longitudinal_linear_repeating.mechanism import (
 from orishell.families.longitudinal_linear_repeating.stage import Stage
 from orishell.families.longitudinal_linear_repeating.target import Line, Profile
 from orishell.polylines import Closeness, measure_closeness
+from orishell.surface import Path, Sliding, Surface
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,10 @@ class Placed:
         f and g in world coordinates (N, 3).
     closeness
         Distances seen along g ("f": column 1) and from g ("g": the middle row).
+    surface
+        f swept along the line.
+    approached
+        What the shell approaches instead.
     measures
         What the report says of its shape.
     """
@@ -43,6 +48,8 @@ class Placed:
     mechanism: LongitudinalLinearRepeating
     targets: Mapping[str, Array]
     closeness: Mapping[str, Closeness]
+    surface: Surface
+    approached: Approached | None
     measures: Mapping[str, Parameter]
 
 
@@ -103,6 +110,14 @@ def place(
             "f": measure_closeness(trace, seen[:, 1] + stage.polygon[middle]),
             "g": Closeness(float(distance.max()), float(np.sqrt((distance**2).mean()))),
         },
+        surface=Surface(
+            trace, stage.polygon[middle], Sliding(Path.of(line.trace), complex(*right[:2]))
+        ),
+        approached=Approached(
+            f"the rows are not parallel: the radius of the sections goes from {radii[0]:.4g} at "
+            f"column 1 to {radii[1]:.4g} at the last",
+            None,
+        ),
         measures={
             "radius": radii,
             "radius_growth": radii[1] / radii[0] if radii[0] > 0 else float("nan"),

@@ -22,8 +22,9 @@ TURNING_BACK = 1e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Line:
-    """The straight line g: start (2,), unit direction (2,) and length."""
+    """The straight line g: its trace, start (2,), unit direction (2,) and length."""
 
+    trace: Trace
     start: Array
     direction: Array
     length: float
@@ -49,7 +50,7 @@ class Line:
                 size=f"g leaves a line by {leaves:.4g}, its length being {trace.length:.4g}",
                 nearest=f'formula = "0*x", range = [0, {trace.length:.6g}] in [target.g]',
             )
-        return cls(trace.points[0], chord / length, length)
+        return cls(trace, trace.points[0], chord / length, length)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

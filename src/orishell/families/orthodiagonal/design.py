@@ -20,12 +20,14 @@ from orishell.families.orthodiagonal.headings import (
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
 from orishell.families.orthodiagonal.refusal import refuse
+from orishell.families.orthodiagonal.target import approach, sweep
 from orishell.motion import require_resolution
 from orishell.polylines import (
+    Placement,
     Spacing,
     Zigzag,
     measure_closeness,
-    place_vertices,
+    place_chords,
     warn_of_coarse_row,
 )
 from orishell.quoting import tidy_degrees
@@ -50,6 +52,7 @@ def design_orthodiagonal(
     flap: float | Auto = "auto",
     flap_sides: tuple[FlapSide | Auto, FlapSide | Auto] = ("auto", "auto"),
     spacing: Spacing = "curvature",
+    placement: Placement = "inscribed",
 ) -> Design:
     """Design a shell that sweeps f along g (the paper's section 3).
 
@@ -74,7 +77,9 @@ def design_orthodiagonal(
     flap_sides
         End of f to which the left and the right flap fold; "auto" is where there is more room.
     spacing
-        How g's vertices are placed.
+        How g's vertices are spread along g.
+    placement
+        Whether they lie on g or as far beyond it as the edges stay behind.
 
     Raises
     ------
@@ -100,7 +105,7 @@ def design_orthodiagonal(
     """
     f_trace, g_trace = run_along_axis(trace_curve(f, "f")), run_along_axis(trace_curve(g, "g"))
     zigzags = require_zigzags(f_trace, rows, depth)
-    vertices = g_trace.curve.position(place_vertices(g_trace, columns, spacing))
+    vertices = place_chords(g_trace, columns, spacing, placement).vertices
     left, right = (None if side == "auto" else side for side in flap_sides)
     width = None if flap == "auto" else flap
     demands = [headings_of(zigzag, vertices, width, (left, right)) for zigzag in zigzags]
@@ -139,9 +144,12 @@ def design_orthodiagonal(
             "ends": [str(end) for end in ends],
             "tilt_deg": tidy_degrees(mechanism.tilt),
             "spacing": spacing,
+            "placement": placement,
         },
         targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
         closeness=closeness,
+        surface=sweep(f_trace, zigzag, g_trace, mechanism),
+        approached=approach(f_trace, zigzag, g_trace, mechanism),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_no_lock(mechanism.flaps[0]),

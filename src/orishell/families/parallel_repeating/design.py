@@ -20,7 +20,9 @@ from orishell.families.parallel_repeating.sheet import (
     warn_of_stretched_columns,
     warn_of_unbalanced_staircase,
 )
+from orishell.families.parallel_repeating.target import approach, sweep
 from orishell.polylines import (
+    Placement,
     Spacing,
     Staircase,
     choose_xi,
@@ -48,6 +50,7 @@ def design_parallel_repeating(
     plane: float = np.pi / 2,
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end"),
     spacing: Spacing = "curvature",
+    placement: Placement = "inscribed",
 ) -> Design:
     """Design a shell that sweeps f along g (the paper's section 2).
 
@@ -71,7 +74,9 @@ def design_parallel_repeating(
     flap_sides
         End of f to which the left and the right flap fold.
     spacing
-        How g's vertices are placed.
+        How g's vertices are spread along g.
+    placement
+        Whether they lie on g or as far beyond it as the edges stay behind.
 
     Raises
     ------
@@ -100,6 +105,7 @@ def design_parallel_repeating(
         plane=plane,
         flap_sides=flap_sides,
         spacing=spacing,
+        placement=placement,
     )
     f_trace, theta = rotate_profile(
         trace_curve(f, "f"), theta, None if xi == "auto" else xi, rows + 1
@@ -110,8 +116,8 @@ def design_parallel_repeating(
     staircase = fit_staircase(f_trace, xi, rows + 1)
 
     g_trace = trace_curve(g, "g")
-    row = Row.on(g_trace, columns, plane, spacing)
-    row.require_crossing(g_trace, spacing)
+    row = Row.on(g_trace, columns, plane, spacing, placement)
+    row.require_crossing(g_trace, spacing, placement)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
     mechanism = _assemble(staircase, row, flap_sides).with_flaps(width)
     require_row_edges(mechanism)
@@ -139,9 +145,12 @@ def design_parallel_repeating(
             "flap": width,
             "flap_side": [str(side) for side in flap_sides],
             "spacing": spacing,
+            "placement": placement,
         },
         targets=_place_targets(f_trace, staircase, g_trace, row),
         closeness=closeness,
+        surface=sweep(f_trace, staircase, g_trace, plane),
+        approached=approach(f_trace, staircase, g_trace, plane),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_stretched_columns(mechanism, plane),
@@ -161,6 +170,7 @@ def _check_request(
     plane: float,
     flap_sides: tuple[FlapSide, FlapSide],
     spacing: Spacing,
+    placement: Placement,
 ) -> None:
     """Refuse what has no meaning, once and at the door."""
     checks = (
@@ -177,6 +187,12 @@ def _check_request(
             '"start" or "end", for each flap',
         ),
         ("spacing", spacing, spacing in ("curvature", "equal"), '"curvature" or "equal"'),
+        (
+            "placement",
+            placement,
+            placement in ("inscribed", "balanced"),
+            '"inscribed" or "balanced"',
+        ),
     )
     for name, value, good, expected in checks:
         if not good:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.errors import DesignError
-from orishell.polylines import Spacing, place_vertices
+from orishell.polylines import Placement, Spacing, place_chords
 from orishell.quoting import ROUNDING, in_degrees
 
 Array = NDArray[np.float64]
@@ -17,7 +17,17 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Row:
-    """The middle row: g's vertices (n, 2), their parameters and directions (n,), plane angle."""
+    """The middle row on g's polyline.
+
+    Parameters
+    ----------
+    parameters, heading
+        Parameters (n,) on g of the vertices, and g's directions (n,) there (radians).
+    vertices
+        Vertices (n, 2) of g's polyline.
+    plane
+        Angle from f's plane to g's tangent (radians).
+    """
 
     parameters: Array
     vertices: Array
@@ -25,10 +35,13 @@ class Row:
     plane: float
 
     @classmethod
-    def on(cls, trace: Trace, columns: int, plane: float, spacing: Spacing) -> Row:
-        """Place the vertices on g."""
-        t = place_vertices(trace, columns, spacing)
-        return cls(t, trace.curve.position(t), trace.heading_at(t), plane)
+    def on(
+        cls, trace: Trace, columns: int, plane: float, spacing: Spacing, placement: Placement
+    ) -> Row:
+        """Place the vertices along g."""
+        chords = place_chords(trace, columns, spacing, placement)
+        t = chords.parameters
+        return cls(t, chords.vertices, trace.heading_at(t), plane)
 
     def turns(self) -> Array:
         """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
@@ -38,7 +51,7 @@ class Row:
         wrapped: Array = np.mod(turn + np.pi, 2 * np.pi) - np.pi
         return wrapped
 
-    def require_crossing(self, trace: Trace, spacing: Spacing) -> None:
+    def require_crossing(self, trace: Trace, spacing: Spacing, placement: Placement) -> None:
         """Every chord must leave both its column planes to the same side (0 < delta < pi)."""
         delta = self.turns() + self.plane
         outside = np.maximum(-delta, delta - np.pi)
@@ -51,7 +64,7 @@ class Row:
         nearest = (
             f"plane_deg between {in_degrees(low + margin)} and {in_degrees(high - margin)}"
             if low < high
-            else self._enough_columns(trace, spacing)
+            else self._enough_columns(trace, spacing, placement)
         )
         raise DesignError(
             "f's plane does not cross the chord of g",
@@ -60,9 +73,10 @@ class Row:
             nearest=nearest,
         )
 
-    def _enough_columns(self, trace: Trace, spacing: Spacing) -> str:
+    def _enough_columns(self, trace: Trace, spacing: Spacing, placement: Placement) -> str:
         def works(columns: int, spacing: Spacing = spacing) -> bool:
-            delta = Row.on(trace, columns, self.plane, spacing).turns() + self.plane
+            row = Row.on(trace, columns, self.plane, spacing, placement)
+            delta = row.turns() + self.plane
             return bool((delta > 0).all() and (delta < np.pi).all())
 
         columns = len(self.vertices)
@@ -77,7 +91,7 @@ class Row:
         for more in (len(self.vertices), columns):
             if spacing == "equal" and works(more, "curvature"):
                 return f'spacing = "curvature" with columns = {more}'
-        turns = Row.on(trace, columns, self.plane, spacing).turns()
+        turns = Row.on(trace, columns, self.plane, spacing, placement).turns()
         least, most = float((-turns).max()), float(np.pi - turns.max())
         if least < most:
             return f"plane_deg = {in_degrees(0.5 * (least + most))} with columns = {columns}"

@@ -12,6 +12,16 @@ from numpy.typing import NDArray
 
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
 from orishell.pattern import CreaseValues
+from orishell.plot.scene import (
+    DPI,
+    WIDTH,
+    Camera,
+    choose_camera,
+    draw_targets,
+    frame,
+    line_width,
+    row_height,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,7 +29,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 MOUNTAIN, VALLEY, BORDER, UNFOLDED = "#d62728", "#1f5fbf", "#000000", "#9a9a9a"
-F_COLOUR, G_COLOUR = "#0a8f3c", "#b5179e"
 PAPER = np.array([0.957, 0.937, 0.894])
 BACK = np.array([0.72, 0.78, 0.86])
 LIGHT = np.array([-0.45, -0.55, 0.70])
@@ -28,7 +37,6 @@ STATE_SHARES = (0.25, 0.5, 0.75)
 PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
 CONTACT_COLOUR = "#ff7f0e"
-DPI = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,27 +45,6 @@ class DrawnContact:
 
     drive: float
     panels: tuple[tuple[int, int], ...]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Camera:
-    """Parallel projection from a direction given by azimuth and elevation (radians)."""
-
-    azimuth: float
-    elevation: float
-
-    def axes(self) -> tuple[Array, Array, Array]:
-        """Unit vectors to the right, up, and towards the viewer."""
-        ca, sa = np.cos(self.azimuth), np.sin(self.azimuth)
-        ce, se = np.cos(self.elevation), np.sin(self.elevation)
-        towards = np.array([ca * ce, sa * ce, se])
-        right = np.array([-sa, ca, 0.0])
-        return right, np.cross(towards, right), towards
-
-    def project(self, points: Array) -> tuple[Array, Array]:
-        """Picture coordinates (..., 2) and depth towards the viewer (...)."""
-        right, up, towards = self.axes()
-        return points @ np.stack([right, up], axis=-1), points @ towards
 
 
 def plot_overview(
@@ -95,17 +82,17 @@ def plot_overview(
 
     lock = motion.mechanism.lock_drive
     locked = motion.locked.positions
-    camera = _choose_camera(locked)
+    camera = choose_camera(locked)
     drives = [share * lock for share in STATE_SHARES]
     if contact is not None:
         drives.append(contact.drive)
     states = [motion.mechanism.positions(drive) for drive in drives]
 
-    width = 13.0
+    width = WIDTH
     sheet = _landscape(motion.flat.positions[..., :2])
-    above = _row_height(width / 2, [sheet, camera.project(locked)[0]])
+    above = row_height(width / 2, [sheet, camera.project(locked)[0]])
     count = len(states)
-    below = _row_height(width / count, [camera.project(positions)[0] for positions in states])
+    below = row_height(width / count, [camera.project(positions)[0] for positions in states])
     layout = ConstrainedLayoutEngine(h_pad=0.12, w_pad=0.08)
     figure = Figure(figsize=(width, above + below), facecolor="white", layout=layout)
     FigureCanvasAgg(figure)
@@ -118,7 +105,7 @@ def plot_overview(
     pattern.set_title(f"Crease pattern, {size[0]:.3g} × {size[1]:.3g} {unit}{thinned}")
     shell = figure.add_subplot(grid[0, count:])
     _draw_shell(shell, locked, camera, width / 2)
-    _draw_targets(shell, targets, camera)
+    draw_targets(shell, targets, camera)
     sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
     shell.set_title(f"{last}, with f and g, {sizes} {unit}")
     frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(count)]
@@ -155,19 +142,12 @@ def _landscape(sheet: Array) -> Array:
     return sheet if wide >= tall else np.stack([-sheet[..., 1], sheet[..., 0]], axis=-1)
 
 
-def _line_width(picture: Array, inches: float, widest: float, share: float) -> float:
-    """Width (points) of a grid's edges (rows, columns, 2), drawn so wide: a part of its step."""
-    points = 72 * inches / float(np.ptp(picture[..., 0]))
-    steps = [np.linalg.norm(np.diff(picture, axis=axis), axis=-1) for axis in (0, 1)]
-    return float(np.clip(share * points * min(np.median(step) for step in steps), 0.1, widest))
-
-
 def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) -> str:
     """Draw the sheet (rows, columns, 2), and say which rows and columns are left out."""
     from matplotlib.collections import LineCollection
 
     sheet, signs, down, right = _thin(sheet, signs, PATTERN_DRAWN)
-    width = _line_width(sheet, inches, 1.3, 0.35)
+    width = line_width(sheet, inches, 1.3, 0.35)
     rows = np.stack([sheet[1:-1, :-1], sheet[1:-1, 1:]], axis=-2)
     columns = np.stack([sheet[:-1, 1:-1], sheet[1:, 1:-1]], axis=-2)
     for sign, colour, style in ((-1, MOUNTAIN, "-"), (1, VALLEY, "-"), (0, UNFOLDED, (0, (3, 2)))):
@@ -190,22 +170,6 @@ def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) 
     return f" (every {down}th row, every {right}th column drawn)" if down * right > 1 else ""
 
 
-def _choose_camera(positions: Array) -> Camera:
-    """From above, looking across the longer side of the shell's plan."""
-    plan = positions[..., :2].reshape(-1, 2)
-    centred = plan - plan.mean(axis=0)
-    along = np.linalg.svd(centred, full_matrices=False)[2][0]
-    along = along if along[0] >= 0 else -along
-    azimuth = np.arctan2(along[1], along[0]) - np.deg2rad(58)
-    return Camera(float(azimuth), float(np.deg2rad(40)))
-
-
-def _row_height(width: float, pictures: list[Array]) -> float:
-    """Height (inches) that shows pictures (..., 2) as wide as they may be, within reason."""
-    spans = [np.ptp(picture.reshape(-1, 2), axis=0) for picture in pictures]
-    return float(np.clip(width * max(span[1] / span[0] for span in spans), 1.6, 7.0)) + 0.9
-
-
 def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> None:
     """Panels, painted from the farthest to the nearest."""
     from matplotlib.collections import PolyCollection
@@ -221,7 +185,7 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> 
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
     colours = _shade(panel_normals(positions).reshape(-1, 3), camera)
-    width = _line_width(camera.project(positions)[0], inches, 0.6, 0.15)
+    width = line_width(camera.project(positions)[0], inches, 0.6, 0.15)
     axes.add_collection(
         PolyCollection(
             list(picture[order]),
@@ -230,7 +194,7 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> 
             linewidths=width,
         )
     )
-    _frame(axes, picture.reshape(-1, 2))
+    frame(axes, picture.reshape(-1, 2))
 
 
 def _mark_panels(axes: Axes, positions: Array, contact: DrawnContact, camera: Camera) -> None:
@@ -250,28 +214,6 @@ def _mark_panels(axes: Axes, positions: Array, contact: DrawnContact, camera: Ca
     axes.plot(*middle, "o", markersize=26, fillstyle="none", color=CONTACT_COLOUR, linewidth=1.5)
     names = " and ".join(f"[{i}, {j}]" for i, j in contact.panels)
     axes.set_title(f"First contact, drive {np.rad2deg(contact.drive):.4g}°:\npanels {names}")
-
-
-def _draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> None:
-    """Target curves on top of the shell, with a pale outline."""
-    from matplotlib.patheffects import Normal, Stroke
-
-    names = {"f": (F_COLOUR, "f, the swept curve"), "g": (G_COLOUR, "g, swept along")}
-    for name, (colour, label) in names.items():
-        if name in targets:
-            curve = camera.project(targets[name])[0]
-            outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.8), Normal()]
-            axes.plot(*curve.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
-
-
-def _frame(axes: Axes, picture: Array) -> None:
-    low, high = picture.min(axis=0), picture.max(axis=0)
-    margin = 0.03 * (high - low).max()
-    axes.set_xlim(low[0] - margin, high[0] + margin)
-    axes.set_ylim(low[1] - margin, high[1] + margin)
-    axes.set_aspect("equal")
-    axes.axis("off")
 
 
 def _shade(normals: Array, camera: Camera) -> Array:

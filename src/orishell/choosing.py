@@ -1,0 +1,305 @@
+"""The fewest panels that meet a tolerance: rows, columns and what else the design leaves open."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from itertools import product, repeat
+
+from orishell.design import Design
+from orishell.errors import DesignError
+
+MOST = 201
+"""Rows and columns tried at most, unless said otherwise."""
+GROWTH = 1.6
+"""Steps of the first, coarse search."""
+SPREAD = (0.62, 1.6, 0.8, 1.25, 0.9, 1.1)
+"""Numbers of rows beside the best so far, for each of which the fewest columns are sought."""
+STALE = 3
+"""Steps of the coarse search that come no nearer, after which it is given up."""
+RETRIES = 4
+"""Times that the search is aimed anew, where the careful measure differs from the quick one."""
+NEAR = 0.97
+"""A design whose error is this share of the tolerance is near enough to it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerance:
+    """What is asked for.
+
+    Parameters
+    ----------
+    surface
+        Largest allowed distance between shell and target surface (length).
+    panel_min, panel_max
+        Shortest and longest edge that a panel may have, flaps left out (length).
+    """
+
+    surface: float
+    panel_min: float = 0.0
+    panel_max: float = float("inf")
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """Distance of a design from its surface, and its shortest and longest edge (length)."""
+
+    error: float
+    shortest: float
+    longest: float
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A design that was tried.
+
+    Parameters
+    ----------
+    rows, columns
+        Inner vertices.
+    panels
+        Number of panels, flaps left out.
+    error
+        Distance between shell and target surface, largest both ways (length).
+    shortest, longest
+        Edges of its panels (length).
+    """
+
+    rows: int
+    columns: int
+    panels: int
+    error: float
+    shortest: float
+    longest: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Choice:
+    """The design with the fewest panels, and the others that were looked at.
+
+    Parameters
+    ----------
+    trial
+        Its sizes and its error, carefully measured.
+    tradeoff
+        Of all trials those that no other beats in both error and number of panels, by panels.
+    tried
+        Number of designs measured.
+    """
+
+    trial: Trial
+    tradeoff: tuple[Trial, ...]
+    tried: int
+
+
+def choose(
+    make: Callable[[int, int], Design],
+    measure: Callable[[Design, bool], Measured],
+    tolerance: Tolerance,
+    advanced: Callable[[float], None] | None = None,
+    *,
+    most: int = MOST,
+) -> Choice:
+    """Find the fewest panels that meet a tolerance.
+
+    Errors fall with the number of rows and of columns. A ladder of ever finer sheets finds one
+    that is near enough; from there the rows are varied, each time with the fewest columns that do.
+
+    Parameters
+    ----------
+    make
+        Designs the shell with so many rows and columns.
+    measure
+        Measures a design, carefully or quickly.
+    tolerance
+        What is asked for.
+    advanced
+        Called with the share that is done, roughly.
+    most
+        Rows and columns tried at most.
+
+    Raises
+    ------
+    DesignError
+        If no sheet meets the tolerance; says what can be met.
+    """
+    search = _Search(make, measure, tolerance, advanced or (lambda share: None), most)
+    return search.run()
+
+
+class _Search:
+    def __init__(
+        self,
+        make: Callable[[int, int], Design],
+        measure: Callable[[Design, bool], Measured],
+        tolerance: Tolerance,
+        advanced: Callable[[float], None],
+        most: int,
+    ) -> None:
+        self.make, self.measure, self.tolerance, self.advanced = make, measure, tolerance, advanced
+        self.most = most
+        self.aim = tolerance.surface
+        self.trials: dict[tuple[int, int], Trial | None] = {}
+        self.refusal: DesignError | None = None
+
+    def run(self) -> Choice:
+        """Search, look carefully at what is found, and aim anew if that differs."""
+        limit = self.tolerance.surface
+        kept: Trial | None = None
+        for _ in range(RETRIES):
+            best = self._improved(self._first())
+            careful = self._trial_of(best.rows, best.columns, True)
+            if careful.error <= limit and (kept is None or careful.panels < kept.panels):
+                kept = careful
+            if kept is not None and (careful.error > limit or careful.error >= NEAR * limit):
+                break
+            self.aim = (NEAR if careful.error > limit else 1) * limit * best.error / careful.error
+        if kept is None:
+            raise self._refused()
+        self.advanced(1.0)
+        return Choice(kept, self._tradeoff(), len(self.trials))
+
+    def _trial(self, rows: int, columns: int) -> Trial | None:
+        """A design quickly measured, or None if there is none."""
+        place = rows, columns
+        if place not in self.trials:
+            self.advanced(min(0.95, len(self.trials) / 50))
+            try:
+                self.trials[place] = self._trial_of(rows, columns, False)
+            except DesignError as error:
+                self.trials[place], self.refusal = None, error
+        return self.trials[place]
+
+    def _trial_of(self, rows: int, columns: int, careful: bool) -> Trial:
+        measured = self.measure(self.make(rows, columns), careful)
+        panels = (rows + 1) * (columns - 1)
+        return Trial(rows, columns, panels, measured.error, measured.shortest, measured.longest)
+
+    def _fits(self, trial: Trial | None) -> bool:
+        """Whether its panels have the sizes asked for."""
+        limits = self.tolerance
+        return trial is not None and trial.shortest >= limits.panel_min
+
+    def _does(self, trial: Trial | None) -> bool:
+        return (
+            trial is not None
+            and self._fits(trial)
+            and trial.error <= self.aim
+            and trial.longest <= self.tolerance.panel_max
+        )
+
+    def _first(self) -> Trial:
+        """The first sheet that does: of ladders of ever finer ones, or of their crossings."""
+        sizes = [2.0 * GROWTH**k for k in range(1, 10)]
+        sizes = [size for size in sizes if size < self.most] + [float(self.most)]
+        rows, columns = [_odd(size) for size in sizes], [round(size) for size in sizes]
+        # Where g is straight more columns are of no use.
+        for ladder in (zip(rows, repeat(2)), zip(rows, columns, strict=True)):
+            found = self._climbed(ladder)
+            if found is not None:
+                return found
+        # Rows and columns need not be alike: long panels may do where square ones are too small.
+        small: list[tuple[int, int]] = []
+        crossings = product(rows, columns) if self.tolerance.panel_min else ()
+        for place in sorted(crossings, key=math.prod):
+            if any(place[0] >= r and place[1] >= c for r, c in small):
+                continue
+            trial = self._trial(*place)
+            if trial is not None and self._does(trial):
+                return trial
+            if trial is not None and not self._fits(trial):
+                small.append(place)
+        raise self._refused()
+
+    def _climbed(self, ladder: Iterable[tuple[int, int]]) -> Trial | None:
+        """The first sheet that does, as long as they come nearer."""
+        least, stale = math.inf, 0
+        for rows, columns in ladder:
+            trial = self._trial(rows, columns)
+            if trial is None:
+                continue
+            if self._does(trial):
+                return trial
+            stale = 0 if trial.error < 0.9 * least else stale + 1
+            least = min(least, trial.error)
+            if stale == STALE or not self._fits(trial):
+                break
+        return None
+
+    def _improved(self, best: Trial) -> Trial:
+        """Vary the rows as long as that saves panels."""
+        best = self._fewest_columns(best.rows, best) or best
+        again = True
+        while again:
+            again = False
+            for factor, step in (*((factor, 0) for factor in SPREAD), (1, -2), (1, 2)):
+                rows = _odd(best.rows * factor) + step
+                better = self._fewest_columns(rows, best) if 1 <= rows <= self.most else None
+                if better is not None:
+                    best, again = better, True
+        return best
+
+    def _fewest_columns(self, rows: int, best: Trial) -> Trial | None:
+        """The fewest columns that do with so many rows, if that is fewer panels than the best."""
+        high = min(self.most, (best.panels - 1) // (rows + 1) + 1)
+        good = self._trial(rows, high) if high >= 2 else None
+        if good is None or not self._does(good):
+            return None
+        low = max(1, high // 2)
+        bad = self._trial(rows, low) if low > 1 else None
+        while bad is not None and self._does(bad):
+            good, high = bad, low
+            low = max(1, low // 2)
+            bad = self._trial(rows, low) if low > 1 else None
+        while high - low > 1:
+            middle = self._between(low, bad, high, good)
+            trial = self._trial(rows, middle)
+            if trial is not None and self._does(trial):
+                good, high = trial, middle
+            else:
+                bad, low = trial, middle
+        return good
+
+    def _between(self, low: int, bad: Trial | None, high: int, good: Trial) -> int:
+        """Columns at which the aim is met if errors fall as 1/n**2, between two numbers."""
+        if bad is None or bad.error <= self.aim or bad.error <= good.error:
+            return (low + high) // 2
+        share = (self.aim - good.error) / (bad.error - good.error)
+        inverse = (1 - share) / high**2 + share / low**2
+        columns = math.ceil(1 / math.sqrt(inverse))
+        return min(max(columns, low + 1), high - 1)
+
+    def _tradeoff(self) -> tuple[Trial, ...]:
+        """Trials that no other beats in both error and number of panels."""
+        kept: list[Trial] = []
+        made = [trial for trial in self.trials.values() if trial is not None]
+        for trial in sorted(made, key=lambda each: (each.panels, each.error)):
+            if not kept or trial.error < kept[-1].error:
+                kept.append(trial)
+        return tuple(kept)
+
+    def _refused(self) -> DesignError:
+        """What can be met, if the tolerance cannot."""
+        fitting = [trial for trial in self.trials.values() if trial is not None]
+        if not fitting:
+            assert self.refusal is not None
+            return self.refusal
+        limits = self.tolerance
+        allowed = [t for t in fitting if self._fits(t) and t.longest <= limits.panel_max]
+        nearest = min(allowed or fitting, key=lambda trial: trial.error)
+        return DesignError(
+            f"no shell of this family comes within {limits.surface:g} of the surface",
+            place=f"with panel edges from {limits.panel_min:g} to {limits.panel_max:g} and at most "
+            f"{self.most} rows and columns",
+            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {nearest.error:.4g} "
+            f"away, with edges from {nearest.shortest:.4g} to {nearest.longest:.4g}",
+            nearest=f"surface = {1.01 * nearest.error:.4g}"
+            if allowed
+            else "panel_min and panel_max farther apart",
+        )
+
+
+def _odd(number: float) -> int:
+    """The odd number nearest to a number."""
+    return max(1, 2 * round((number - 1) / 2) + 1)

@@ -1,0 +1,28 @@
+"""How close a shell is to a surface, both ways."""
+
+from orishell.deviation.describe import describe_deviation
+from orishell.deviation.measure import (
+    COARSE,
+    SAMPLES,
+    Deviation,
+    Distances,
+    locked_shell,
+    measure_approach,
+    measure_deviation,
+    measure_distance,
+)
+from orishell.deviation.signed import SignedDistances, measure_signed
+
+__all__ = [
+    "COARSE",
+    "SAMPLES",
+    "Deviation",
+    "Distances",
+    "SignedDistances",
+    "describe_deviation",
+    "locked_shell",
+    "measure_approach",
+    "measure_deviation",
+    "measure_distance",
+    "measure_signed",
+]

@@ -1,0 +1,176 @@
+"""Distances between a shell and a surface: exact, from samples, both ways.
+
+From every sample of either the distance to the nearest point of the other is exact, but for the
+sagitta of the surface's mesh. Between samples it is known by how far they are apart
+(:mod:`~orishell.deviation.patches`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.design import Design
+from orishell.deviation.mesh import mesh_shell, mesh_surface
+from orishell.deviation.patches import Patch
+from orishell.deviation.search import Cells, find_largest
+from orishell.deviation.triangles import Triangles
+from orishell.surface import Surface
+
+Array = NDArray[np.float64]
+
+SAMPLES = 100_000
+"""Samples each way by default: a second or two."""
+SEARCHED = 2
+"""So many times as many points are spent in search of the largest distance, at most."""
+COARSE = 3_000
+"""Samples each way for a first look: a twentieth of a second, for sheets of some hundred panels."""
+SHARE = 0.95
+"""The share of the area that is nearer than ``p95``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Distances:
+    """Distances from all of one surface to the nearest points of another (length).
+
+    Parameters
+    ----------
+    max
+        The largest.
+    rms, mean, p95
+        Root mean square, mean, and the distance below which 95 % of the area are.
+    sample_spacing
+        What is not known: the largest distance lies between max - sample_spacing and
+        max + sample_spacing.
+    grid_spacing
+        The same for rms, mean and p95; in practice these are far better known.
+    """
+
+    max: float
+    rms: float
+    mean: float
+    p95: float
+    sample_spacing: float
+    grid_spacing: float
+
+
+@dataclass(frozen=True, slots=True)
+class Deviation:
+    """Distances between a shell and a surface, both ways (length).
+
+    Parameters
+    ----------
+    shell_to_surface
+        From all points of the shell to the surface.
+    surface_to_shell
+        From all points of the surface to the shell.
+    """
+
+    shell_to_surface: Distances
+    surface_to_shell: Distances
+
+    @property
+    def max(self) -> float:
+        """The Hausdorff distance: the largest of both ways."""
+        return max(each.max for each in self._ways)
+
+    @property
+    def rms(self) -> float:
+        """Root mean square, the larger of both ways."""
+        return max(each.rms for each in self._ways)
+
+    @property
+    def mean(self) -> float:
+        """Mean, the larger of both ways."""
+        return max(each.mean for each in self._ways)
+
+    @property
+    def p95(self) -> float:
+        """The distance below which 95 % of the area are, the larger of both ways."""
+        return max(each.p95 for each in self._ways)
+
+    @property
+    def sample_spacing(self) -> float:
+        """By how much the largest distance may be off."""
+        return max(each.max + each.sample_spacing for each in self._ways) - self.max
+
+    @property
+    def _ways(self) -> tuple[Distances, Distances]:
+        return self.shell_to_surface, self.surface_to_shell
+
+
+def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
+    """Measure the locked shell of a design, flaps left out, against f swept along g.
+
+    Parameters
+    ----------
+    design
+        The design.
+    samples
+        Samples each way, about: all corners, edges and insides of panels are sampled at least.
+
+    Examples
+    --------
+    >>> from orishell import curve_from_formulas, design_parallel_repeating, parse_formula
+    >>> f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    >>> g = curve_from_formulas(None, parse_formula("5*sin(pi*x/10)"), 0, 20)
+    >>> design = design_parallel_repeating(f, g, rows=9, columns=11, xi=np.deg2rad(50))
+    >>> round(measure_deviation(design, samples=COARSE).max, 2)
+    0.23
+    """
+    return measure_distance(locked_shell(design), design.surface, samples=samples)
+
+
+def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | None:
+    """Measure the locked shell against what its family approaches instead, if that is known."""
+    if design.approached is None or design.approached.surface is None:
+        return None
+    return measure_distance(locked_shell(design), design.approached.surface, samples=samples)
+
+
+def locked_shell(design: Design) -> Array:
+    """Vertices (rows, n, 3) of the shell that meets the surface: columns 1 ... n.
+
+    Flaps and border strips are not part of it: they stand beyond the ends of g.
+    """
+    mechanism = design.mechanism
+    return mechanism.positions(mechanism.lock_drive)[:, mechanism.inner_columns]
+
+
+def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) -> Deviation:
+    """Measure panels, given by their vertices (rows, columns, 3), against a surface, both ways.
+
+    Parameters
+    ----------
+    shell
+        Vertices of plane panels.
+    surface
+        The surface.
+    samples
+        Samples each way, about.
+    """
+    mesh, sagitta = mesh_surface(surface, samples)
+    there = _measure(Patch.of_shell(shell, samples), mesh, sagitta, samples)
+    back = _measure(Patch.of_surface(surface, samples, shell), mesh_shell(shell), 0.0, samples)
+    return Deviation(there, back)
+
+
+def _measure(patch: Patch, other: Triangles, sagitta: float, samples: int) -> Distances:
+    """Distances from a patch to triangles that may be off by a sagitta."""
+    found = other.nearest(patch.points)
+    inside, share = patch.spread(found.distances)
+    order = np.argsort(inside, kind="stable")
+    place = int(np.searchsorted(np.cumsum(share[order]), SHARE))
+    cells = Cells.of_lattice(patch.u, patch.v, patch.points, found)
+    attained = float(found.distances.max())
+    largest, beyond = find_largest(cells, patch.at, other, attained, SEARCHED * samples)
+    return Distances(
+        max=largest,
+        rms=float(np.sqrt(share @ inside**2)),
+        mean=float(share @ inside),
+        p95=float(inside[order[min(place, len(order) - 1)]]),
+        sample_spacing=beyond + sagitta,
+        grid_spacing=float(patch.radii().max()) + sagitta,
+    )

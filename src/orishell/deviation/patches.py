@@ -1,0 +1,111 @@
+"""Samples of a surface given by two parameters, and the areas that they stand for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.deviation.search import At
+from orishell.panels import area_vectors
+from orishell.surface import Surface
+
+Array = NDArray[np.float64]
+
+MOST_LONGER = 30.0
+"""Samples are at most so many times farther apart in one direction than in the other."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Patch:
+    """Samples at all pairs of two parameters.
+
+    Parameters
+    ----------
+    at
+        Points (..., 3) at both parameters.
+    u, v
+        The parameters (A,) and (B,), increasing.
+    points
+        The samples (A, B, 3).
+    """
+
+    at: At
+    u: Array
+    v: Array
+    points: Array
+
+    @classmethod
+    def of_shell(cls, positions: Array, samples: int) -> Patch:
+        """About so many samples of panels (rows-1, columns-1), given by their vertices.
+
+        The parameters are row and column. Corners, edges and insides of all panels are among the
+        samples, however many panels there are.
+        """
+
+        def at(u: Array, v: Array) -> Array:
+            i, j = (
+                np.clip(np.floor(each), 0, count - 2).astype(np.intp)
+                for each, count in zip((u, v), positions.shape[:2], strict=True)
+            )
+            p, q = (u - i)[..., None], (v - j)[..., None]
+            above = positions[i, j] * (1 - q) + positions[i, j + 1] * q
+            below = positions[i + 1, j] * (1 - q) + positions[i + 1, j + 1] * q
+            return np.asarray(above * (1 - p) + below * p)
+
+        # Every panel alike in both directions: as many steps as its longest edge has.
+        down = np.linalg.norm(np.diff(positions, axis=0), axis=-1).max(axis=1)
+        right = np.linalg.norm(np.diff(positions, axis=1), axis=-1).max(axis=0)
+        step = float(np.sqrt(down.sum() * right.sum() / samples))
+        u, v = (_divided(np.maximum(np.rint(each / step), 2)) for each in (down, right))
+        return cls(at, u, v, at(u[:, None], v[None, :]))
+
+    @classmethod
+    def of_surface(cls, surface: Surface, samples: int, shell: Array) -> Patch:
+        """About so many samples of a surface, farther apart where the panels of a shell are long.
+
+        The shell is given by its vertices (rows, columns, 3).
+        """
+        wide = np.linalg.norm(np.diff(shell, axis=1), axis=-1).mean()
+        high = np.linalg.norm(np.diff(shell, axis=0), axis=-1).mean()
+        longer = float(np.clip(wide / high, 1 / MOST_LONGER, MOST_LONGER))
+        lattice = surface.lattice(np.sqrt(surface.area() / (longer * samples)), longer=longer)
+        return cls(surface.points, lattice.u, lattice.v, lattice.points)
+
+    def spread(self, distances: Array) -> tuple[Array, Array]:
+        """Distances (P,) inside the cells, bilinear between samples (A, B), and shares of the area.
+
+        At Gauss points, two by two a cell, so that squares are integrated exactly.
+        """
+        near = 0.5 + np.sqrt(1 / 12)
+        for _ in range(2):  # along both parameters
+            first, second = distances[:-1], distances[1:]
+            pairs = (near * first + (1 - near) * second, near * second + (1 - near) * first)
+            distances = np.stack(pairs, axis=1).reshape(-1, distances.shape[1]).T
+        areas = np.linalg.norm(area_vectors(_cells(self.points)), axis=-1)
+        shares = np.repeat(np.repeat(areas / (4 * areas.sum()), 2, axis=0), 2, axis=1)
+        return distances.ravel(), shares.ravel()
+
+    def radii(self) -> Array:
+        """For each cell (A-1, B-1), a length within which all of it has one of its corners."""
+        middle = self.at(
+            0.5 * (self.u[:-1] + self.u[1:])[:, None], 0.5 * (self.v[:-1] + self.v[1:])[None, :]
+        )
+        corners = _cells(self.points)
+        to_middle = np.linalg.norm(corners - middle[..., None, :], axis=-1).max(axis=-1)
+        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=-2), axis=-1).max(axis=-1)
+        return np.asarray(np.maximum(to_middle, 0.5 * edges))
+
+
+def _divided(parts: Array) -> Array:
+    """0, 1, 2 ... K with every unit divided into a number of parts (K,)."""
+    counts = parts.astype(np.intp)
+    unit = np.repeat(np.arange(len(counts)), counts)
+    within = np.arange(len(unit)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return np.concatenate([unit + within / counts[unit], [float(len(counts))]])
+
+
+def _cells(points: Array) -> Array:
+    """Corners (A-1, B-1, 4, 3) of every cell of samples (A, B, 3)."""
+    return np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=-2)

@@ -1,0 +1,72 @@
+"""Signed distances of a shell from a surface, for pictures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.deviation.mesh import mesh_surface
+from orishell.deviation.patches import Patch
+from orishell.surface import Surface
+
+Array = NDArray[np.float64]
+Booleans = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SignedDistances:
+    """Distances of points of a shell, positive on the side of the surface's normals.
+
+    Parameters
+    ----------
+    points
+        The points (A, B, 3), by rows and columns of the shell.
+    distances
+        Their distances (A, B).
+    creases
+        Which of the A rows and of the B columns of points lie along creases or borders.
+    strides
+        Only every so many-th row and column of creases is among them.
+    """
+
+    points: Array
+    distances: Array
+    creases: tuple[Booleans, Booleans]
+    strides: tuple[int, int]
+
+
+def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> SignedDistances:
+    """Measure about so many points of panels, given by their vertices (rows, columns, 3).
+
+    Parameters
+    ----------
+    shell
+        Vertices of plane panels.
+    surface
+        The surface.
+    samples
+        Number of points, about.
+    most
+        Rows and columns of panels at most: of a finer shell every k-th is taken, k odd so that
+        ridges and valleys still alternate.
+    """
+    (down, i), (right, j) = (_thinned(count, most) for count in shell.shape[:2])
+    patch = Patch.of_shell(shell[np.ix_(i, j)], samples)
+    mesh, _ = mesh_surface(surface, samples)
+    found = mesh.nearest(patch.points)
+    return SignedDistances(
+        points=patch.points,
+        distances=found.sides * found.distances,
+        creases=(patch.u == np.rint(patch.u), patch.v == np.rint(patch.v)),
+        strides=(down, right),
+    )
+
+
+def _thinned(count: int, most: int) -> tuple[int, NDArray[np.intp]]:
+    """A stride, and the lines that it keeps: the first, the second and so on, and the last two."""
+    stride = max(1, -(-(count - 1) // most))
+    stride += 1 - stride % 2
+    kept = np.concatenate([[0], np.arange(1, count - 1, stride), [count - 2, count - 1]])
+    return stride, np.unique(np.clip(kept, 0, count - 1))

@@ -1,0 +1,124 @@
+"""Exact distances of points to a surface of triangles, and how much it turns between places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+AT_ONCE = 200_000
+"""Points asked for at once: bounds the memory that answers take."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Nearest:
+    """The nearest points of a surface to given points (...).
+
+    Parameters
+    ----------
+    distances
+        Distances (...).
+    feet
+        The nearest points (..., 3).
+    cells
+        Rows and columns (..., 2) of the cells that they are in.
+    sides
+        +1 (...) where the given point is on the side of the cell's normal, otherwise -1.
+    """
+
+    distances: Array
+    feet: Array
+    cells: Integers
+    sides: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Triangles:
+    """A grid of points (A, B, 3) whose cells are two triangles each.
+
+    Parameters
+    ----------
+    vertices, corners
+        Vertices (A*B, 3) and the numbers (T, 3) of each triangle's corners, cell by cell.
+    columns
+        Cells in a row.
+    turning
+        Along rows and down columns of cells: running sums of how much edges turn from cell to
+        cell, and of how much opposite edges of a cell differ, at most (radians).
+    tree
+        libigl's tree of boxes.
+    """
+
+    vertices: Array
+    corners: Integers
+    columns: int
+    turning: tuple[tuple[Array, Array], tuple[Array, Array]]
+    tree: Any
+
+    @classmethod
+    def of(cls, points: Array, corners: Integers) -> Triangles:
+        """Prepare for questions about a grid (A, B, 3) and its triangles, cell by cell."""
+        import igl
+
+        vertices, corners = points.reshape(-1, 3), np.ascontiguousarray(corners)
+        tree = igl.AABB()
+        tree.init(vertices, corners)
+        turning = _turning(points), _turning(points.swapaxes(0, 1))
+        return cls(vertices, corners, points.shape[1] - 1, turning, tree)
+
+    def nearest(self, points: Array) -> Nearest:
+        """The nearest points to points (..., 3)."""
+        flat = np.ascontiguousarray(points.reshape(-1, 3))
+        feet, cells = np.empty_like(flat), np.empty((len(flat), 2), np.int64)
+        distances, sides = np.empty(len(flat)), np.empty(len(flat))
+        for k in range(0, len(flat), AT_ONCE):
+            part = slice(k, k + AT_ONCE)
+            squares, index, foot = self.tree.squared_distance(
+                self.vertices, self.corners, flat[part]
+            )
+            p, q, r = (self.vertices[self.corners[index, corner]] for corner in range(3))
+            side = np.einsum("ij,ij->i", np.cross(q - p, r - p), flat[part] - foot)
+            distances[part], feet[part] = np.sqrt(squares), foot
+            cells[part] = np.stack(np.divmod(index // 2, self.columns), axis=-1)
+            sides[part] = np.where(side < 0, -1.0, 1.0)
+        shape = points.shape[:-1]
+        return Nearest(
+            distances.reshape(shape),
+            feet.reshape(points.shape),
+            cells.reshape(*shape, 2),
+            sides.reshape(shape),
+        )
+
+    def turns(self, cells: Integers) -> Array:
+        """How much the surface and its border turn (...) between cells (K, ..., 2), at most."""
+        low, high = cells.min(axis=0), cells.max(axis=0)
+        total = np.zeros(low.shape[:-1])
+        for axis, (between, within) in enumerate(self.turning):
+            first, last = low[..., axis], high[..., axis]
+            total += between[last] - between[first] + within[last + 1] - within[first]
+        return np.where((low == high).all(axis=-1), 0.0, total)
+
+
+def _turning(points: Array) -> tuple[Array, Array]:
+    """Running sums, down the rows of cells of a grid (A, B, 3): turns between, and within them."""
+    down, right = _directions(np.diff(points, axis=0)), _directions(np.diff(points, axis=1))
+    between, within = _largest_angles(down), _largest_angles(right)
+    return np.cumsum(np.concatenate([[0.0], between])), np.cumsum(np.concatenate([[0.0], within]))
+
+
+def _directions(edges: Array) -> Array:
+    """Unit vectors; not a number where an edge has no length."""
+    length = np.linalg.norm(edges, axis=-1, keepdims=True)
+    return np.asarray(np.divide(edges, length, out=np.full_like(edges, np.nan), where=length > 0))
+
+
+def _largest_angles(directions: Array) -> Array:
+    """Largest angles (A-1,) between directions (A, B, 3) of neighbouring rows; pi for unknown."""
+    chord = np.linalg.norm(np.diff(directions, axis=0), axis=-1)
+    angles = 2 * np.arcsin(np.minimum(0.5 * np.nan_to_num(chord, nan=2.0), 1.0))
+    return np.asarray(angles.max(axis=1, initial=0.0))

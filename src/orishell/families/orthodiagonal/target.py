@@ -1,0 +1,50 @@
+"""The surfaces that a shell of this type is for: f slid along g, and what it approaches."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.curves import Trace, curve_from_points, trace_curve
+from orishell.design import Approached
+from orishell.families.orthodiagonal.mechanism import Orthodiagonal
+from orishell.polylines import Zigzag
+from orishell.surface import Path, Sliding, Surface
+
+STRAIGHT = 1e-9
+"""A g that leaves the columns' normal by less than this share of its length follows it."""
+
+
+def sweep(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Surface:
+    """f slid along g, which lies in the plane of the middle row.
+
+    The zigzag passes through g at its middle vertex.
+    """
+    rail = Sliding(Path.of(g), complex(np.exp(-1j * mechanism.heading)), mechanism.tilt)
+    return Surface(f, _origin(zigzag), rail)
+
+
+def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Approached | None:
+    """What the shell approaches: the cylinder over f along the common normal of its columns.
+
+    Rows shift along f, alternately to and fro, by what g leaves the normal. The edges of the
+    zigzag limit that: the finer it is, the less can g leave the normal.
+    """
+    t = np.exp(-1j * mechanism.heading)
+    normal = 1j * t
+    points = g.points @ np.array([1, 1j])
+    relative = (points - points[0]) * normal.conjugate()
+    leaves = float(np.ptp(relative.imag))
+    if leaves < STRAIGHT * g.length:
+        return None
+    ends = points[0] + np.array([relative.real.min(), relative.real.max()]) * normal
+    line = curve_from_points(np.stack([ends.real, ends.imag], axis=-1), smooth=False)
+    rail = Sliding(Path.of(trace_curve(line)), complex(t))
+    return Approached(
+        f"rows shift along f to and fro by what g leaves the columns' normal, {leaves:.4g}, and "
+        "the shell keeps to the cylinder over f along that normal",
+        Surface(f, _origin(zigzag), rail),
+    )
+
+
+def _origin(zigzag: Zigzag) -> np.ndarray:
+    return np.asarray(zigzag.vertices[len(zigzag.vertices) // 2])

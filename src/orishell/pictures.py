@@ -1,0 +1,99 @@
+"""The pictures of a designed shell: what of it is drawn, and the words with it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from orishell.choosing import Choice, Trial
+from orishell.design import Design
+from orishell.deviation import Deviation, locked_shell, measure_signed
+from orishell.locking import Lock
+from orishell.motion import FoldingMotion
+from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff
+from orishell.spec import DesignFile
+
+DRAWN_SAMPLES, DRAWN_PANELS = 20_000, 70
+"""Points of the shell, and rows or columns of panels, in the picture of its deviation."""
+
+
+def draw_pictures(
+    directory: Path,
+    file: DesignFile,
+    design: Design,
+    motion: FoldingMotion,
+    *,
+    lock: Lock,
+    deviation: Deviation,
+    choice: Choice | None,
+) -> None:
+    """Write ``overview.png``, ``deviation.png`` and, with a tolerance, ``tradeoff.png``.
+
+    Parameters
+    ----------
+    directory
+        Where to.
+    file, design, motion
+        What was asked for and made.
+    lock, deviation, choice
+        How the motion ends, how close the shell is to its surface, what it was chosen from.
+    """
+    plot_overview(
+        directory / "overview.png",
+        motion,
+        design.targets,
+        title=_title(file),
+        last=_last_state(lock),
+        unit=file.unit,
+        contact=_drawn(lock),
+    )
+    _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
+    if choice is not None and file.tolerance is not None:
+        plot_tradeoff(
+            directory / "tradeoff.png",
+            [_point(trial) for trial in choice.tradeoff],
+            _point(choice.trial),
+            file.tolerance.surface,
+            file.unit,
+        )
+
+
+def _point(trial: Trial) -> tuple[int, float, str]:
+    return trial.panels, trial.error, f"{trial.rows} × {trial.columns}"
+
+
+def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str) -> None:
+    largest, rms = f"{deviation.max:.3g} {unit}", f"{deviation.rms:.3g} {unit}"
+    signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
+    note = "Locked shell without flaps, coloured by its distance from f swept along g"
+    if signed.strides != (1, 1):
+        note += "; every {}th row, every {}th column drawn".format(*signed.strides)
+    plot_deviation(
+        path,
+        signed.points,
+        signed.distances,
+        signed.creases,
+        design.targets,
+        title=f"Deviation, both ways: max {largest}, rms {rms}",
+        note=note,
+        unit=unit,
+    )
+
+
+def _drawn(lock: Lock) -> DrawnContact | None:
+    """What the picture shows of a contact before the target."""
+    contact = lock.first_contact
+    if contact is None or not lock.early:
+        return None
+    return DrawnContact(contact.drive, contact.panels)
+
+
+def _last_state(lock: Lock) -> str:
+    if lock.early:
+        return "The target, which it does not reach"
+    return "Locked" if lock.cause == "flaps" else "Folded until it meets the target"
+
+
+def _title(file: DesignFile) -> str:
+    pattern = file.pattern
+    family = file.family.replace("-", " ").capitalize()
+    return f"{family}, {pattern.rows} × {pattern.columns} inner vertices"

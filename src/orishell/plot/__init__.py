@@ -1,0 +1,7 @@
+"""Pictures: all of matplotlib is in here."""
+
+from orishell.plot.deviation import plot_deviation
+from orishell.plot.overview import DrawnContact, plot_overview
+from orishell.plot.tradeoff import plot_tradeoff
+
+__all__ = ["DrawnContact", "plot_deviation", "plot_overview", "plot_tradeoff"]

@@ -1,0 +1,87 @@
+"""What the pictures share: the camera, the curves f and g, frames and line widths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+F_COLOUR, G_COLOUR = "#0a8f3c", "#b5179e"
+DPI = 200
+WIDTH = 13.0
+"""Of every picture, in inches."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Camera:
+    """Parallel projection from a direction given by azimuth and elevation (radians)."""
+
+    azimuth: float
+    elevation: float
+
+    def axes(self) -> tuple[Array, Array, Array]:
+        """Unit vectors to the right, up, and towards the viewer."""
+        ca, sa = np.cos(self.azimuth), np.sin(self.azimuth)
+        ce, se = np.cos(self.elevation), np.sin(self.elevation)
+        towards = np.array([ca * ce, sa * ce, se])
+        right = np.array([-sa, ca, 0.0])
+        return right, np.cross(towards, right), towards
+
+    def project(self, points: Array) -> tuple[Array, Array]:
+        """Picture coordinates (..., 2) and depth towards the viewer (...)."""
+        right, up, towards = self.axes()
+        return points @ np.stack([right, up], axis=-1), points @ towards
+
+
+def choose_camera(positions: Array) -> Camera:
+    """From above, looking across the longer side of the shell's plan."""
+    plan = positions[..., :2].reshape(-1, 2)
+    centred = plan - plan.mean(axis=0)
+    along = np.linalg.svd(centred, full_matrices=False)[2][0]
+    along = along if along[0] >= 0 else -along
+    azimuth = np.arctan2(along[1], along[0]) - np.deg2rad(58)
+    return Camera(float(azimuth), float(np.deg2rad(40)))
+
+
+def row_height(width: float, pictures: list[Array]) -> float:
+    """Height (inches) that shows pictures (..., 2) as wide as they may be, within reason."""
+    spans = [np.ptp(picture.reshape(-1, 2), axis=0) for picture in pictures]
+    return float(np.clip(width * max(span[1] / span[0] for span in spans), 1.6, 7.0)) + 0.9
+
+
+def line_width(picture: Array, inches: float, widest: float, share: float) -> float:
+    """Width (points) of a grid's edges (rows, columns, 2), drawn so wide: a part of its step."""
+    points = 72 * inches / float(np.ptp(picture[..., 0]))
+    steps = [np.linalg.norm(np.diff(picture, axis=axis), axis=-1) for axis in (0, 1)]
+    return float(np.clip(share * points * min(np.median(step) for step in steps), 0.1, widest))
+
+
+def draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> None:
+    """Target curves on top of the shell, with a pale outline."""
+    from matplotlib.patheffects import Normal, Stroke
+
+    names = {"f": (F_COLOUR, "f, the swept curve"), "g": (G_COLOUR, "g, swept along")}
+    for name, (colour, label) in names.items():
+        if name in targets:
+            curve = camera.project(targets[name])[0]
+            outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.8), Normal()]
+            axes.plot(*curve.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
+
+
+def frame(axes: Axes, picture: Array) -> None:
+    """Show all of a picture (P, 2), to scale and without axes."""
+    low, high = picture.min(axis=0), picture.max(axis=0)
+    margin = 0.03 * (high - low).max()
+    axes.set_xlim(low[0] - margin, high[0] + margin)
+    axes.set_ylim(low[1] - margin, high[1] + margin)
+    axes.set_aspect("equal")
+    axes.axis("off")

@@ -1,0 +1,88 @@
+"""How far the edges of a polyline leave a curve that they follow, edge by edge and to each side."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.curves import Trace
+from orishell.curves.jets import Array
+
+SAMPLES_PER_EDGE = 12
+"""Points of the curve taken along every edge, besides the samples of its trace."""
+REACH = 3.0
+"""Errors count for a vertex in full up to two thirds along its edges (1 - 1/REACH), then less and
+less: those at the far end are the next vertex's."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class EdgeErrors:
+    """Errors of a polyline of n vertices, each belonging to a point of the curve.
+
+    Parameters
+    ----------
+    largest
+        Largest distance (n-1,) between each edge and its piece of the curve.
+    swing
+        Half of the way (n-1,) from the largest error of each edge on one side to that on the other,
+        those at its far ends left out.
+    bias
+        Errors (n,) around each vertex: the largest to the left plus the largest to the right of the
+        curve (negative). Zero where they balance.
+    """
+
+    largest: Array
+    swing: Array
+    bias: Array
+
+
+def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> EdgeErrors:
+    """Measure every edge of a polyline against its piece of the curve.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    t
+        Parameters (n,) to which the vertices belong, increasing, from end to end.
+    vertices
+        Vertices (n, 2).
+    offsets
+        Their distances (n,) from the curve, positive to its left.
+    """
+    part = np.arange(1, SAMPLES_PER_EDGE) / SAMPLES_PER_EDGE
+    between = (t[:-1, None] * (1 - part) + t[1:, None] * part).ravel()
+    samples = np.concatenate([trace.t, between])
+    order = np.argsort(samples, kind="stable")
+    points = np.concatenate([trace.points, trace.curve.position(between)])[order]
+    edge = np.clip(np.searchsorted(t, samples[order], side="right") - 1, 0, len(t) - 2)
+    first = np.searchsorted(edge, np.arange(len(t) - 1))
+
+    span = np.diff(vertices, axis=0)
+    length = np.hypot(*span.T)
+    along, across = _components(points - vertices[edge], (span / length[:, None])[edge])
+    error = -across  # of the edge, positive to the left of the curve
+    beyond = np.maximum(np.maximum(-along, along - length[edge]), 0.0)
+    place = np.clip(along / length[edge], 0.0, 1.0)
+    left, right = np.minimum(1.0, REACH * (1 - place)), np.minimum(1.0, REACH * place)
+
+    # To the left and to the right of the curve, around the first and the last vertex of each edge.
+    ends = np.stack([offsets[:-1], offsets[1:]])
+    counted = error * np.stack([left, right])
+    high = np.maximum(np.maximum.reduceat(counted, first, axis=1), ends)
+    low = np.minimum(np.minimum.reduceat(counted, first, axis=1), ends)
+    highest, lowest = offsets.copy(), offsets.copy()
+    for side, vertex in enumerate((slice(None, -1), slice(1, None))):
+        highest[vertex] = np.maximum(highest[vertex], high[side])
+        lowest[vertex] = np.minimum(lowest[vertex], low[side])
+    largest = np.maximum.reduceat(np.hypot(error, beyond), first)
+    swing = np.hypot(0.5 * (high - low).max(axis=0), np.maximum.reduceat(beyond, first))
+    return EdgeErrors(np.maximum(largest, np.abs(ends).max(axis=0)), swing, highest + lowest)
+
+
+def _components(vectors: Array, unit: Array) -> tuple[Array, Array]:
+    """Of vectors (P, 2) along unit vectors (P, 2), and to the left of them."""
+    along: Array = (vectors * unit).sum(axis=1)
+    across: Array = unit[:, 0] * vectors[:, 1] - unit[:, 1] * vectors[:, 0]
+    return along, across

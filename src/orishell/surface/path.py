@@ -1,0 +1,124 @@
+"""A trace cut at its corners: each piece is smooth, and is left along its end tangents."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Trace
+from orishell.curves.trace import SMALLEST_CELL
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Integers = NDArray[np.intp]
+
+EVEN = 1e-6
+"""Stations that nothing asks for are spread evenly: so many along the whole curve."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Path:
+    """The pieces of a curve between its corners.
+
+    Points and directions are complex numbers x + iy.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    nodes
+        Samples (K+1,) of the trace at which its K pieces begin and end.
+    last
+        The last parameter (K,) at which the curve's derivative is that of the piece.
+    """
+
+    trace: Trace
+    nodes: Integers
+    last: Array
+
+    @classmethod
+    def of(cls, trace: Trace) -> Path:
+        """Cut a trace at its corners."""
+        nodes = np.concatenate([[0], trace.corners, [len(trace.t) - 1]])
+        ends = nodes[1:]
+        last = np.nextafter(trace.t[ends], -np.inf)
+        # A corner that was found inside the smallest cell stands at this cell's end.
+        tiny = trace.t[ends] - trace.t[ends - 1] <= 2 * SMALLEST_CELL * np.ptp(trace.t)
+        last = np.where(tiny, trace.t[ends - 1], last)
+        last[-1] = trace.t[-1]
+        return cls(trace, nodes, last)
+
+    def __len__(self) -> int:
+        return len(self.nodes) - 1
+
+    @property
+    def lengths(self) -> Array:
+        """Arc lengths (K,) of the pieces."""
+        return np.asarray(np.diff(self.trace.arc[self.nodes]))
+
+    @property
+    def straight(self) -> NDArray[np.bool_]:
+        """Whether each piece (K,) does not turn."""
+        turn = np.abs(self.trace.arriving[1:] - self.trace.heading[:-1])
+        return np.asarray(np.add.reduceat(turn, self.nodes[:-1]) < 1e-9)
+
+    def corner_turns(self) -> Array:
+        """Turns (K-1,) at the corners, positive to the left (radians)."""
+        at = self.nodes[1:-1]
+        return np.asarray(self.trace.heading[at] - self.trace.arriving[at])
+
+    def at(self, piece: Integers, arc: Array) -> tuple[Complex, Array, Array]:
+        """Points, directions (radians, continuous along a piece) and curvatures on pieces (...).
+
+        ``arc`` (...) counts from the beginning of the piece; beyond its ends the curve goes on
+        straight.
+        """
+        trace = self.trace
+        inside = np.clip(arc, 0.0, self.lengths[piece])
+        at = trace.arc[self.nodes[piece]] + inside
+        t = np.interp(at, trace.arc, trace.t)
+        within = np.minimum(t, self.last[piece])
+        position, first, second = trace.curve.jet(within)
+        late = t > within
+        if late.any():
+            position = np.where(late[..., None], trace.curve.position(t), position)
+        rough = np.interp(within, trace.t, trace.heading)
+        turned = np.arctan2(first[..., 1], first[..., 0]) - rough
+        heading = rough + np.mod(turned + np.pi, 2 * np.pi) - np.pi
+        speed = np.hypot(first[..., 0], first[..., 1])
+        bend = (first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]) / speed**3
+        beyond = arc - inside
+        point = position @ np.array([1, 1j]) + beyond * np.exp(1j * heading)
+        return point, heading, np.where(beyond == 0, bend, 0.0)
+
+    def stations(self, step: float, sagitta: float, reach: Array) -> Array:
+        """Places along the path, as piece + share of the piece, close enough to join by chords.
+
+        Parameters
+        ----------
+        step
+            Largest distance of neighbours, about.
+        sagitta
+            Largest distance of a chord from the curve, about.
+        reach
+            How far the curves reach that go beside each piece (K,), on its outer side: their
+            steps and sagittas count. 0 for the path itself.
+        """
+        trace = self.trace
+        cells = np.diff(trace.arc)
+        turn = np.abs(trace.arriving[1:] - trace.heading[:-1])
+        piece = np.repeat(np.arange(len(self)), np.diff(self.nodes))
+        outer = cells + reach[piece] * turn
+        need = np.maximum(outer / step, np.sqrt(outer * turn / (8 * sagitta)))
+        need = np.maximum(need, EVEN * cells / trace.length)
+        progress = np.concatenate([[0.0], np.cumsum(need)])
+        found = []
+        for k, (a, b) in enumerate(zip(self.nodes[:-1], self.nodes[1:], strict=True)):
+            count = max(int(np.ceil(progress[b] - progress[a])), 1)
+            goals = np.linspace(progress[a], progress[b], count + 1)[:-1]
+            arc = np.interp(goals, progress[a : b + 1], trace.arc[a : b + 1])
+            share = (arc - trace.arc[a]) / (trace.arc[b] - trace.arc[a])
+            found.append(k + np.minimum(share, 1.0))
+        return np.concatenate([*found, [float(len(self))]])

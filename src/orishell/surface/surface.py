@@ -1,0 +1,137 @@
+"""The surface f swept along g, its points and normals, and lattices of them as fine as wanted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Trace
+from orishell.panels import area_vectors
+from orishell.surface.path import Path
+from orishell.surface.rails import Rail
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+FIRST_LATTICE = 48
+"""Steps along the longer side of the first lattice, that tells how large a surface is."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lattice:
+    """Points of a surface at all pairs of places along g and parameters of f.
+
+    Parameters
+    ----------
+    u, v
+        Places along g (A,) and parameters of f (B,), increasing.
+    points
+        Points (A, B, 3).
+    """
+
+    u: Array
+    v: Array
+    points: Array
+
+    def triangles(self) -> Integers:
+        """Corners (T, 3) of triangles, two a cell, by row of ``points`` as (A*B, 3).
+
+        Counter-clockwise seen from the side of the surface's normals.
+        """
+        rows, columns = self.points.shape[:2]
+        number = np.arange(rows * columns).reshape(rows, columns)
+        a, b = number[:-1, :-1], number[:-1, 1:]
+        c, d = number[1:, 1:], number[1:, :-1]
+        return np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
+
+    def area(self) -> float:
+        """Area of its cells."""
+        return float(np.linalg.norm(area_vectors(_cells(self.points)), axis=-1).sum())
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surface:
+    """f carried along g, upright: z is f's y axis.
+
+    Parameters
+    ----------
+    profile
+        f, run through along its x axis.
+    origin
+        The point (2,) of f's plane that is carried along g itself.
+    rail
+        How it is carried.
+
+    Examples
+    --------
+    >>> from orishell.curves import curve_from_formulas, parse_formula, trace_curve
+    >>> f = trace_curve(curve_from_formulas(None, parse_formula("-x**2"), -1, 1))
+    >>> g = trace_curve(curve_from_formulas(None, parse_formula("0*x"), 0, 3))
+    >>> from orishell.surface import Path, Turning
+    >>> surface = Surface(f, np.zeros(2), Turning(Path.of(g), np.pi / 2))
+    >>> surface.points(np.array(1.0), np.array(0.5))
+    array([ 3.  , -0.5 , -0.25])
+    """
+
+    profile: Trace
+    origin: Array
+    rail: Rail
+
+    def points(self, u: Array, v: Array) -> Array:
+        """Points (..., 3) at places u along g (...) and parameters v of f (...)."""
+        x, z = np.moveaxis(self.profile.curve.position(v) - self.origin, -1, 0)
+        points = self.rail.carry(u, x)[0]
+        points[..., 2] += z
+        return points
+
+    def normals(self, u: Array, v: Array) -> Array:
+        """Unit normals (..., 3), to the left of f as it is run through: upwards where f is level.
+
+        At corners of f they are those of its later side.
+        """
+        position, first, _ = self.profile.curve.jet(np.asarray(v, dtype=np.float64))
+        x = position[..., 0] - self.origin[0]
+        _, along, axis = self.rail.carry(u, x)
+        across = first[..., :1] * axis + first[..., 1:] * np.array([0.0, 0.0, 1.0])
+        normal = np.cross(across, along)
+        normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+        return np.asarray(normal)
+
+    def lattice(self, step: float, sagitta: float = np.inf, longer: float = 1.0) -> Lattice:
+        """Points close enough together, all corners of f and g among them.
+
+        Parameters
+        ----------
+        step
+            Largest distance of neighbours along f, about.
+        sagitta
+            Largest distance of a cell from the surface, about.
+        longer
+            Neighbours along g may be so many times farther apart.
+        """
+        x = self.profile.points[:, 0] - self.origin[0]
+        u = self.rail.stations(longer * step, sagitta, (float(x.min()), float(x.max())))
+        of_f = Path.of(self.profile)
+        places = of_f.stations(step, sagitta, np.zeros(len(of_f)))
+        piece = np.minimum(places, len(of_f) - 1).astype(np.intp)
+        begin, end = (self.profile.arc[of_f.nodes[piece + k]] for k in (0, 1))
+        v = np.interp(begin + (places - piece) * (end - begin), self.profile.arc, self.profile.t)
+        return Lattice(u, v, self.points(u[:, None], v[None, :]))
+
+    def area(self, step: float | None = None) -> float:
+        """Area, of cells with sides of about ``step``."""
+        return self.lattice(self.size() / FIRST_LATTICE if step is None else step).area()
+
+    def size(self) -> float:
+        """A length of the order of its diameter: f's and g's extent."""
+        x = self.profile.points
+        u = self.rail.stations(np.inf, np.inf, (0.0, 0.0))
+        g = self.rail.carry(np.linspace(0.0, self.rail.stop, 64 + len(u)), np.zeros(()))[0]
+        return float(np.linalg.norm(np.ptp(g, axis=0)) + np.linalg.norm(np.ptp(x, axis=0)))
+
+
+def _cells(points: Array) -> Array:
+    """Corners (A-1, B-1, 4, 3) of every cell of a lattice."""
+    return np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=-2)

@@ -1,0 +1,97 @@
+"""From a design file with a tolerance to the pattern with the fewest panels that meets it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict
+
+import numpy as np
+
+from orishell.choosing import Choice, Measured, Tolerance, Trial, choose
+from orishell.design import Design
+from orishell.deviation import COARSE, measure_deviation
+from orishell.errors import DesignError
+from orishell.spec import DesignFile, Pattern, require_memory
+
+CAREFUL = 40_000
+"""Samples each way of the measure that decides; the search before it takes a coarse one."""
+
+
+def meet_tolerance(
+    file: DesignFile, tolerance: Tolerance, advanced: Callable[[float], None] | None = None
+) -> tuple[Pattern, Choice]:
+    """Choose rows, columns and what else a design file leaves open.
+
+    Parameters
+    ----------
+    file
+        The design file.
+    tolerance
+        Its tolerance.
+    advanced
+        Called with the share that is done, roughly.
+
+    Returns
+    -------
+    tuple
+        The pattern, and what it was chosen from.
+
+    Raises
+    ------
+    DesignError
+        If no pattern meets the tolerance; says what can be met.
+    InputError
+        If the pattern would be too large for its frames.
+    """
+    found: list[tuple[Pattern, Choice]] = []
+    refusals: list[DesignError] = []
+    variants = file.pattern.variants(tolerance)
+    for number, variant in enumerate(variants):
+
+        def make(rows: int, columns: int, variant: Pattern = variant) -> Design:
+            return variant.sized(rows, columns).design(file.f, file.g)
+
+        def shown(share: float, number: int = number) -> None:
+            if advanced is not None:
+                advanced((number + share) / len(variants))
+
+        try:
+            choice = choose(make, measure, tolerance, shown, most=variant.most)
+        except DesignError as error:
+            refusals.append(error)
+            continue
+        found.append((variant.sized(choice.trial.rows, choice.trial.columns), choice))
+    if not found:
+        raise refusals[0]
+    pattern, choice = min(found, key=lambda each: each[1].trial.panels)
+    require_memory(file.path, pattern, file.frames)
+    return pattern, choice
+
+
+def measure(design: Design, careful: bool) -> Measured:
+    """Distance of a design from its surface, and the edges of its panels, flaps left out."""
+    deviation = measure_deviation(design, samples=CAREFUL if careful else COARSE)
+    mechanism = design.mechanism
+    flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
+    edges = [np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (0, 1)]
+    return Measured(
+        deviation.max,
+        float(min(each.min() for each in edges)),
+        float(max(each.max() for each in edges)),
+    )
+
+
+def describe_choice(choice: Choice, tolerance: Tolerance) -> dict[str, object]:
+    """The table ``chosen`` of ``report.json``."""
+
+    def described(trial: Trial) -> dict[str, object]:
+        return asdict(trial)
+
+    return {
+        "tolerance": tolerance.surface,
+        "panel_min": tolerance.panel_min,
+        "panel_max": tolerance.panel_max if np.isfinite(tolerance.panel_max) else None,
+        **described(choice.trial),
+        "designs_tried": choice.tried,
+        "tradeoff": [described(trial) for trial in choice.tradeoff],
+    }
