@@ -14,13 +14,15 @@ MOST = 201
 """Rows and columns tried at most, unless said otherwise."""
 GROWTH = 1.6
 """Steps of the first, coarse search."""
-SPREAD = (0.62, 1.6, 0.8, 1.25, 0.9, 1.1)
+SPREAD = (0.25, 0.62, 1.6, 0.8, 1.25, 0.9, 1.1)
 """Numbers of rows beside the best so far, for each of which the fewest columns are sought."""
 STALE = 3
 """Steps of the coarse search that come no nearer, after which it is given up."""
+TRIALS, FURTHER = 60, 6
+"""Designs after which the search is content with what it has, at first and when aimed anew."""
 RETRIES = 4
 """Times that the search is aimed anew, where the careful measure differs from the quick one."""
-NEAR = 0.97
+NEAR = 0.95
 """A design whose error is this share of the tolerance is near enough to it."""
 
 
@@ -138,7 +140,7 @@ class _Search:
         most: int,
     ) -> None:
         self.make, self.measure, self.tolerance, self.advanced = make, measure, tolerance, advanced
-        self.most = most
+        self.most, self.budget = most, 0
         self.aim = tolerance.surface
         self.trials: dict[tuple[int, int], Trial | None] = {}
         self.refusal: DesignError | None = None
@@ -147,12 +149,13 @@ class _Search:
         """Search, look carefully at what is found, and aim anew if that differs."""
         limit = self.tolerance.surface
         kept: Trial | None = None
-        for _ in range(RETRIES):
+        for attempt in range(RETRIES):
+            self.budget = len(self.trials) + (FURTHER if attempt else TRIALS)
             best = self._improved(self._first())
             careful = self._trial_of(best.rows, best.columns, True)
             if careful.error <= limit and (kept is None or careful.panels < kept.panels):
                 kept = careful
-            if kept is not None and (careful.error > limit or careful.error >= NEAR * limit):
+            if kept is not None and (attempt or careful.error >= NEAR * limit):
                 break
             self.aim = (NEAR if careful.error > limit else 1) * limit * best.error / careful.error
         if kept is None:
@@ -234,6 +237,8 @@ class _Search:
         while again:
             again = False
             for factor, step in (*((factor, 0) for factor in SPREAD), (1, -2), (1, 2)):
+                if len(self.trials) > self.budget:
+                    return best
                 rows = _odd(best.rows * factor) + step
                 better = self._fewest_columns(rows, best) if 1 <= rows <= self.most else None
                 if better is not None:

@@ -9,12 +9,12 @@ import numpy as np
 
 from orishell.choosing import Choice, Measured, Tolerance, Trial, choose
 from orishell.design import Design
-from orishell.deviation import COARSE, measure_deviation
+from orishell.deviation import measure_deviation
 from orishell.errors import DesignError
 from orishell.spec import DesignFile, Pattern, require_memory
 
-CAREFUL = 40_000
-"""Samples each way of the measure that decides; the search before it takes a coarse one."""
+QUICK, CAREFUL = 1_000, 15_000
+"""Samples each way of the measure in the search, and of the one that decides."""
 
 
 def meet_tolerance(
@@ -70,7 +70,7 @@ def meet_tolerance(
 
 def measure(design: Design, careful: bool) -> Measured:
     """Distance of a design from its surface, and the edges of its panels, flaps left out."""
-    deviation = measure_deviation(design, samples=CAREFUL if careful else COARSE)
+    deviation = measure_deviation(design, samples=CAREFUL if careful else QUICK)
     mechanism = design.mechanism
     flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
     edges = [np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (0, 1)]
