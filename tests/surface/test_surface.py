@@ -232,3 +232,21 @@ def test_triangles_face_the_normals() -> None:
     assert (normals[:, 2] > 0).all()
     area = 0.5 * np.linalg.norm(normals, axis=1).sum()
     assert area == pytest.approx(surface.area(0.02), rel=1e-2)
+
+
+def test_many_corners_are_not_all_kept() -> None:
+    x = np.linspace(0, 20, 1500)
+    wave = curve_from_points(np.stack([x, 5 * np.sin(np.pi * x / 10)], axis=-1), smooth=False)
+    x = np.linspace(-1, 1, 1000)
+    arch = curve_from_points(np.stack([x, -(x**2)], axis=-1), smooth=False)
+    surface = turning(arch, wave)
+    lattice = surface.lattice(0.5, 1e-3)
+    assert lattice.points.size < 3e5
+    assert 0 < lattice.left_out < 3e-3
+    smooth = turning(graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20))
+    assert lattice.area() == pytest.approx(smooth.area(0.1), rel=1e-3)
+    # Noise that moves what is far from g by much is kept.
+    noise = 0.002 * np.random.default_rng(0).normal(size=1500)
+    x = np.linspace(0, 20, 1500)
+    rough = curve_from_points(np.stack([x, noise], axis=-1), smooth=False)
+    assert len(turning(arch, rough).lattice(0.5, 1e-3).u) > 1400

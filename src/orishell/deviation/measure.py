@@ -171,6 +171,6 @@ def _measure(patch: Patch, other: Triangles, sagitta: float, samples: int) -> Di
         rms=float(np.sqrt(share @ inside**2)),
         mean=float(share @ inside),
         p95=float(inside[order[min(place, len(order) - 1)]]),
-        sample_spacing=beyond + sagitta,
-        grid_spacing=float(patch.radii().max()) + sagitta,
+        sample_spacing=beyond + sagitta + patch.left_out,
+        grid_spacing=float(patch.radii().max()) + sagitta + patch.left_out,
     )

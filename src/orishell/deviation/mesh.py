@@ -35,7 +35,7 @@ def mesh_surface(surface: Surface, samples: int) -> tuple[Triangles, float]:
         step *= 2
         lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS)
     triangles = Triangles.of(lattice.points, lattice.triangles())
-    return triangles, sagitta(surface, lattice)
+    return triangles, sagitta(surface, lattice) + lattice.left_out
 
 
 def sagitta(surface: Surface, lattice: Lattice) -> float:

@@ -29,12 +29,15 @@ class Patch:
         The parameters (A,) and (B,), increasing.
     points
         The samples (A, B, 3).
+    left_out
+        How far the corners of a surface that are not sampled are from what joins the samples.
     """
 
     at: At
     u: Array
     v: Array
     points: Array
+    left_out: float
 
     @classmethod
     def of_shell(cls, positions: Array, samples: int) -> Patch:
@@ -59,7 +62,7 @@ class Patch:
         right = np.linalg.norm(np.diff(positions, axis=1), axis=-1).max(axis=0)
         step = float(np.sqrt(down.sum() * right.sum() / samples))
         u, v = (_divided(np.maximum(np.rint(each / step), 2)) for each in (down, right))
-        return cls(at, u, v, at(u[:, None], v[None, :]))
+        return cls(at, u, v, at(u[:, None], v[None, :]), 0.0)
 
     @classmethod
     def of_surface(cls, surface: Surface, samples: int, shell: Array) -> Patch:
@@ -71,7 +74,7 @@ class Patch:
         high = np.linalg.norm(np.diff(shell, axis=0), axis=-1).mean()
         longer = float(np.clip(wide / high, 1 / MOST_LONGER, MOST_LONGER))
         lattice = surface.lattice(np.sqrt(surface.area() / (longer * samples)), longer=longer)
-        return cls(surface.points, lattice.u, lattice.v, lattice.points)
+        return cls(surface.points, lattice.u, lattice.v, lattice.points, lattice.left_out)
 
     def spread(self, distances: Array) -> tuple[Array, Array]:
         """Distances (P,) inside the cells, bilinear between samples (A, B), and shares of the area.

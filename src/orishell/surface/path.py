@@ -16,6 +16,10 @@ Integers = NDArray[np.intp]
 
 EVEN = 1e-6
 """Stations that nothing asks for are spread evenly: so many along the whole curve."""
+ROUNDING = 1e-9
+"""A count may exceed a whole number by this share of itself."""
+FEW = 64
+"""Corners up to so many are all kept."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,6 +100,8 @@ class Path:
     def stations(self, step: float, sagitta: float, reach: Array) -> Array:
         """Places along the path, as piece + share of the piece, close enough to join by chords.
 
+        Pieces that are too short to matter share a chord with the next.
+
         Parameters
         ----------
         step
@@ -115,10 +121,29 @@ class Path:
         need = np.maximum(need, EVEN * cells / trace.length)
         progress = np.concatenate([[0.0], np.cumsum(need)])
         found = []
-        for k, (a, b) in enumerate(zip(self.nodes[:-1], self.nodes[1:], strict=True)):
-            count = max(int(np.ceil(progress[b] - progress[a])), 1)
-            goals = np.linspace(progress[a], progress[b], count + 1)[:-1]
+        chords = np.ceil(np.diff(progress[self.nodes]) * (1 - ROUNDING))
+        for k in np.flatnonzero(self._kept(progress, sagitta, reach)):
+            a, b = self.nodes[k], self.nodes[k + 1]
+            goals = np.linspace(progress[a], progress[b], max(int(chords[k]), 1) + 1)[:-1]
             arc = np.interp(goals, progress[a : b + 1], trace.arc[a : b + 1])
             share = (arc - trace.arc[a]) / (trace.arc[b] - trace.arc[a])
             found.append(k + np.minimum(share, 1.0))
         return np.concatenate([*found, [float(len(self))]])
+
+    def _kept(self, progress: Array, sagitta: float, reach: Array) -> NDArray[np.bool_]:
+        """Which pieces (K,) begin with a station, others being so short that they need none.
+
+        A corner counts as if its turn were spread over the pieces beside it.
+        """
+        if len(self) <= FEW:
+            return np.ones(len(self), np.bool_)
+        half = 0.5 * np.concatenate([[0.0], np.abs(self.corner_turns()), [0.0]])
+        turn = half[:-1] + half[1:]
+        bends = np.sqrt((self.lengths + reach * turn) * turn / (8 * sagitta))
+        need = np.maximum(np.diff(progress[self.nodes]), bends)
+        sums = np.concatenate([[0.0], np.cumsum(need)])
+        kept = np.concatenate([[True], np.floor(sums[1:-1]) > np.floor(sums[:-2])])
+        long = need >= 1
+        kept |= long
+        kept[1:] |= long[:-1]
+        return np.asarray(kept)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,8 @@ from orishell.surface.rails import Rail
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
+LOOSE = 20.0
+"""A lattice leaves the surface by about its step over this, if nothing else is asked for."""
 FIRST_LATTICE = 48
 """Steps along the longer side of the first lattice, that tells how large a surface is."""
 
@@ -29,11 +33,14 @@ class Lattice:
         Places along g (A,) and parameters of f (B,), increasing.
     points
         Points (A, B, 3).
+    left_out
+        How far the surface's corners that are not among them are from the chords beside them.
     """
 
     u: Array
     v: Array
     points: Array
+    left_out: float
 
     def triangles(self) -> Integers:
         """Corners (T, 3) of triangles, two a cell, by row of ``points`` as (A*B, 3).
@@ -99,8 +106,8 @@ class Surface:
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         return np.asarray(normal)
 
-    def lattice(self, step: float, sagitta: float = np.inf, longer: float = 1.0) -> Lattice:
-        """Points close enough together, all corners of f and g among them.
+    def lattice(self, step: float, sagitta: float | None = None, longer: float = 1.0) -> Lattice:
+        """Points close enough together, corners of f and g among them unless these are many.
 
         Parameters
         ----------
@@ -111,14 +118,25 @@ class Surface:
         longer
             Neighbours along g may be so many times farther apart.
         """
+        if sagitta is None:
+            sagitta = step / LOOSE
         x = self.profile.points[:, 0] - self.origin[0]
-        u = self.rail.stations(longer * step, sagitta, (float(x.min()), float(x.max())))
+        reach = float(x.min()), float(x.max())
+        u = self.rail.stations(longer * step, sagitta, reach)
         of_f = Path.of(self.profile)
         places = of_f.stations(step, sagitta, np.zeros(len(of_f)))
         piece = np.minimum(places, len(of_f) - 1).astype(np.intp)
         begin, end = (self.profile.arc[of_f.nodes[piece + k]] for k in (0, 1))
         v = np.interp(begin + (places - piece) * (end - begin), self.profile.arc, self.profile.t)
-        return Lattice(u, v, self.points(u[:, None], v[None, :]))
+        left_out = _left_out(places, lambda at: self.profile.points[of_f.nodes[at.astype(np.intp)]])
+        left_out += max(
+            _left_out(u, partial(self._carried, np.asarray(each))) for each in (*reach, 0.0)
+        )
+        return Lattice(u, v, self.points(u[:, None], v[None, :]), left_out)
+
+    def _carried(self, x: Array, u: Array) -> Array:
+        """Points (..., 3) of the curve that x is carried along."""
+        return self.rail.carry(u, x)[0]
 
     def area(self, step: float | None = None) -> float:
         """Area, of cells with sides of about ``step``."""
@@ -130,6 +148,20 @@ class Surface:
         u = self.rail.stations(np.inf, np.inf, (0.0, 0.0))
         g = self.rail.carry(np.linspace(0.0, self.rail.stop, 64 + len(u)), np.zeros(()))[0]
         return float(np.linalg.norm(np.ptp(g, axis=0)) + np.linalg.norm(np.ptp(x, axis=0)))
+
+
+def _left_out(places: Array, at: Callable[[Array], Array]) -> float:
+    """How far points at whole numbers are from the chords between places (A,), at most."""
+    missing = np.setdiff1d(np.arange(places[-1] + 1), places)
+    if not len(missing):
+        return 0.0
+    after = np.searchsorted(places, missing)
+    # The ends of chords that pass corners are corners.
+    point, start, end = (at(each) for each in (missing, places[after - 1], places[after]))
+    chord = end - start
+    share = (chord * (point - start)).sum(axis=-1) / (chord * chord).sum(axis=-1)
+    foot = start + np.clip(share, 0, 1)[:, None] * chord
+    return float(np.linalg.norm(point - foot, axis=-1).max())
 
 
 def _cells(points: Array) -> Array:
