@@ -64,7 +64,7 @@ def _point(trial: Trial) -> tuple[int, float, str]:
 def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str) -> None:
     largest, rms = f"{deviation.max:.3g} {unit}", f"{deviation.rms:.3g} {unit}"
     signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
-    note = "Locked shell without flaps, coloured by its distance from f swept along g"
+    note = "Shell at its target, flaps left out, coloured by its distance from f swept along g"
     if signed.strides != (1, 1):
         note += "; every {}th row, every {}th column drawn".format(*signed.strides)
     plot_deviation(

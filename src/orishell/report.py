@@ -205,7 +205,7 @@ def design_shell(
 
 
 def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> list[Path]:
-    """Write ``shell.fold``, ``report.json`` and the two pictures: all of them or none.
+    """Write ``shell.fold``, ``report.json`` and the pictures: all of them or none.
 
     Raises
     ------

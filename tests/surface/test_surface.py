@@ -108,7 +108,8 @@ def test_points_of_an_affine_sweep(plane_deg: float) -> None:
     np.testing.assert_allclose(points - middle, v[:, None] * axis, atol=1e-12)
     # All points of f are carried parallel to g.
     np.testing.assert_allclose(np.cross(along, tangent)[:, 2], z, atol=1e-12)
-    low, high = surface.rail.scale_range()  # type: ignore[attr-defined]
+    assert isinstance(surface.rail, Turning)
+    low, high = surface.rail.scale_range()
     assert low == pytest.approx(stretch.min(), rel=1e-3)
     assert high == pytest.approx(stretch.max(), rel=1e-3)
 
@@ -121,7 +122,8 @@ def test_a_corner_of_g_is_a_mitre() -> None:
     np.testing.assert_allclose(surface.points(np.ones(3), np.array([-1.0, 0, 1])),
                                [[2, 1, 0], [3, 0, 0], [4, -1, 0]], atol=1e-12)  # fmt: skip
     slanted = turning(flat, corner, np.deg2rad(70), affine=True)
-    ends = slanted.rail.scales()  # type: ignore[attr-defined]
+    assert isinstance(slanted.rail, Turning)
+    ends = slanted.rail.scales()
     jump = np.sin(np.deg2rad(70 + 45)) / np.sin(np.deg2rad(70 - 45))
     np.testing.assert_allclose(ends, [[1, 1], [jump, jump]], rtol=1e-12)
 
@@ -161,7 +163,8 @@ def meets_targets(design: Design) -> None:
     f = surface.points(np.zeros(()), surface.profile.t)
     size = np.ptp(design.targets["g"]) + np.ptp(f)
     np.testing.assert_allclose(f, design.targets["f"], atol=1e-9 * size)
-    path = surface.rail.path  # type: ignore[attr-defined]
+    assert isinstance(surface.rail, Turning | Sliding)
+    path = surface.rail.path
     if len(path) == 1:
         u = path.trace.arc / path.trace.length
         g = surface.rail.carry(u, np.zeros(()))[0]

@@ -147,8 +147,9 @@ def _lock_lines(shell: Shell) -> list[str]:
         return [f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"]
     if lock.cause == "clash":
         first, second = (list(panel) for panel in contact.panels)
+        met = "" if lock.early else f", beyond the target at {in_degrees(lock.target)} deg"
         return [
-            f"lock      at {in_degrees(lock.drive)} deg: panels {first} and {second} clash "
+            f"lock      at {in_degrees(lock.drive)} deg{met}: panels {first} and {second} clash "
             f"({contact.kind}), none before: {proved}"
         ]
     what = "by its flaps" if lock.cause == "flaps" else "by a crease folded flat"
