@@ -134,6 +134,15 @@ def test_depth_too_small_to_alternate() -> None:
     refusal(request(depth=0.98 * mended.options["depth"], g=STRAIGHT))
 
 
+def test_depth_that_alternates_barely_is_mended_too() -> None:
+    # Rows that hardly turn admit hardly any g: far greater depths must be looked at.
+    f = curve_from_points([(0, 0), (1, 0), (2, 0.5), (2.5, 0), (3, 0)], smooth=False)
+    what = request(f, graph("x**2", 0, 2), depth=0.0214, rows=17, columns=3, heading="auto")
+    (mended,) = what.remedies(refusal(what))
+    assert "turn left" not in _condition(mended)
+    assert mended.remedies(refusal(mended))[0].design()
+
+
 def _condition(what: OrthodiagonalRequest) -> str:
     try:
         what.design()

@@ -97,9 +97,9 @@ def bisect(good: float, bad: float, works: Callable[[float], bool]) -> float:
     return good
 
 
-def as_typed(value: float, works: Callable[[float], bool]) -> str:
-    """The value in as few digits, at least four, as still work when they are typed in."""
-    texts = (f"{value:.{digits}g}" for digits in range(4, 17))
+def as_typed(value: float, works: Callable[[float], bool], fewest: int = 4) -> str:
+    """The value in as few digits, at least ``fewest``, as still work when they are typed in."""
+    texts = (f"{value:.{digits}g}" for digits in range(fewest, 17))
     return next((text for text in texts if works(float(text))), repr(value))
 
 

@@ -25,7 +25,7 @@ DEPTHS = 40
 """Depths tried in either direction in search of one that works."""
 SMALLEST_SCALE = 1e-3
 """A g that would have to be smaller than this share of itself is not offered."""
-DEEPEST, SHALLOWEST = 4.0, 0.1
+DEEPEST, SHALLOWEST = 40.0, 0.1
 """The range of the depths tried, relative to the depth asked for."""
 
 
@@ -76,7 +76,22 @@ def _remedies(
     """Whatever works instead: other headings, a smaller g, another depth."""
     interval = nearest_interval(admissible, heading)
     found = [_interval(interval)] if interval is not None else []
-    return found + _scale(headings, heading) + _depth(f, zigzag, headings, heading)
+    found += _scale(headings, heading) + _depth(f, zigzag, headings, heading)
+    return found or _at_another_depth(f, zigzag, headings)
+
+
+def _at_another_depth(f: Trace, zigzag: Zigzag, headings: Headings) -> list[str]:
+    """The nearest greater depth that admits any heading, with the middle of the widest interval."""
+    for depth in np.geomspace(zigzag.depth, DEEPEST * zigzag.depth, DEPTHS)[1:]:
+        typed = float(f"{depth:.4g}")
+        for trial in sound_zigzags(f, len(zigzag.angles), typed):
+            intervals = headings.of(trial).intervals()
+            if len(intervals):
+                widest = intervals[int(np.ptp(intervals, axis=1).argmax())]
+                middle = in_degrees(float(widest.mean()))
+                if headings.of(trial).admit(np.deg2rad(float(middle))):
+                    return [f"depth = {typed:g} with heading_deg = {middle}"]
+    return []
 
 
 def _at_another_heading(f: Trace, zigzag: Zigzag, headings: Headings, heading: float) -> str:
@@ -93,7 +108,11 @@ def _at_another_heading(f: Trace, zigzag: Zigzag, headings: Headings, heading: f
 def _interval(interval: tuple[float, float]) -> str:
     low, high = interval
     margin = ROUNDING * (high - low)
-    return f"heading_deg between {in_degrees(low + margin)} and {in_degrees(high - margin)}"
+    first, last = (
+        as_typed(float(np.rad2deg(angle)), lambda typed: holds(interval, np.deg2rad(typed)), 6)
+        for angle in (low + margin, high - margin)
+    )
+    return f"heading_deg between {first} and {last}"
 
 
 def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
