@@ -1,0 +1,134 @@
+"""What files are written from: one sheet of panels, its unit, its states, the curves it follows.
+
+A designed shell and a FOLD file by another program become the same thing here, so that every
+format has one writer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.errors import InputError
+from orishell.mesh import QuadMesh
+from orishell.panels import area_vectors
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DocumentState:
+    """One folded state of the sheet.
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3), z up, read-only.
+    fold_angles_deg
+        Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is
+        known of them. In degrees, as files have them: not a bit is lost.
+    drive_deg
+        Drive angle; None if the state has none.
+    """
+
+    positions: Array
+    fold_angles_deg: Array | None = None
+    drive_deg: float | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Document:
+    """A sheet to be written.
+
+    Parameters
+    ----------
+    title
+        One line that says what it is.
+    unit
+        Unit of length of all coordinates: mm, cm, m, in, ft; or "unit" if none is known.
+    mesh
+        Panels and edges.
+    assignment
+        Letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut).
+    flat
+        Vertices (V, 2) of the flat sheet, read-only; None where only folded states are known.
+    fold_angles_deg
+        Fold angles (E,) at the last state, valley positive, NaN where unknown.
+    states
+        Folded states from flat to locked; may be made one by one as they are asked for.
+    grid_shape
+        Rows and columns of vertices, if panels and vertices are numbered row by row.
+    curves
+        Polylines (k, 3) beside the last state: the curves that the shell follows, by name.
+    """
+
+    title: str
+    unit: str
+    mesh: QuadMesh
+    assignment: tuple[str, ...]
+    flat: Array | None
+    fold_angles_deg: Array
+    states: Sequence[DocumentState]
+    grid_shape: tuple[int, int] | None
+    curves: Mapping[str, Array]
+
+    @property
+    def last(self) -> DocumentState:
+        """The last state: the shell as it stands; the flat sheet if there is no other."""
+        return self.states[-1] if len(self.states) else self._flat_state()
+
+    def state(self, number: int) -> DocumentState:
+        """A state by its number, 0 the first, -1 the last.
+
+        Raises
+        ------
+        InputError
+            If there is no such state.
+        """
+        count = len(self.states)
+        if number in (0, -1) and not count:
+            return self._flat_state()
+        if not -count <= number < count:
+            raise InputError(
+                "there is no such state",
+                got=str(number),
+                expected=f"a number from 0 to {count - 1}",
+            )
+        return self.states[number]
+
+    def require_flat(self) -> Array:
+        """The flat sheet (V, 2).
+
+        Raises
+        ------
+        InputError
+            If only folded states are known.
+        """
+        if self.flat is None:
+            raise InputError(
+                "there is no flat sheet to draw",
+                got="folded states only",
+                expected='a frame of class "creasePattern"',
+            )
+        return self.flat
+
+    def panel_name(self, panel: int) -> str:
+        """Row and column of a panel, as in "3,12"; its number where panels are not a grid's."""
+        if self.grid_shape is None:
+            return str(panel)
+        row, column = divmod(panel, self.grid_shape[1] - 1)
+        return f"{row},{column}"
+
+    def areas(self) -> Array:
+        """Area (F,) of every panel."""
+        vertices = self._flat_state() if self.flat is not None else self.last
+        return np.asarray(
+            np.linalg.norm(area_vectors(vertices.positions[self.mesh.faces]), axis=-1)
+        )
+
+    def _flat_state(self) -> DocumentState:
+        flat = self.require_flat()
+        return DocumentState(np.column_stack([flat, np.zeros(len(flat))]), drive_deg=0.0)
