@@ -1,13 +1,15 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
+# make node    other people's software for the tests that ask it, into build/node (node, npm)
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+NODE := build/node
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test quick bench lint types contracts check format clean
+.PHONY: demo test node quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -15,6 +17,8 @@ demo: $(VENV)/.run
 
 test: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip
+
+node: $(NODE)/.installed
 
 quick: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip -m "not slow"
@@ -60,4 +64,15 @@ $(VENV)/.test: $(VENV)/.run
 $(VENV)/.quality: $(VENV)/.test
 	@echo "installing into $(VENV) ..."
 	@$(PIP) --editable ".[test,quality]"
+	@touch $@
+
+$(NODE)/.installed: tests/node/package.json
+	@command -v node >/dev/null && command -v npm >/dev/null || { \
+	  echo "node and npm are needed: on Debian, apt-get install nodejs npm." >&2; \
+	  exit 1; }
+	@echo "installing into $(NODE) ..."
+	@mkdir -p $(NODE)
+	@cp tests/node/package.json $(NODE)
+	@cd $(NODE) && npm install --loglevel=error --prefer-offline --ignore-scripts \
+	  --no-package-lock --no-audit --no-fund >/dev/null
 	@touch $@

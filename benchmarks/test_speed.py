@@ -108,9 +108,10 @@ def test_verifying_25_states_of_101_x_101(benchmark: BenchmarkFixture) -> None:
 
 def test_writing_the_demo(benchmark: BenchmarkFixture, tmp_path: Path) -> None:
     from orishell.io import write_fold
+    from orishell.shell_document import document_of_motion
 
     motion = FoldingMotion(design(9, 11).mechanism, 25)
-    benchmark(write_fold, tmp_path / "shell.fold", motion, "m", motion)
+    benchmark(write_fold, tmp_path / "shell.fold", document_of_motion(motion, "m"))
 
 
 @pytest.mark.parametrize(("size", "target"), [(50, 5), (100, 30)])

@@ -10,9 +10,10 @@ import pytest
 from orishell.choosing import Tolerance, choose
 from orishell.deviation import measure_deviation
 from orishell.errors import DesignError, InputError
-from orishell.report import design_shell, write_shell
+from orishell.report import design_shell
 from orishell.spec import read_design_file
 from orishell.tolerance import measure, meet_tolerance
+from orishell.writing import write_shell
 
 TARGETS = {
     "parallel-repeating": ("-x**2", "[-1, 1]", "5*sin(pi*x/10)", "[0, 20]"),
@@ -65,6 +66,7 @@ def test_every_family_comes_as_near_as_asked(
 ) -> None:
     path = write_file(tmp_path, family, f"surface = {surface}", pattern)
     shell = design_shell(path)
+    assert shell.deviation is not None
     assert shell.deviation.max <= surface
     chosen = shell.report["chosen"]
     assert (chosen["rows"], chosen["columns"]) == (shell.report["rows"], shell.report["columns"])

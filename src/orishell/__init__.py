@@ -8,7 +8,8 @@ from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.metrics import measure_residuals
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
-from orishell.report import Shell, design_shell, write_shell
+from orishell.report import Shell, design_shell
+from orishell.writing import convert_fold, write_shell
 
 __all__ = [
     "Curve",
@@ -21,6 +22,7 @@ __all__ = [
     "OrishellError",
     "ParallelRepeating",
     "Shell",
+    "convert_fold",
     "curve_from_formulas",
     "curve_from_points",
     "design_longitudinal_linear_repeating",

@@ -7,7 +7,8 @@ format has one writer.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +64,12 @@ class Document:
         Rows and columns of vertices, if panels and vertices are numbered row by row.
     curves
         Polylines (k, 3) beside the last state: the curves that the shell follows, by name.
+    surface
+        Lattice (a, b, 3) of the surface that the last state follows, if it is known.
+    distances
+        Signed distances (V,) of the last state's vertices from it, NaN where they do not count.
+    report
+        What is known of the shell, as in ``report.json``; empty if nothing is.
     """
 
     title: str
@@ -74,6 +81,9 @@ class Document:
     states: Sequence[DocumentState]
     grid_shape: tuple[int, int] | None
     curves: Mapping[str, Array]
+    surface: Array | None = None
+    distances: Array | None = None
+    report: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def last(self) -> DocumentState:

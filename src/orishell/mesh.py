@@ -52,6 +52,11 @@ class QuadMesh:
     pieces: Integers
     reversed_faces: Booleans
 
+    def faces_edges(self) -> Integers:
+        """Numbers (F, 4) of the edges of every panel: from its first corner to its second on."""
+        sides = np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=-1)
+        return _find_edges(_keys(sides, self.vertex_count), self.edges, self.vertex_count)
+
     def inner_vertices(self) -> Integers:
         """Vertices (I,) that panels surround: all edges that end there are creases."""
         inner = np.zeros(self.vertex_count, dtype=np.bool_)

@@ -23,10 +23,10 @@ def draw_pictures(
     motion: FoldingMotion,
     *,
     lock: Lock,
-    deviation: Deviation,
+    deviation: Deviation | None,
     choice: Choice | None,
 ) -> None:
-    """Write ``overview.png``, ``deviation.png`` and, with a tolerance, ``tradeoff.png``.
+    """Write ``overview.png``; with a deviation and a choice, pictures of these.
 
     Parameters
     ----------
@@ -46,7 +46,8 @@ def draw_pictures(
         unit=file.unit,
         contact=_drawn(lock),
     )
-    _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
+    if deviation is not None:
+        _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
     if choice is not None and file.tolerance is not None:
         plot_tradeoff(
             directory / "tradeoff.png",

@@ -1,8 +1,7 @@
-"""From a design file to a verified shell, its report and its files."""
+"""From a design file to a verified shell and its report."""
 
 from __future__ import annotations
 
-import json
 import math
 import time
 from collections.abc import Callable, Iterable
@@ -20,8 +19,8 @@ from orishell.deviation import (
     measure_approach,
     measure_deviation,
 )
+from orishell.document import Document
 from orishell.errors import InputError, VerificationError
-from orishell.io import OutputDirectory, write_fold
 from orishell.locking import (
     Lock,
     Request,
@@ -33,8 +32,9 @@ from orishell.locking import (
 from orishell.metrics import AssignmentCheck, Residuals, extents, measure_residuals, sheet_area
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.pattern import CreaseValues
-from orishell.pictures import draw_pictures
+from orishell.quantities import describe_quantities, measure_quantities
 from orishell.quoting import tidy_degrees
+from orishell.shell_document import document_of_motion
 from orishell.spec import DesignFile, read_design_file
 from orishell.tolerance import describe_choice, meet_tolerance
 
@@ -94,9 +94,11 @@ class Shell:
     motion
         Its states.
     deviation
-        How close the locked shell is to the surface asked for.
+        How close the locked shell is to the surface asked for; None if that was not measured.
     choice
         What rows and columns were chosen from, if there was a tolerance.
+    document
+        What its files are written from.
     report
         The fields of ``report.json``.
     seconds
@@ -107,8 +109,9 @@ class Shell:
     design: Design
     lock: Lock
     motion: FoldingMotion
-    deviation: Deviation
+    deviation: Deviation | None
     choice: Choice | None
+    document: Document
     report: dict[str, Any]
     seconds: dict[str, float]
 
@@ -119,11 +122,23 @@ def design_shell(
     clash_test: ClashTest = CLASH_TEST,
     searched: Callable[[float], None] | None = None,
 ) -> Shell:
-    """Read a design file, design the shell, verify its states and prove how its motion ends.
+    """Read a design file and make its shell: see :func:`make_shell`."""
+    return make_shell(read_design_file(path), watched, clash_test, searched)
+
+
+def make_shell(
+    file: DesignFile,
+    watched: Watched = unwatched,
+    clash_test: ClashTest = CLASH_TEST,
+    searched: Callable[[float], None] | None = None,
+    *,
+    measured: bool = True,
+) -> Shell:
+    """Design a shell, verify its states and prove how its motion ends.
 
     Parameters
     ----------
-    path
+    file
         The design file.
     watched
         Shows progress over the states.
@@ -131,18 +146,19 @@ def design_shell(
         How contact between panels is looked for.
     searched
         Called with the share that is done of the search for a pattern that meets a tolerance.
+    measured
+        Whether the distance from the surface is measured.
 
     Raises
     ------
     InputError
-        If the file or a curve in it is not usable.
+        If a curve is not usable, or a setting does not fit the sheet.
     DesignError
         If the family cannot reach the target, or panels meet before the shell locks.
     VerificationError
         If the result is not rigid: a fault of the program.
     """
-    clock = _Clock()
-    file = read_design_file(path)
+    clock = Clock()
     choice: Choice | None = None
     if file.tolerance is not None:
         pattern, choice = meet_tolerance(file, file.tolerance, searched)
@@ -162,7 +178,7 @@ def design_shell(
             )
             clock.lap("clash")
     except InputError as error:
-        raise error.located(f"{path}:") from None
+        raise error.located(f"{file.path}:") from None
 
     motion = FoldingMotion(design.mechanism, file.frames)
     boxes: list[tuple[float, tuple[float, float, float]]] = []
@@ -177,9 +193,15 @@ def design_shell(
     _require_verified(residuals, assignment)
     clock.lap("fold")
 
-    deviation, approach = measure_deviation(design), measure_approach(design)
+    deviation = measure_deviation(design) if measured else None
+    approach = measure_approach(design) if measured else None
     clock.lap("deviation")
 
+    document = _document(file, design, motion)
+    try:
+        quantities = measure_quantities(document, file.workshop)
+    except InputError as error:
+        raise error.located(f"{file.path}:") from None
     signs = find_assignment(design.mechanism)
     drive, packed = min(boxes, key=lambda entry: math.hypot(*entry[1]))
     width, height, _ = extents(flat.positions)
@@ -195,44 +217,27 @@ def design_shell(
         "residuals": asdict(residuals),
         "assignment": {**_count(signs), **asdict(assignment)},
         "lock": describe_lock(lock),
-        "not_checked": ["contact between panels before lock"] if clash_test.skipped else [],
+        "not_checked": [
+            *(["contact between panels before lock"] if clash_test.skipped else []),
+            *([] if measured else ["distance from the surface"]),
+        ],
         "deviation": describe_deviation(design, deviation, approach),
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),
         "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},
+        "quantities": describe_quantities(quantities),
     }
-    return Shell(file, design, lock, motion, deviation, choice, report, clock.seconds)
+    return Shell(file, design, lock, motion, deviation, choice, document, report, clock.seconds)
 
 
-def write_shell(shell: Shell, directory: Path, watched: Watched = unwatched) -> list[Path]:
-    """Write ``shell.fold``, ``report.json`` and the pictures: all of them or none.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-    clock = _Clock()
-    output = OutputDirectory(directory)
-    with output.writing() as draft:
-        states = watched(shell.motion, "writing shell.fold")
-        write_fold(draft / "shell.fold", shell.motion, shell.file.unit, states)
-        (draft / "report.json").write_text(
-            json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
-        )
-        draw_pictures(
-            draft,
-            shell.file,
-            shell.design,
-            shell.motion,
-            lock=shell.lock,
-            deviation=shell.deviation,
-            choice=shell.choice,
-        )
-        names = sorted(file.name for file in draft.iterdir())
-    clock.lap("write")
-    shell.seconds.update(clock.seconds)
-    return [directory / name for name in names]
+def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Document:
+    size = f"{file.pattern.rows} x {file.pattern.columns}"
+    return document_of_motion(
+        motion,
+        file.unit,
+        title=f"{file.path.stem}: {file.family}, {size} inner vertices",
+        curves=design.targets,
+    )
 
 
 def _require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
@@ -270,7 +275,7 @@ def _count(signs: CreaseValues) -> dict[str, int]:
     }
 
 
-class _Clock:
+class Clock:
     """Seconds by step."""
 
     def __init__(self) -> None:
@@ -278,6 +283,7 @@ class _Clock:
         self._last = time.perf_counter()
 
     def lap(self, step: str) -> None:
+        """Note the time since the last step was done."""
         now = time.perf_counter()
         self.seconds[step] = now - self._last
         self._last = now

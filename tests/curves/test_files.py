@@ -49,6 +49,50 @@ def test_refuses_what_is_not_points(tmp_path: Path, text: str, says: str) -> Non
         read_points(path)
 
 
+METRES = [[0.0, 0.0], [0.001, 0.0025], [0.003, 0.004]]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x [mm], y [mm]\n0,0\n1,2.5\n3,4\n",
+        "x_mm;y_mm\n0;0\n1;2,5\n3;4\n",
+        "x (mm)\ty (mm)\n0\t0\n1,0\t2,5\n3\t4\n",
+        '"X in mm";"Y in mm";"note"\n0;0;a\n1;2,5;b\n3;4;c\n',
+        "station/millimetres,height\n0,0\n1,2.5\n3,4\n",
+        "x_cm y_cm\n0 0\n0.1 0.25\n0.3 0.4\n",
+        "x [inches],y [inches]\n0,0\n0.03937007874015748,0.0984251968503937\n"
+        "0.11811023622047244,0.15748031496062992\n",
+    ],
+)
+def test_units_that_the_header_states(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text(text, encoding="utf-8")
+    np.testing.assert_allclose(read_points(path, into="m"), METRES, rtol=1e-14)
+    # The key unit overrides the header.
+    assert read_points(path, into="m", unit="m")[2, 0] == pytest.approx(read_points(path)[2, 0])
+
+
+@pytest.mark.parametrize("header", ["", "x,y\n", "east,north\n", "x (to the right),y (up)\n"])
+def test_without_a_unit_the_numbers_are_taken_as_they_are(tmp_path: Path, header: str) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text(header + "0,0\n1,2\n")
+    assert read_points(path, into="ft")[1].tolist() == [1, 2]
+    assert read_points(path, into="mm", unit="cm")[1].tolist() == [10, 20]
+
+
+@pytest.mark.parametrize(
+    ("header", "says"),
+    [("x [mm],y [cm]", "different units"), ("x [yd],y [yd]", "unit that is not known")],
+)
+def test_headers_that_make_no_sense(tmp_path: Path, header: str, says: str) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text(f"# points\n{header}\n0,0\n1,2\n")
+    with pytest.raises(InputError, match=rf"points\.csv line 2: .*{says}"):
+        read_points(path, into="m")
+    assert read_points(path, into="m", unit="cm")[1] == pytest.approx([0.01, 0.02])
+
+
 def test_missing_and_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         read_points(tmp_path / "none.csv")

@@ -11,6 +11,7 @@ from orishell.errors import InputError
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import write_fold
 from orishell.motion import FoldingMotion
+from orishell.shell_document import document_of_motion
 from orishell.spec import read_design_file
 from sheets import facts, failed, inspect, miura, shuffled, strip
 from strategies import graph
@@ -35,7 +36,7 @@ def figure(number: int, directory: Path, frames: int) -> dict[str, Any]:
     """One of the paper's figures as our design command writes it, with few frames."""
     file = read_design_file(EXAMPLES / f"figure{number}.toml")
     motion = FoldingMotion(file.pattern.design(file.f, file.g).mechanism, frames)
-    write_fold(directory / "shell.fold", motion, file.unit, motion)
+    write_fold(directory / "shell.fold", document_of_motion(motion, file.unit))
     content: dict[str, Any] = json.loads((directory / "shell.fold").read_text())
     return content
 
@@ -249,7 +250,7 @@ def test_our_own_pattern_with_all_its_names(tmp_path: Path) -> None:
         graph("-x**2", -1, 1), graph("x**2/30", 0, 10), rows=3, columns=4, xi=0.8, flap=0.3
     )
     motion = FoldingMotion(design.mechanism, 3)
-    write_fold(tmp_path / "shell.fold", motion, "m", motion)
+    write_fold(tmp_path / "shell.fold", document_of_motion(motion, "m"))
     fold = json.loads((tmp_path / "shell.fold").read_text())
     # The second frame lifts the vertex in row 2, column 3 of 5 x 6.
     fold["file_frames"][1]["vertices_coords"][2 * 6 + 3][2] += 0.01

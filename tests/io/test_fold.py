@@ -10,6 +10,7 @@ import pytest
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import write_fold
 from orishell.motion import FoldingMotion, measure_fold_angles
+from orishell.shell_document import document_of_motion
 from strategies import graph
 
 M, N, FRAMES = 5, 7, 4
@@ -26,7 +27,7 @@ def motion() -> FoldingMotion:
 @pytest.fixture(scope="module")
 def fold(motion: FoldingMotion, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     path: Path = tmp_path_factory.mktemp("fold") / "shell.fold"
-    write_fold(path, motion, "m", motion)
+    write_fold(path, document_of_motion(motion, "m"))
     content: dict[str, Any] = json.loads(path.read_text())
     return content
 
@@ -48,7 +49,7 @@ def test_two_columns_without_flaps(tmp_path: Path) -> None:
         graph("-x**2", -1, 1), graph("x/2", 0, 3), rows=1, columns=2, xi=0.8, flap=0
     )
     motion = FoldingMotion(design.mechanism, 2)
-    write_fold(tmp_path / "shell.fold", motion, "m", motion)
+    write_fold(tmp_path / "shell.fold", document_of_motion(motion, "m"))
     content = json.loads((tmp_path / "shell.fold").read_text())
     assert content["orishell:grid_shape"] == [3, 2]
     assert "".join(content["edges_assignment"]) in {"BMBBBBB", "BVBBBBB"}
@@ -101,8 +102,8 @@ def test_no_negative_zero_and_no_line_ending_surprises(
     motion: FoldingMotion, tmp_path: Path
 ) -> None:
     first, second = tmp_path / "a.fold", tmp_path / "b.fold"
-    write_fold(first, motion, "mm", motion)
-    write_fold(second, motion, "mm", motion)
+    write_fold(first, document_of_motion(motion, "mm"))
+    write_fold(second, document_of_motion(motion, "mm"))
     content = first.read_bytes()
     assert content == second.read_bytes()
     assert b"-0.0," not in content

@@ -11,6 +11,7 @@ from orishell.errors import InputError
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import FoldFile, read_fold, write_fold
 from orishell.motion import FoldingMotion
+from orishell.shell_document import document_of_motion
 from strategies import graph
 
 SQUARES: dict[str, Any] = {
@@ -38,7 +39,7 @@ def test_our_own_file_is_read_back(tmp_path: Path) -> None:
         graph("-x**2", -1, 1), graph("2*sin(pi*x/10)", 0, 20), rows=5, columns=7, xi=0.8, flap=0.3
     )
     motion = FoldingMotion(design.mechanism, 4)
-    write_fold(tmp_path / "shell.fold", motion, "m", motion)
+    write_fold(tmp_path / "shell.fold", document_of_motion(motion, "m"))
     file = read_fold(tmp_path / "shell.fold")
     grid = motion.mechanism.grid
     assert file.unit == "m"

@@ -12,10 +12,14 @@ from typing import Annotated
 
 import typer
 
-from orishell.io import OutputDirectory
+from orishell.cli.files import STATE_HELP, WRITE_HELP, shortened, state_number
+from orishell.errors import InputError
+from orishell.io import OutputDirectory, Settings
+from orishell.io.registry import Format, find_formats
 from orishell.motion import FoldedState, FoldingMotion
 from orishell.quoting import in_degrees
-from orishell.report import ClashTest, Shell, design_shell, write_shell
+from orishell.report import ClashTest, Shell, design_shell
+from orishell.writing import write_shell
 
 QUIET_BELOW = 1_000_000
 """Vertices times states below which no progress bar is worth showing (less than a second)."""
@@ -24,6 +28,7 @@ QUIET_BELOW = 1_000_000
 def design(
     file: Annotated[Path, typer.Argument(help="The design file (TOML).")],
     out: Annotated[Path, typer.Option(help="Directory for the files; made if needed.")],
+    *,
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
@@ -35,19 +40,30 @@ def design(
         bool,
         typer.Option("--no-clash-test", help="Do not look for contact (for very fine sheets)."),
     ] = False,
+    write: Annotated[str, typer.Option(help=WRITE_HELP)] = "",
+    state: Annotated[str, typer.Option(help=STATE_HELP)] = "locked",
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and two pictures."""
     OutputDirectory(out).require_usable()
+    formats, number = _formats(write), state_number(state)
     with _bar("choosing rows and columns") as searched, _bar("looking for contact") as advanced:
         clash_test = ClashTest(skipped=no_clash_test, allowed=allow_clash, advanced=advanced)
         shell = design_shell(file, _watched, clash_test, searched)
     for warning in shell.report["warnings"]:
         typer.echo(f"orishell: warning: {warning}", err=True)
-    written = write_shell(shell, out, _watched)
+    settings = Settings(state=number, workshop=shell.file.workshop)
+    written = write_shell(shell, out, formats, settings, _watched)
     if json_report:
         typer.echo(json.dumps({**shell.report, "seconds": shell.seconds}, indent=2))
     else:
         _print_summary(shell, written)
+
+
+def _formats(names: str) -> tuple[Format, ...]:
+    try:
+        return find_formats(name for name in names.split(",") if name.strip())
+    except InputError as error:
+        raise error.located("--write:") from None
 
 
 def _watched(motion: FoldingMotion, what: str) -> Iterator[FoldedState]:
@@ -107,7 +123,7 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
         f"rigid     panel lengths to {residuals['panel_length']:.1e}, fold angles to "
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
         *_lock_lines(shell),
-        *(f"wrote     {path}" for path in written),
+        *(f"wrote     {text}" for text in shortened(written)),
     ]
     for line in lines:
         typer.echo(line)
@@ -139,9 +155,8 @@ def _deviation_lines(shell: Shell) -> list[str]:
 
 def _lock_lines(shell: Shell) -> list[str]:
     lock, contact = shell.lock, shell.lock.first_contact
-    if shell.report["not_checked"]:
+    if lock.proof is None:
         return ["not checked: " + "; ".join(shell.report["not_checked"])]
-    assert lock.proof is not None
     proved = f"proved over the whole path from {lock.proof.states} states"
     if lock.drive is None or contact is None:
         return [f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"]

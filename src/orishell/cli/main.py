@@ -9,6 +9,7 @@ from pathlib import Path
 import typer
 
 from orishell.cli.check import check
+from orishell.cli.convert import convert
 from orishell.cli.design import design
 from orishell.cli.new import new
 from orishell.cli.solve import solve
@@ -24,6 +25,7 @@ app.command()(new)
 app.command()(design)
 app.command()(solve)
 app.command()(check)
+app.command()(convert)
 
 
 def run() -> None:

@@ -1,9 +1,11 @@
-"""Planar curves: from formulas, from points, from files."""
+"""Planar curves: from formulas, from points, from drawings."""
 
 from orishell.curves.curve import Curve, curve_from_formulas, curve_from_points
 from orishell.curves.direction import run_along_axis
+from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
+from orishell.curves.svg import read_svg
 from orishell.curves.trace import Trace, trace_curve
 
 __all__ = [
@@ -13,7 +15,9 @@ __all__ = [
     "curve_from_formulas",
     "curve_from_points",
     "parse_formula",
+    "read_dxf",
     "read_points",
+    "read_svg",
     "run_along_axis",
     "trace_curve",
 ]

@@ -72,12 +72,19 @@ class Curve:
     def reversed(self) -> Self:
         """The same points, run through from stop to start."""
         total = self.start + self.stop
+        breaks = tuple(total - t for t in self.breaks[::-1])
+        ends = np.array([self.start, *self.breaks, self.stop])
 
         def jet(t: Array) -> tuple[Array, Array, Array]:
-            position, first, second = self.jet(total - t)
+            back = total - t
+            if breaks:  # the later side of a break is the earlier side of what is reversed
+                cell = len(breaks) - np.searchsorted(breaks, t, side="right")
+                latest = np.nextafter(ends[cell + 1], -np.inf)
+                back = np.clip(back, ends[cell], np.where(t > self.start, latest, back))
+            position, first, second = self.jet(back)
             return position, -first, second
 
-        return type(self)(jet, self.start, self.stop, tuple(total - t for t in self.breaks[::-1]))
+        return type(self)(jet, self.start, self.stop, breaks)
 
     def scaled(self, factor: float) -> Self:
         """The curve enlarged about the origin by ``factor`` > 0."""
@@ -147,26 +154,31 @@ def curve_from_points(points: ArrayLike, *, smooth: bool) -> Curve:
         row = int(np.argmin(np.isfinite(array).all(axis=1)))
         raise CurveError("a point is not finite", where=f"point {row + 1}", got=str(array[row]))
     chords = np.hypot(*np.diff(array, axis=0).T)
+    knots = np.concatenate([[0.0], np.cumsum(chords)])
     smallest = 1e-12 * np.ptp(array, axis=0).max()
-    if chords.min() <= smallest:
-        row = int(np.argmin(chords))
+    apart = (chords > smallest) & (np.diff(knots) > 0)
+    if not apart.all():
+        row = int(np.argmin(np.where(apart, np.inf, chords)))
         raise CurveError(
             "two successive points coincide",
             where=f"points {row + 1} and {row + 2}",
             got=f"({array[row, 0]:g}, {array[row, 1]:g})",
             remedy="remove one of them",
         )
-    knots = np.concatenate([[0.0], np.cumsum(chords)])
     return _spline(knots, array) if smooth and len(array) > 2 else _polyline(knots, array)
 
 
 def _spline(knots: Array, points: Array) -> Curve:
     from scipy.interpolate import CubicSpline
 
-    spline = CubicSpline(knots, points)
+    # Of the size of 1, or the system behind a spline is singular in very large units; a power of
+    # two, so that not a bit is lost.
+    unit = np.exp2(np.round(np.log2(knots[-1])))
+    spline = CubicSpline(knots / unit, points)
 
     def jet(t: Array) -> tuple[Array, Array, Array]:
-        return spline(t), spline(t, 1), spline(t, 2)
+        s = t / unit
+        return spline(s), spline(s, 1) / unit, spline(s, 2) / unit**2
 
     return Curve(jet, 0.0, float(knots[-1]))
 

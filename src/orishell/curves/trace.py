@@ -20,6 +20,8 @@ MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""
 CORNER = 0.05
 """A turn larger than this within the smallest cell is a corner of the curve (radians)."""
+KINK = 1e-6
+"""A jump of the tangent up to this is no corner (radians): drawn joints are no more exact."""
 FIRST_CELLS = 1024
 SMALLEST_CELL = 2.0**-24
 """Smallest distance of samples in the parameter, relative to the range."""
@@ -71,7 +73,7 @@ class Trace:
     @property
     def corners(self) -> NDArray[np.intp]:
         """Indices of the inner samples at which the tangent jumps."""
-        return np.flatnonzero(np.abs(self.heading - self.arriving) > 1e-9)
+        return np.flatnonzero(np.abs(self.heading - self.arriving) > KINK)
 
     def reversed(self) -> Trace:
         """The same points, run through from the last to the first."""

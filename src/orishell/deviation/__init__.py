@@ -11,7 +11,7 @@ from orishell.deviation.measure import (
     measure_deviation,
     measure_distance,
 )
-from orishell.deviation.signed import SignedDistances, measure_signed
+from orishell.deviation.signed import SignedDistances, measure_points, measure_signed
 
 __all__ = [
     "COARSE",
@@ -24,5 +24,6 @@ __all__ = [
     "measure_approach",
     "measure_deviation",
     "measure_distance",
+    "measure_points",
     "measure_signed",
 ]

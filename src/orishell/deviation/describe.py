@@ -12,7 +12,7 @@ NAMES = ("max", "rms", "mean", "p95", "sample_spacing")
 
 
 def describe_deviation(
-    design: Design, deviation: Deviation, approach: Deviation | None
+    design: Design, deviation: Deviation | None, approach: Deviation | None
 ) -> dict[str, Any]:
     """How close the polylines are to f and g, and the shell to the surface asked for.
 
@@ -21,14 +21,15 @@ def describe_deviation(
     design
         The design.
     deviation
-        Of its shell from the surface asked for.
+        Of its shell from the surface asked for, if it was measured.
     approach
         Of its shell from what the family approaches instead, if that is known.
     """
     approached = design.approached
     return {
         **{name: asdict(closeness) for name, closeness in design.closeness.items()},
-        "surface": {**{name: getattr(deviation, name) for name in NAMES}, **asdict(deviation)},
+        "surface": deviation
+        and {**{name: getattr(deviation, name) for name in NAMES}, **asdict(deviation)},
         "approached": approached
         and {
             "what": approached.what,

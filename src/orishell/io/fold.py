@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -10,77 +9,89 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.motion import FoldedState, FoldingMotion, find_assignment
-from orishell.pattern import CreaseValues, edges_assignment
-from orishell.quoting import tidy_degrees
+from orishell.document import Document, DocumentState
+from orishell.io.settings import DEFAULT_SETTINGS, Settings
 
 Array = NDArray[np.float64]
 
 
-def write_fold(path: Path, motion: FoldingMotion, unit: str, states: Iterable[FoldedState]) -> None:
-    """Write ``shell.fold`` (the contract's page says what is in it).
+def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETTINGS) -> None:
+    """Write a FOLD file (the contract's page says what is in it).
+
+    Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
+    same numbers to the last bit.
 
     Parameters
     ----------
     path
         The file.
-    motion
-        The motion whose flat sheet is the key frame.
-    unit
-        Unit of length of the coordinates.
-    states
-        The motion's states, from flat to locked; taken one by one, so that a progress bar can
-        watch them and only one need be in memory.
+    document
+        What is written. States are taken one by one, so that only one need be in memory. Without
+        a flat sheet the first state is the key frame.
+    settings
+        Nothing of them matters here.
     """
     import orjson
 
     def dump(value: Any) -> bytes:
         return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
+    states = iter(document.states)
+    key = _flat(document) if document.flat is not None else _state(next(states))
     with path.open("wb") as file:
-        key = dump(_key_frame(motion, unit))
-        file.write(key[:-1] + b',\n"file_frames":[\n')
-        for number, state in enumerate(states):
-            file.write(b",\n" if number else b"")
-            file.write(dump(_folded_frame(state)))
-        file.write(b"\n]}\n")
+        file.write(dump({**_head(document), **key, **_mesh(document)})[:-1])
+        separator = b',\n"file_frames":[\n'
+        for state in states:
+            frame = {**_state(state), "frame_parent": 0, "frame_inherit": True}
+            file.write(separator + dump(frame))
+            separator = b",\n"
+        file.write(b"}\n" if separator.startswith(b',\n"') else b"\n]}\n")
 
 
-def _key_frame(motion: FoldingMotion, unit: str) -> dict[str, Any]:
-    grid = motion.mechanism.grid
+def _head(document: Document) -> dict[str, Any]:
+    animated = len(document.states) > 1
     return {
         "file_spec": 1.2,
         "file_creator": f"orishell {version('orishell')}",
-        "file_classes": ["singleModel", "animation"],
-        "frame_classes": ["creasePattern"],
-        "frame_attributes": ["2D"],
-        "frame_unit": unit,
-        "vertices_coords": _clean(motion.flat.positions[..., :2].reshape(-1, 2)),
-        "edges_vertices": grid.edges_vertices(),
-        "edges_assignment": edges_assignment(find_assignment(motion.mechanism)),
-        "edges_foldAngle": _degrees(motion.locked.fold_angles),
-        "faces_vertices": grid.faces_vertices(),
-        "faces_edges": grid.faces_edges(),
-        "orishell:grid_shape": [grid.rows, grid.columns],
+        "file_title": document.title,
+        "file_classes": ["singleModel", "animation"] if animated else ["singleModel"],
+        **({"frame_unit": document.unit} if document.unit != "unit" else {}),
     }
 
 
-def _folded_frame(state: FoldedState) -> dict[str, Any]:
+def _flat(document: Document) -> dict[str, Any]:
+    return {
+        "frame_classes": ["creasePattern"],
+        "frame_attributes": ["2D"],
+        "vertices_coords": document.flat,
+        **_angles(document.fold_angles_deg),
+    }
+
+
+def _state(state: DocumentState) -> dict[str, Any]:
+    drive = state.drive_deg
     return {
         "frame_classes": ["foldedForm"],
         "frame_attributes": ["3D"],
-        "frame_parent": 0,
-        "frame_inherit": True,
-        "vertices_coords": _clean(state.positions.reshape(-1, 3)),
-        "edges_foldAngle": _degrees(state.fold_angles),
-        "orishell:drive_deg": tidy_degrees(state.drive),
+        "vertices_coords": state.positions,
+        **_angles(state.fold_angles_deg),
+        **({"orishell:drive_deg": drive} if drive is not None else {}),
     }
 
 
-def _degrees(angles: CreaseValues) -> Array:
-    return _clean(np.rad2deg(angles.on_edges()))
+def _angles(degrees: Array | None) -> dict[str, Any]:
+    """Fold angles; what is not known is null in FOLD, as orjson writes NaN."""
+    if degrees is None or np.isnan(degrees).all():
+        return {}
+    return {"edges_foldAngle": degrees}
 
 
-def _clean(array: Array) -> Array:
-    """Contiguous, and without negative zeros."""
-    return np.ascontiguousarray(array + 0.0)
+def _mesh(document: Document) -> dict[str, Any]:
+    shape, mesh = document.grid_shape, document.mesh
+    return {
+        "edges_vertices": mesh.edges,
+        "edges_assignment": document.assignment,
+        "faces_vertices": mesh.faces,
+        "faces_edges": mesh.faces_edges(),
+        **({"orishell:grid_shape": list(shape)} if shape is not None else {}),
+    }

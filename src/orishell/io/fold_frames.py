@@ -73,6 +73,16 @@ def read_frames(path: Path) -> Frames:
     return Frames(raw, _sources(raw, parents))
 
 
+def differing(where: str) -> InputError:
+    """The error for a list that is to be the same in all frames and is not."""
+    return InputError(
+        "the frames differ in more than their coordinates and fold angles",
+        where=where,
+        expected="the same list in every frame that has one",
+        remedy="write different models into different files",
+    )
+
+
 def _parent(frame: dict[str, Any], number: int, count: int) -> int | None:
     """The frame that a frame inherits from; None if it does not."""
     inherit, parent = frame.get("frame_inherit", False), frame.get("frame_parent")

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.errors import InputError
-from orishell.io.fold_frames import Frames, read_frames
+from orishell.io.fold_frames import Frames, differing, read_frames
+from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
 from orishell.mesh import QuadMesh, build_mesh
 
@@ -36,15 +37,23 @@ class FoldFrame:
         Its own ``frame_classes``.
     positions
         Vertices (V, 3), read-only; z is 0 where the file gives two coordinates.
-    fold_angles
-        Fold angles (E,) that the frame itself gives (radians), NaN where it gives none; None if
-        it has no such list or inherits it.
+    fold_angles_deg
+        Fold angles (E,) that the frame itself gives, NaN where it gives none; None if it has no
+        such list or inherits it. In degrees, as in the file: not a bit is lost.
+    drive_deg
+        Drive angle, where the frame says it.
     """
 
     number: int
     classes: tuple[str, ...]
     positions: Array
-    fold_angles: Array | None
+    fold_angles_deg: Array | None
+    drive_deg: float | None
+
+    @property
+    def fold_angles(self) -> Array | None:
+        """Fold angles (E,) that the frame itself gives (radians)."""
+        return None if self.fold_angles_deg is None else np.deg2rad(self.fold_angles_deg)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,6 +64,8 @@ class FoldFile:
     ----------
     path
         Where it was read from.
+    title
+        What the file calls itself; its name if it does not.
     unit
         Unit of length; "unit" if the file names none.
     mesh
@@ -68,6 +79,7 @@ class FoldFile:
     """
 
     path: Path
+    title: str
     unit: str
     mesh: QuadMesh
     assignment: tuple[str, ...] | None
@@ -99,13 +111,18 @@ def _read(path: Path, frames: Frames) -> FoldFile:
     mesh = build_mesh(faces, vertex_count, edges, cut)
     return FoldFile(
         path,
-        _unit(frames),
+        read_title(frames) or path.stem,
+        read_unit(frames),
         mesh,
         assignment,
-        _grid_shape(frames, mesh),
+        read_grid_shape(frames, mesh),
         tuple(
             FoldFrame(
-                number, _classes(frames, number), positions, _fold_angles(frames, number, edges)
+                number,
+                _classes(frames, number),
+                positions,
+                _fold_angles(frames, number, edges),
+                _drive(frames, number),
             )
             for number, positions in coordinates.items()
         ),
@@ -182,7 +199,7 @@ def _vertex_numbers(
         found = number_table(frames.value(owner, key), where, row, widths=(width,), whole=True)
         _require_range(found, vertex_count, where)
         if known is not None and not np.array_equal(known, found):
-            raise _differing(where)
+            raise differing(where)
         known = found.astype(np.int64)
     return known
 
@@ -202,7 +219,7 @@ def _assignment(frames: Frames, edges: Integers | None) -> tuple[str, ...] | Non
                     expected="one of " + ", ".join(sorted(LETTERS)),
                 )
         if assignment is not None and assignment != tuple(value):
-            raise _differing(where)
+            raise differing(where)
         assignment = tuple(value)
     return assignment
 
@@ -225,9 +242,17 @@ def _fold_angles(frames: Frames, number: int, edges: Integers | None) -> Array |
             got=shown(value[edge]),
             expected="degrees between -180 and 180",
         )
-    angles = np.deg2rad(angles)
     angles.flags.writeable = False
     return angles
+
+
+def _drive(frames: Frames, number: int) -> float | None:
+    value = frames.own(number).get("orishell:drive_deg")
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise misfit(value, frames.place(number, "orishell:drive_deg"), "a number")
+    return float(value)
 
 
 def _classes(frames: Frames, number: int) -> tuple[str, ...]:
@@ -235,40 +260,6 @@ def _classes(frames: Frames, number: int) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
         raise misfit(value, frames.place(number, "frame_classes"), "a list of texts")
     return tuple(value)
-
-
-def _unit(frames: Frames) -> str:
-    unit = None
-    for owner in frames.owners("frame_unit"):
-        value, where = frames.value(owner, "frame_unit"), frames.place(owner, "frame_unit")
-        if not isinstance(value, str):
-            raise misfit(value, where, "a text")
-        if unit is not None and value != unit:
-            raise _differing(where)
-        unit = value
-    return "unit" if unit is None else unit
-
-
-def _grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
-    """The grid that the file names, if its panels are those of such a grid (it only names)."""
-    for owner in frames.owners("orishell:grid_shape"):
-        match frames.value(owner, "orishell:grid_shape"):
-            case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:
-                corners = np.sort(mesh.faces, axis=1)
-                first = corners[:, :1]
-                fits = corners == first + np.array([0, 1, columns, columns + 1])
-                if fits.all() and (first % columns != columns - 1).all():
-                    return rows, columns
-    return None
-
-
-def _differing(where: str) -> InputError:
-    return InputError(
-        "the frames differ in more than their coordinates and fold angles",
-        where=where,
-        expected="the same list in every frame that has one",
-        remedy="write different models into different files",
-    )
 
 
 def _require_range(table: Integers, vertex_count: int, where: str) -> None:

@@ -3,83 +3,38 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
 from pydantic import BaseModel, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.choosing import Tolerance
-from orishell.curves import (
-    Curve,
-    Formula,
-    curve_from_formulas,
-    curve_from_points,
-    parse_formula,
-    read_points,
-)
+from orishell.curves import Curve
 from orishell.errors import InputError
 from orishell.locking import CONTACT_TOLERANCE
 from orishell.spec.families import FAMILIES, Pattern, require_family
 from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
+from orishell.spec.target import Target, Targets
+from orishell.spec.toml_file import read_toml
+from orishell.spec.workshop import WorkshopTable
+from orishell.units import Unit
+from orishell.workshop import Workshop
 
 MAX_VERTICES = 4_000_000
-MAX_BYTES = 1_000_000
 MAX_FOLD = 5_000_000_000
 """Largest shell.fold that is written, in bytes, and what a vertex takes in each frame of it."""
 FOLD_BYTES = 170
 ANY_SIZE = {"rows": 1, "columns": 2}
 """Stands in a pattern whose size is to be chosen."""
-Unit = Literal["mm", "cm", "m", "in", "ft"]
 
 
 class _Shell(Table):
     family: str
     unit: Unit
-
-
-class _Target(Table):
-    formula: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
-    range: Annotated[list[Number], Field(min_length=2, max_length=2)] | None = None
-    points: str | None = None
-    smooth: bool = True
-    scale: Annotated[Number, Field(gt=0)] = 1.0
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        if (self.formula is None) == (self.points is None):
-            raise PydanticCustomError(
-                "source",
-                "a curve is either a formula or points",
-                {"found": "neither" if self.formula is None else "both"},
-            )
-        if self.formula is not None and self.range is None:
-            raise PydanticCustomError(
-                "range_missing", "a formula needs its range, as in range = [0, 1]"
-            )
-        if self.points is not None and self.range is not None:
-            raise PydanticCustomError("range_unused", "points have no range")
-        return self
-
-    def curve(self, directory: Path) -> Curve:
-        """The curve that the table describes; paths are relative to the directory."""
-        if self.points is not None:
-            curve = curve_from_points(read_points(directory / self.points), smooth=self.smooth)
-        else:
-            texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
-            *x, y = [_formula(text) for text in texts]
-            start, stop = self.range or [0.0, 0.0]
-            curve = curve_from_formulas(x[0] if x else None, y, start, stop)
-        return curve.scaled(self.scale) if self.scale != 1.0 else curve
-
-
-class _Targets(Table):
-    f: _Target
-    g: _Target
 
 
 class _Motion(Table):
@@ -105,10 +60,11 @@ class _Tolerance(Table):
 
 class _File(Table):
     shell: _Shell
-    target: _Targets
+    target: Targets
     pattern: dict[str, Any] = Field(default_factory=dict)
     tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
+    workshop: WorkshopTable = WorkshopTable()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,6 +89,8 @@ class DesignFile:
         Number of states to write.
     contact_tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
+    workshop
+        How the flat sheet is drawn and cut.
     """
 
     path: Path
@@ -144,6 +102,7 @@ class DesignFile:
     tolerance: Tolerance | None
     frames: int
     contact_tolerance: float
+    workshop: Workshop
 
 
 def read_design_file(path: Path) -> DesignFile:
@@ -154,7 +113,26 @@ def read_design_file(path: Path) -> DesignFile:
     InputError
         Naming the file, the key, what was found and what is expected.
     """
-    raw = _read_toml(path)
+    return check_design(read_toml(path), path)
+
+
+def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> DesignFile:
+    """Check the tables of a design file.
+
+    Parameters
+    ----------
+    raw
+        The tables.
+    path
+        Where they were read from; files of curves are found beside it.
+    files
+        Whether curves may come from files.
+
+    Raises
+    ------
+    InputError
+        Naming the file, the key, what was found and what is expected.
+    """
     try:
         file = _File.model_validate(raw)
     except ValidationError as error:
@@ -168,10 +146,14 @@ def read_design_file(path: Path) -> DesignFile:
     except ValidationError as error:
         raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
     require_memory(path, pattern, file.motion.frames)
+    try:
+        workshop = file.workshop.settings(path.parent if files else None)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
     curves = {}
     for name, target in (("f", file.target.f), ("g", file.target.g)):
         try:
-            curves[name] = target.curve(path.parent)
+            curves[name] = target.curve(path.parent if files else None, file.shell.unit)
         except InputError as error:
             raise error.located(f"{path}: [target.{name}]") from None
     return DesignFile(
@@ -184,14 +166,8 @@ def read_design_file(path: Path) -> DesignFile:
         None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
         file.motion.frames,
         file.motion.contact_tolerance,
+        workshop,
     )
-
-
-def _formula(text: str) -> Formula:
-    try:
-        return parse_formula(text)
-    except InputError as error:
-        raise error.located("formula") from None
 
 
 def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
@@ -241,27 +217,6 @@ def _bytes(number: float) -> str:
     return f"{number / 1000**power:.3g} {units[power]}"
 
 
-def _read_toml(path: Path) -> dict[str, Any]:
-    try:
-        if path.exists() and not path.is_file():
-            raise InputError("this is not a file", where=str(path))
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError("this is too large for a design file", where=str(path))
-        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except FileNotFoundError:
-        raise InputError(
-            "the design file does not exist",
-            where=str(path),
-            remedy="orishell new parallel-repeating writes one to begin with",
-        ) from None
-    except tomllib.TOMLDecodeError as error:
-        raise InputError("this is not TOML", where=str(path), got=str(error)) from None
-    except (OSError, ValueError, RecursionError) as error:
-        raise InputError(
-            "the design file cannot be read", where=str(path), got=str(error)
-        ) from None
-
-
 def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
     """The keys that each table of the file may hold, given the family's pattern."""
     tables: dict[str, type[BaseModel]] = {
@@ -269,6 +224,7 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
         "tolerance": _Tolerance,
         "motion": _Motion,
         "pattern": model,
+        "workshop": WorkshopTable,
     }
 
     def keys(location: Location) -> list[str]:
@@ -276,9 +232,9 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
             case (_,):
                 table: type[BaseModel] = _File
             case ("target", _):
-                table = _Targets
+                table = Targets
             case ("target", *_):
-                table = _Target
+                table = Target
             case _:
                 table = tables[str(location[0])]
         return list(table.model_fields)

@@ -215,14 +215,17 @@ def require_family(name: str, where: str) -> str:
     """The name, if there is such a family."""
     if name not in FAMILIES:
         raise InputError(
-            "unknown family", where=where, got=repr(name), expected="one of " + ", ".join(FAMILIES)
+            "unknown family",
+            where=where,
+            got=repr(name[:60]),
+            expected="one of " + ", ".join(FAMILIES),
         )
     return name
 
 
 def starter_file(family: str) -> str:
     """Text of a design file to begin with."""
-    return FAMILIES[require_family(family, "family")].starter
+    return FAMILIES[require_family(family, "family")].starter + starters.WORKSHOP
 
 
 def _placed(pattern: P, tolerance: Tolerance) -> list[P]:

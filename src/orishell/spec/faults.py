@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,8 @@ from pydantic_core import ErrorDetails
 
 from orishell.errors import InputError
 
+MOST_FAULTS = 20
+"""So many faults of a file are said, the others counted."""
 Location = tuple[str | int, ...]
 """Keys and indices from the outermost table to the value."""
 
@@ -28,10 +31,13 @@ def explain(
     for details in error.errors():
         location = _key_path(raw, (*inside, *details["loc"]), details["type"])
         faults.setdefault(location, []).append(details)
-    messages = [_fault(path, raw, location, group, keys) for location, group in faults.items()]
-    first = messages[0]
-    if len(messages) > 1:
-        first.detail = "\n".join(str(message) for message in messages[1:])
+    first, *others = [
+        _fault(path, raw, location, group, keys)
+        for location, group in islice(faults.items(), MOST_FAULTS)
+    ]
+    more = len(faults) - MOST_FAULTS
+    lines = [*map(str, others), *([f"and {more} more"] if more > 0 else [])]
+    first.detail = "\n".join(lines)
     return first
 
 
@@ -71,7 +77,7 @@ def _fault(
             expected="one of " + ", ".join(keys(location)),
             remedy=f"write {close[0]}, if that is what was meant" if close else "remove it",
         )
-    if kind in {"source", "range_missing", "range_unused"}:
+    if kind == "source":
         return InputError(details["msg"], where=where, got=str(context.get("found", "")))
     got = context.get("got", details["input"])
     expected = " or ".join(dict.fromkeys(_expected(each) for each in group))
@@ -111,7 +117,7 @@ def _shown(value: Any) -> str:
 
 def _spell(location: Location) -> str:
     """("target", "f", "range", 0) as "[target.f] range[0]"."""
-    names = [str(part) for part in location if isinstance(part, str)]
+    names = [part[:60] for part in location if isinstance(part, str)]
     index = "".join(f"[{part}]" for part in location if isinstance(part, int))
     if len(names) == 1:
         return f"[{names[0]}]"

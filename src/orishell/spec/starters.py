@@ -10,8 +10,11 @@ unit = "m"                  # mm, cm, m, in, ft
 [target.f]                  # the curve that is swept, in its own plane
 formula = "-x**2"           # y(x); or a pair, x(t) and y(t): ["t", "-t**2"]
 range = [-1, 1]
-# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line
-# smooth = true             # a spline through the points, or false: the polyline itself
+# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line; or
+# svg = "profile.svg"       # a drawing, with id = "..." of a path or group; or
+# dxf = "profile.dxf"       # a drawing, with layer = "..." or handle = "..."
+# unit = "mm"               # of the file, if it does not say so itself
+# smooth = true             # a spline through the points; false: exactly as drawn
 # scale = 1.0               # enlarges the curve about its origin
 
 [target.g]                  # the curve that it is swept along
@@ -45,8 +48,11 @@ unit = "m"                  # mm, cm, m, in, ft
 [target.f]                  # the curve that is swept, in its own plane
 formula = "-x**2"           # y(x); or a pair, x(t) and y(t): ["t", "-t**2"]
 range = [-1, 1]
-# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line
-# smooth = true             # a spline through the points, or false: the polyline itself
+# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line; or
+# svg = "profile.svg"       # a drawing, with id = "..." of a path or group; or
+# dxf = "profile.dxf"       # a drawing, with layer = "..." or handle = "..."
+# unit = "mm"               # of the file, if it does not say so itself
+# smooth = true             # a spline through the points; false: exactly as drawn
 # scale = 1.0               # enlarges the curve about its origin
 
 [target.g]                  # the curve that it is swept along
@@ -79,8 +85,11 @@ unit = "m"                  # mm, cm, m, in, ft
 [target.f]                  # the curve that is swept, in its own plane: convex
 formula = ["cos(t)", "sin(t)"]  # x(t), y(t); or y(x): "-x**2"
 range = [0.3, 2.8416]
-# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line
-# smooth = true             # a spline through the points, or false: the polyline itself
+# points = "profile.csv"    # instead of formula and range: points, one "x, y" a line; or
+# svg = "profile.svg"       # a drawing, with id = "..." of a path or group; or
+# dxf = "profile.dxf"       # a drawing, with layer = "..." or handle = "..."
+# unit = "mm"               # of the file, if it does not say so itself
+# smooth = true             # a spline through the points; false: exactly as drawn
 # scale = 1.0               # enlarges the curve about its origin
 
 [target.g]                  # the line that it is swept along: straight
@@ -106,4 +115,14 @@ couplings = "periodic"      # or 8 times "solve" or "parallel": columns without 
 
 [motion]
 frames = 25                 # states written, flat to the stage
+"""
+
+WORKSHOP = """
+# [workshop]                # how the flat sheet is drawn and cut (--write dxf,svg,pdf)
+# palette = "plain"         # colours and line widths, for instance "lightburn"
+# creases = "score"         # or "dashes", "perforation"
+# relief_hole = 0.0         # diameter of a hole at every vertex
+# labels = "none"           # or "panels", "creases", "both"
+# stock = [1.2, 0.8]        # sheets that the pattern is split over, with joint = "tabs" or "strips"
+# areal_density = 0.0       # kilograms per square metre
 """

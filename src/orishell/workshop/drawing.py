@@ -18,6 +18,9 @@ LAYERS: tuple[Layer, ...] = ("CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL")
 """Outer cut and holes; creases; what is marked on the work (labels); what is not on the work at
 all (title block, scale bar)."""
 
+ORDER: tuple[Layer, ...] = ("LABEL", "ENGRAVE", "MOUNTAIN", "VALLEY", "CUT")
+"""The layers in the order of work: what is cut comes last, so that nothing moves before."""
+
 Anchor = Literal["middle", "start", "end"]
 
 

@@ -1,0 +1,55 @@
+"""What the commands that write files share: formats, the state to show, the workshop."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from itertools import groupby
+from pathlib import Path
+
+from orishell.errors import InputError
+from orishell.io import LAST
+from orishell.io.registry import ALL, FORMATS
+
+STATES = {"flat": 0, "locked": LAST}
+"""States that have a name."""
+
+WRITE_HELP = f"More formats, commas between: {', '.join(each.name for each in FORMATS)}; or {ALL}."
+STATE_HELP = "State for formats that show one: flat, locked, or the number of a frame from 0."
+
+
+def state_number(text: str) -> int:
+    """The number of a state by its name or number.
+
+    Raises
+    ------
+    InputError
+        If it is neither.
+    """
+    if text in STATES:
+        return STATES[text]
+    if text.isascii() and text.isdecimal() and len(text) < 10:
+        return int(text)
+    raise InputError(
+        "there is no such state",
+        where="--state",
+        got=repr(text),
+        expected="flat, locked, or the number of a frame from 0",
+    )
+
+
+def shortened(paths: Iterable[Path]) -> list[str]:
+    """Paths as they are listed, numbered files of one kind as the first and the last of them."""
+
+    def kind(path: Path) -> tuple[str, str, bool]:
+        stem = re.sub(r"-[0-9]+$", "", path.stem)
+        return stem, path.suffix, stem != path.stem
+
+    listed = []
+    for (_, _, numbered), group in groupby(sorted(paths, key=kind), key=kind):
+        files = sorted(group, key=lambda path: (len(path.name), path.name))
+        if numbered and len(files) > 2:
+            listed.append(f"{files[0]} ... {files[-1].name} ({len(files)} files)")
+        else:
+            listed += map(str, files)
+    return listed

@@ -1,0 +1,229 @@
+"""One curve from a DXF file: what stands in its modelspace, in a unit of length."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
+from orishell.curves.joining import Chain, join_pieces
+from orishell.curves.pieces import MAX_PIECES
+from orishell.curves.sources import read_source
+from orishell.errors import InputError
+from orishell.units import MILLIMETRES
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+    from ezdxf.entities.dxfentity import DXFEntity
+
+UNITS: Final[dict[int, tuple[str, float]]] = {
+    1: ("in", 25.4),
+    2: ("ft", 304.8),
+    3: ("mi", 1609344.0),
+    4: ("mm", 1.0),
+    5: ("cm", 10.0),
+    6: ("m", 1e3),
+    7: ("km", 1e6),
+    8: ("uin", 25.4e-6),
+    9: ("mil", 25.4e-3),
+    10: ("yd", 914.4),
+    11: ("A", 1e-7),
+    12: ("nm", 1e-6),
+    13: ("um", 1e-3),
+    14: ("dm", 100.0),
+    15: ("dam", 1e4),
+    16: ("hm", 1e5),
+    17: ("Gm", 1e12),
+    21: ("survey ft", 1200e3 / 3937),
+    22: ("survey in", 100e3 / 3937),
+    23: ("survey yd", 3600e3 / 3937),
+    24: ("survey mi", 1200e3 / 3937 * 5280),
+}
+"""Name and millimetres of each value of ``$INSUNITS`` (ezdxf's factors are good to 1e-11 only)."""
+MAX_DEPTH = 16
+"""How deep blocks may be inserted into each other."""
+LISTED = 12
+DRAWN_TYPES: Final = {*CURVE_TYPES, "INSERT"}
+
+
+def read_dxf(
+    path: Path,
+    *,
+    into: str,
+    layer: str | None = None,
+    handle: str | None = None,
+    unit: str | None = None,
+) -> Chain:
+    """The curve that the modelspace of a DXF file draws.
+
+    Parameters
+    ----------
+    path
+        The file, as text or binary, of any version.
+    into
+        Unit of length of the result.
+    layer
+        The layer that is read, capitals or not; entities of a block on layer 0 count as the
+        insertion's. Otherwise every layer that is not off or frozen.
+    handle
+        The one entity that is read.
+    unit
+        The file's unit, whatever its ``$INSUNITS`` says. If that is absent or 0, and this is
+        None, the file is taken to be in the unit of the result.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, has no such layer or entity, or what it draws is not flat or
+        makes no curve with two ends; with the file and the place.
+    """
+    choice = f" layer {layer!r}" if layer is not None else f" handle {handle}" if handle else ""
+    try:
+        content = read_source(path, "DXF file")
+        _require_end(content)
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused when joined
+            stated, drawn = _read(path, layer, handle)
+        if b"$INSUNITS" not in content:  # then ezdxf says metres
+            stated = None
+        name, size = (unit, MILLIMETRES[unit]) if unit else stated or (into, MILLIMETRES[into])
+        _require_one_plane(drawn)
+        pieces = [piece for each in drawn for piece in each.pieces]
+        chain = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
+    except InputError as error:
+        raise error.located(f"{path}{choice}:") from None
+    return chain.scaled(1.0 if name == into else size / MILLIMETRES[into])
+
+
+def _require_end(content: bytes) -> None:
+    """Refuse what ezdxf might read half of: a file that is cut off."""
+    if not content.rstrip(b"\0\x1a \t\r\n").endswith(b"EOF"):
+        raise InputError(
+            "this is not DXF, or it is cut off", got="no EOF at the end", remedy="save it again"
+        )
+
+
+def _read(
+    path: Path, layer: str | None, handle: str | None
+) -> tuple[tuple[str, float] | None, list[Drawn]]:
+    """The unit that the file states, and what the chosen entities draw."""
+    from ezdxf.filemanagement import readfile
+
+    log = logging.getLogger("ezdxf")
+    if not log.handlers:  # otherwise what it remarks on goes to standard error
+        log.addHandler(logging.NullHandler())
+    try:
+        # Not ezdxf.recover: it drops what it cannot read, and half a profile looks like a whole.
+        document = readfile(path)
+        code = int(document.header.get("$INSUNITS", 0))
+        entities = _chosen(document, layer, handle)
+        return UNITS.get(code), [draw_entity(each) for each in entities]
+    except InputError:
+        raise
+    except Exception as error:  # in a damaged file ezdxf meets what it does not expect
+        said = " ".join(str(error).encode("utf-8", "backslashreplace").decode().split())
+        raise InputError(
+            "this DXF file is damaged",
+            got=f"{type(error).__name__}: {said[:120].rstrip('.')}",
+            remedy="open it in a CAD program, repair it there and save it again",
+        ) from None
+
+
+def _chosen(document: Drawing, layer: str | None, handle: str | None) -> list[DXFEntity]:
+    space = document.modelspace()
+    if handle is not None:
+        found = [each for each in space if _handle(each) == handle.upper().lstrip("0")]
+        if not found:
+            raise _unknown(
+                "handle", handle, [_handle(each) for each in space if each.dxftype() in CURVE_TYPES]
+            )
+        curves = list(_exploded(found, "0"))
+        if not curves:
+            raise InputError(
+                "this entity is no curve",
+                got=name_of(found[0]),
+                expected="one of " + ", ".join(CURVE_TYPES),
+            )
+        return [entity for entity, _ in curves]
+    unseen = {
+        each.dxf.name.casefold() for each in document.layers if each.is_off() or each.is_frozen()
+    }
+    curves = list(_exploded(space, None))
+    if layer is None:
+        return [entity for entity, on in curves if on.casefold() not in unseen]
+    chosen = [entity for entity, on in curves if on.casefold() == layer.casefold()]
+    if not chosen:
+        raise _unknown("layer", layer, sorted({on for _, on in curves}))
+    return chosen
+
+
+def _exploded(
+    entities: Iterable[DXFEntity], layer: str | None, depth: int = 0
+) -> Iterator[tuple[DXFEntity, str]]:
+    """Visible curves and the layers that they count for, those in inserted blocks among them."""
+    from ezdxf.entities.insert import Insert
+
+    count = 0
+    for entity in entities:
+        if entity.dxftype() not in DRAWN_TYPES or entity.dxf.get("invisible", 0):
+            continue
+        own = layer_of(entity)
+        on = layer if layer is not None and own == "0" else own
+        if isinstance(entity, Insert):
+            if depth >= MAX_DEPTH:
+                raise InputError(
+                    "blocks are inserted into each other without end",
+                    got=name_of(entity),
+                    expected=f"at most {MAX_DEPTH} levels",
+                )
+            if entity.mcount > MAX_PIECES:
+                raise InputError("a block is inserted too often", got=name_of(entity))
+            for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
+                inner = _exploded(insert.virtual_entities(), on, depth + 1)
+                for found in inner:
+                    count += 1
+                    _require_few(count)
+                    yield found
+        else:
+            count += 1
+            _require_few(count)
+            yield entity, on
+
+
+def _require_few(count: int) -> None:
+    if count > MAX_PIECES:
+        raise InputError("the drawing has too many entities", expected=f"at most {MAX_PIECES}")
+
+
+def _require_one_plane(drawn: list[Drawn]) -> None:
+    """Refuse curves that lie above each other: seen from above they would seem to meet."""
+    if not drawn:
+        return
+    level = float(drawn[0].z[0])
+    reach = max(each.reach for each in drawn)
+    for each in drawn:
+        if not np.abs(each.z - level).max() <= FLAT * reach:
+            raise InputError(
+                "the entities lie in different planes",
+                where=each.name,
+                got=f"z = {each.z[0]:.6g}",
+                expected=f"{level:.6g}, as {drawn[0].name} has",
+                remedy="move them into one plane, or choose one with layer or handle",
+            )
+
+
+def _handle(entity: DXFEntity) -> str:
+    return str(entity.dxf.get("handle") or "").upper().lstrip("0")
+
+
+def _unknown(key: str, wanted: str, known: list[str]) -> InputError:
+    more = f" and {len(known) - LISTED} more" if len(known) > LISTED else ""
+    return InputError(
+        f"there is no curve {'on' if key == 'layer' else 'with'} this {key}",
+        got=repr(wanted[:60]),
+        expected="one of " + ", ".join(known[:LISTED]) + more if known else "",
+        remedy="" if known else "the modelspace has no curves",
+    )

@@ -1,0 +1,253 @@
+"""From pieces in any order and direction to one curve, or to the place where they make none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves.curve import Curve, curve_from_points
+from orishell.curves.jets import Array
+from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
+from orishell.curves.piecewise import PieceArrays, curve_from_pieces
+from orishell.errors import CurveError
+
+Integers = NDArray[np.intp]
+Place = Callable[[Array], str]
+"""How messages name a point (2,) of the drawing."""
+
+TOLERANCE = 1e-6
+"""Ends that are nearer than this, relative to the diagonal of the drawing, are joined."""
+LARGEST = 1e50
+"""Coordinates beyond this count as not finite."""
+SMOOTH_TURN = 0.1
+"""A spline through a drawing takes a point of each piece at least every so many radians."""
+MOST_BETWEEN = 64
+"""A spline takes at most so many points of one piece."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chain:
+    """Pieces in their order, each turned to begin where the one before ends.
+
+    Parameters
+    ----------
+    pieces
+        The pieces (N,).
+    joints
+        Where they begin, meet and end (N+1, 2).
+    """
+
+    pieces: tuple[Piece, ...]
+    joints: Array
+
+    def reversed(self) -> Chain:
+        """The same points, from the last to the first."""
+        turned = tuple(piece.reversed() for piece in self.pieces[::-1])
+        return Chain(turned, self.joints[::-1])
+
+    def scaled(self, factor: float) -> Chain:
+        """The drawing enlarged about the origin by ``factor`` > 0."""
+        if factor == 1.0:
+            return self
+        affine = Affine(factor * np.eye(2), np.zeros(2))
+        return Chain(tuple(p.transformed(affine) for p in self.pieces), factor * self.joints)
+
+    def curve(self) -> Curve:
+        """The curve exactly as it is drawn; its parameter is about the arc length."""
+        return curve_from_pieces(PieceArrays.of(self.pieces), self.joints)
+
+    def spline(self) -> Curve:
+        """A cubic spline, twice continuously differentiable, through the drawing.
+
+        It goes through all joints, and through so many points of the bent pieces between that
+        these turn by at most :data:`SMOOTH_TURN` from point to point.
+        """
+        arrays = PieceArrays.of(self.pieces)
+        points = [self.joints[:1]]
+        for k, piece in enumerate(self.pieces):
+            share = np.arange(1, _parts(piece)) / _parts(piece)
+            if len(share):
+                points.append(arrays.jet(np.full(len(share), k), share)[0])
+            points.append(self.joints[k + 1 : k + 2])
+        return curve_from_points(np.concatenate(points), smooth=True)
+
+
+def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
+    """Order and turn pieces so that they make one curve.
+
+    Ends nearer than :data:`TOLERANCE` times the diagonal of all pieces are joined. Pieces shorter
+    than that, and pieces that are drawn twice, are dropped. The curve begins at the end with the
+    smaller x, or if they have the same, the smaller y.
+
+    Raises
+    ------
+    CurveError
+        If nothing is drawn, or the pieces branch, close, or leave a gap; with the place.
+    """
+    _require_pieces(pieces)
+    arrays = PieceArrays.of(pieces)
+    marks = [arrays.at(share) for share in (0.0, 0.5, 1.0)]
+    diagonal = float(np.hypot(*np.ptp(np.concatenate(marks), axis=0)))
+    tolerance = TOLERANCE * max(diagonal, 0.01 * float(arrays.lengths.max()))
+    kept = np.flatnonzero(arrays.lengths > tolerance)
+    if not len(kept):
+        raise CurveError("the drawing is a single point", where=place(marks[0][0]))
+    begin, middle, end = (mark[kept] for mark in marks)
+    node = _cluster(np.concatenate([begin, end]), tolerance).reshape(2, -1)
+    same = np.column_stack([np.sort(node, axis=0).T, _cluster(middle, tolerance)])
+    single = np.sort(np.unique(same, axis=0, return_index=True)[1])
+    kept, node = kept[single], node[:, single]
+    both = np.concatenate([begin[single], end[single]])
+    count = np.maximum(np.bincount(node.ravel()), 1)
+    where = np.column_stack(
+        [np.bincount(node.ravel(), both[:, axis], len(count)) / count for axis in (0, 1)]
+    )
+    grid = 1e-3 * tolerance  # so that messages do not quote rounding
+
+    def rounded(point: Array) -> str:
+        return place(np.round(point / grid) * grid + 0.0)
+
+    first = _first_end(node, where, tolerance, rounded)
+    order, turned = _walk(node, first)
+    chain = tuple(
+        pieces[kept[k]].reversed() if back else pieces[kept[k]]
+        for k, back in zip(order, turned, strict=True)
+    )
+    stops = [node[0 if back else 1, k] for k, back in zip(order, turned, strict=True)]
+    return Chain(chain, where[[first, *stops]])
+
+
+def _require_pieces(pieces: Sequence[Piece]) -> None:
+    if not pieces:
+        raise CurveError(
+            "nothing is drawn here",
+            expected="lines, arcs, polylines, paths, ellipses or splines",
+        )
+    if len(pieces) > MAX_PIECES:
+        raise CurveError(
+            "the drawing has too many pieces",
+            got=str(len(pieces)),
+            expected=f"at most {MAX_PIECES}",
+            remedy="simplify it",
+        )
+    for piece in pieces:
+        if not piece.reach < LARGEST:  # nan, too
+            raise CurveError(
+                "a coordinate is not finite, or too large", expected=f"numbers up to {LARGEST:g}"
+            )
+
+
+def _cluster(points: Array, tolerance: float) -> Integers:
+    """Numbers (P,) of points (P, 2), the same for those that are within a tolerance."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    # One point for each cell of a grid, so that however many coincide, few pairs are left.
+    cells = np.floor((points - points.min(axis=0)) / tolerance)
+    _, first, cell = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+    sites = points[first]
+    pairs = cKDTree(sites).query_pairs(tolerance, output_type="ndarray")
+    links = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(sites), len(sites)))
+    labels = connected_components(links, directed=False)[1]
+    return np.asarray(labels[cell.ravel()], dtype=np.intp)
+
+
+def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> int:
+    """The end (a node's number) at which the one chain of pieces begins."""
+    degree = np.bincount(node.ravel(), minlength=len(where))
+    if degree.max() > 2:
+        at = _leftmost(np.flatnonzero(degree > 2), where)
+        raise CurveError(
+            "the curve branches",
+            where=f"at {place(where[at])}",
+            got=f"{degree[at]} ends that meet",
+            expected="at most 2",
+            remedy="choose its pieces, or remove what does not belong to it",
+        )
+    chain = _components(node, len(where))
+    free = np.flatnonzero(degree == 1)
+    closed = np.setdiff1d(node.ravel(), np.flatnonzero(np.isin(chain, chain[free])))
+    if len(closed):
+        at = int(node[0, np.argmax(np.isin(node[0], closed))])
+        raise CurveError(
+            "the curve is closed",
+            where=f"from {place(where[at])} back to there",
+            expected="a curve with two ends",
+            remedy="remove a piece of it",
+        )
+    if len(free) > 2:
+        a, b, distance = _nearest_ends(free, chain, where)
+        raise CurveError(
+            "the curve has gaps",
+            where=f"between {place(where[a])} and {place(where[b])}",
+            got=f"{len(free) // 2} separate parts, the nearest ends {distance:.3g} apart",
+            expected="one curve",
+            remedy=f"make ends meet to {tolerance:.1g}, or choose its pieces",
+        )
+    a, b = (int(each) for each in free)
+    across = where[b] - where[a]
+    forwards = across[1] > 0 if abs(across[0]) <= tolerance else across[0] > 0
+    return a if forwards else b
+
+
+def _components(node: Integers, count: int) -> Integers:
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    links = coo_array((np.ones(node.shape[1]), node), shape=(count, count))
+    return np.asarray(connected_components(links, directed=False)[1], dtype=np.intp)
+
+
+def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, int, float]:
+    """The nearest two free ends of different chains, and their distance."""
+    from scipy.spatial import cKDTree
+
+    # Of the three nearest ends one is the end itself, and one may be the other of its chain.
+    distances, near = (np.asarray(each) for each in cKDTree(where[free]).query(where[free], k=3))
+    other = chain[free][near] != chain[free][:, None]
+    distances = np.where(other, distances, np.inf)
+    k, column = divmod(int(np.argmin(distances)), 3)
+    return int(free[k]), int(free[near[k, column]]), float(distances[k, column])
+
+
+def _leftmost(nodes: Integers, where: Array) -> int:
+    return int(nodes[np.lexsort((where[nodes, 1], where[nodes, 0]))[0]])
+
+
+def _walk(node: Integers, first: int) -> tuple[list[int], list[bool]]:
+    """The pieces from one end to the other, and whether each is run through backwards."""
+    at: dict[int, list[int]] = {}
+    for k, (a, b) in enumerate(node.T.tolist()):
+        at.setdefault(a, []).append(k)
+        at.setdefault(b, []).append(k)
+    order: list[int] = []
+    turned: list[bool] = []
+    here, last = first, -1
+    while True:
+        ahead = [k for k in at[here] if k != last]
+        if not ahead:
+            return order, turned
+        last = ahead[0]
+        back = int(node[1, last]) == here
+        order.append(last)
+        turned.append(back)
+        here = int(node[0 if back else 1, last])
+
+
+def _parts(piece: Piece) -> int:
+    """How many parts a spline sees in a piece: as many as its turning asks for."""
+    turn = abs(piece.sweep) if isinstance(piece, Arc) else _polygon_turn(piece)
+    return min(MOST_BETWEEN, 1 + int(np.ceil(turn / SMOOTH_TURN))) if turn > 1e-9 else 1
+
+
+def _polygon_turn(piece: Bezier) -> float:
+    """Total turning of the control polygon, which is no less than that of the curve."""
+    steps = np.diff(piece.control[:, :2] / piece.control[:, 2:], axis=0)
+    steps = steps[np.hypot(steps[:, 0], steps[:, 1]) > 0]
+    directions = np.arctan2(steps[:, 1], steps[:, 0])
+    turns = np.mod(np.diff(directions) + np.pi, 2 * np.pi) - np.pi
+    return float(np.abs(turns).sum())

@@ -1,0 +1,161 @@
+"""The attribute ``d`` of a path: every command of SVG, and a refusal of what is none."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+import numpy as np
+
+from orishell.curves.jets import Array
+from orishell.curves.pieces import MAX_PIECES, Arc, Piece, bezier
+from orishell.curves.svg.values import VALUE
+from orishell.errors import InputError
+
+_COMMAND = re.compile(r"\s*([MmZzLlHhVvCcSsQqTtAa])")
+_FLAG = re.compile(r"\s*(?:,\s*)?([01])")
+
+COUNTS: Final = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+
+
+def parse_path(data: str) -> list[Piece]:
+    """The pieces of a path, in user units.
+
+    Raises
+    ------
+    InputError
+        Where the text is no path, with the place.
+    """
+    return _Pen(data).draw()
+
+
+def elliptical_arc(
+    start: Array, radii: tuple[float, float], angle_deg: float, flags: tuple[bool, bool], end: Array
+) -> Piece:
+    """The arc of SVG's command A: radii, turn of their axes, and the flags large and sweep.
+
+    Radii that are too small are enlarged as SVG says, and without a radius it is a line.
+    """
+    rx, ry = abs(radii[0]), abs(radii[1])
+    if rx == 0 or ry == 0:
+        return bezier([start, end])
+    angle = np.deg2rad(angle_deg)
+    cos, sin = np.cos(angle), np.sin(angle)
+    axes = np.array([[rx * cos, rx * sin], [-ry * sin, ry * cos]])
+    # Where the axes are unit vectors the arc is that of a circle with radius 1.
+    x, y = 0.5 * (end - start)
+    half = np.array([(x * cos + y * sin) / rx, (y * cos - x * sin) / ry])
+    reach = float(np.hypot(*half))
+    if reach == 0:
+        return bezier([start, end])
+    if reach > 1:
+        axes, half = axes * reach, half / reach
+        reach = 1.0
+    large, sweep = flags
+    rise = np.sqrt((1 - reach) * (1 + reach)) / reach * (1 if large != sweep else -1)
+    left = np.array([-half[1], half[0]])
+    u = -half - rise * left
+    v = np.array([-u[1], u[0]])
+    turn = 2 * np.arctan2(reach, np.sqrt((1 - reach) * (1 + reach)))
+    turn = 2 * np.pi - turn if large else turn
+    centre = 0.5 * (start + end) + rise * left @ axes
+    return Arc(centre, np.array([u, v]) @ axes, 0.0, float(turn if sweep else -turn))
+
+
+class _Pen:
+    """Draws a path's commands one after the other."""
+
+    def __init__(self, data: str) -> None:
+        self.data = "" if data.strip() == "none" else data.rstrip()
+        self.place = 0
+        self.pieces: list[Piece] = []
+        self.here = np.zeros(2)
+        self.begin = np.zeros(2)
+        self.handle: tuple[str, Array] | None = None
+        """The last control point and the kind of curve that it belongs to: "C" or "Q"."""
+
+    def draw(self) -> list[Piece]:
+        first = True
+        while self.place < len(self.data):
+            found = _COMMAND.match(self.data, self.place)
+            if found is None or (first and found[1] not in "Mm"):
+                raise self.fault("a command, the first one M")
+            self.place = found.end()
+            self.command(found[1])
+            first = False
+        return self.pieces
+
+    def command(self, letter: str) -> None:
+        kind = letter.upper()
+        if kind == "Z":
+            self.add(bezier([self.here, self.begin]), self.begin)
+            return
+        again = False
+        while not again or VALUE.match(self.data, self.place):
+            numbers = self.numbers(kind)
+            if kind == "M":
+                self.here = self.point(numbers, letter.islower())
+                self.handle = None
+                if not again:
+                    self.begin = self.here
+                kind = "L"
+                again = True
+                continue
+            self.line_or_curve(kind, numbers, letter.islower())
+            again = True
+
+    def line_or_curve(self, kind: str, numbers: list[float], relative: bool) -> None:
+        here = self.here
+        base = here if relative else np.zeros(2)
+        if kind in "HV":
+            end = here.copy()
+            axis = "HV".index(kind)
+            end[axis] = base[axis] + numbers[0]
+            self.add(bezier([here, end]), end)
+            return
+        if kind == "A":
+            end = base + numbers[5:]
+            flags = (numbers[3] == 1, numbers[4] == 1)
+            arc = elliptical_arc(here, (numbers[0], numbers[1]), numbers[2], flags, end)
+            self.add(arc, end)
+            return
+        points = [base + pair for pair in np.reshape(numbers, (-1, 2))]
+        if kind in "ST":
+            family = "C" if kind == "S" else "Q"
+            mirrored = (
+                2 * here - self.handle[1] if self.handle and self.handle[0] == family else here
+            )
+            points.insert(0, mirrored)
+        self.add(bezier([here, *points]), points[-1])
+        if kind != "L":
+            self.handle = ("C" if kind in "CS" else "Q", points[-2])
+
+    def add(self, piece: Piece, end: Array) -> None:
+        if len(self.pieces) >= MAX_PIECES:
+            raise InputError("the path has too many pieces", expected=f"at most {MAX_PIECES}")
+        self.pieces.append(piece)
+        self.here = end
+        self.handle = None
+
+    def point(self, numbers: list[float], relative: bool) -> Array:
+        return np.array(numbers) + (self.here if relative else 0.0)
+
+    def numbers(self, kind: str) -> list[float]:
+        values = []
+        for k in range(COUNTS[kind]):
+            flag = kind == "A" and k in (3, 4)
+            found = (_FLAG if flag else VALUE).match(self.data, self.place)
+            if found is None:
+                raise self.fault("a flag, 0 or 1" if flag else "a number")
+            values.append(float(found[1]))
+            self.place = found.end()
+        return values
+
+    def fault(self, expected: str) -> InputError:
+        rest = self.data[self.place : self.place + 30]
+        return InputError(
+            "this is no path",
+            where=f"character {self.place + 1} of d",
+            got=repr(rest) if rest.strip() else "the end",
+            expected=expected,
+        )

@@ -1,0 +1,73 @@
+"""The document of a FOLD file: what it is converted from."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.document import Document, DocumentState
+from orishell.io.fold_reader import Array, FoldFile, FoldFrame
+from orishell.mesh import measure_mesh_folds
+from orishell.units import MILLIMETRES
+
+
+def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
+    """The document of a FOLD file by any program.
+
+    The flat sheet is the first frame that calls itself a crease pattern, or else the first that
+    lies in z = 0; all frames that do not are the states, in the order of the file.
+
+    Parameters
+    ----------
+    file
+        The file.
+    unit
+        Unit of length to be stated instead of the file's own.
+    """
+    flat = _find_flat(file.frames)
+    states = tuple(
+        DocumentState(frame.positions, frame.fold_angles_deg, frame.drive_deg)
+        for frame in file.frames
+        if frame is not flat and "creasePattern" not in frame.classes
+    )
+    known = file.unit if file.unit in MILLIMETRES else "unit"
+    return Document(
+        title=file.title,
+        unit=unit or known,
+        mesh=file.mesh,
+        assignment=file.assignment or _guess(file),
+        flat=None if flat is None else _in_plane(flat.positions),
+        fold_angles_deg=_fold_angles(file, flat, states),
+        states=states,
+        grid_shape=file.grid_shape,
+        curves={},
+    )
+
+
+def _find_flat(frames: tuple[FoldFrame, ...]) -> FoldFrame | None:
+    level = [frame for frame in frames if not frame.positions[:, 2].any()]
+    named = [frame for frame in level if "creasePattern" in frame.classes]
+    return next(iter(named or level), None)
+
+
+def _in_plane(positions: Array) -> Array:
+    flat = np.ascontiguousarray(positions[:, :2])
+    flat.flags.writeable = False
+    return flat
+
+
+def _fold_angles(
+    file: FoldFile, flat: FoldFrame | None, states: tuple[DocumentState, ...]
+) -> Array:
+    """The angles that the flat sheet names, or the last state, or those that are measured."""
+    if flat is not None and flat.fold_angles_deg is not None:
+        return flat.fold_angles_deg
+    if states and states[-1].fold_angles_deg is not None:
+        return states[-1].fold_angles_deg
+    if states:
+        return np.rad2deg(measure_mesh_folds(file.mesh, states[-1].positions))
+    return np.full(len(file.mesh.edges), np.nan)
+
+
+def _guess(file: FoldFile) -> tuple[str, ...]:
+    """Without assignments: borders are known, creases are unassigned."""
+    return tuple("U" if crease else "B" for crease in file.mesh.crease.tolist())

@@ -1,0 +1,258 @@
+"""The motion of the shell as binary glTF: every panel a rigid node that turns and moves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document, DocumentState
+from orishell.errors import InputError
+from orishell.io.poses import find_frames, longer_diagonals, quaternions
+from orishell.io.settings import Settings
+from orishell.io.triangles import TRIANGLES, find_splits
+from orishell.units import MILLIMETRES, conversion
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Singles = NDArray[np.float32]
+
+SECONDS: Final = 4.0
+"""How long the animation takes from the first state to the last."""
+COLOUR: Final = (0.80, 0.76, 0.68, 1.0)
+"""Colour of the panels, linear red, green, blue, opacity."""
+
+_FLOAT, _SHORT = 5126, 5123
+_VERTICES, _INDICES = 34962, 34963
+_JSON, _BINARY = b"JSON", b"BIN\0"
+_TURNED = [0, 2, 1], [1.0, 1.0, -1.0]
+
+
+def write_gltf(path: Path, document: Document, settings: Settings) -> None:
+    """Write every panel as a node, and the motion through all states as an animation.
+
+    Lengths are in metres and the y axis is up, as glTF demands: a point (x, y, z) is written as
+    (x, z, -y). Nodes are called "panel ROW,COLUMN" and stand as in the chosen state. A panel's
+    shape lies in its node's own plane and is the same all the time: it is that of the chosen
+    state. Between two states viewers turn a node evenly, by the shorter way, and move its
+    origin, the mean of the panel's corners, along a straight line. So panels stay rigid, and
+    neighbours part by less than s²L/8 if their diagonals are L long and they turn by s radians
+    from one state to the next: some thousandths of L with 13 states, a quarter of that with 25.
+    A panel must turn by less than 180 degrees from state to state.
+
+    Numbers are in single precision, as viewers have them: points are off by about 1e-7 of their
+    distance from the origin. Times follow the drive angle if it rises from state to state,
+    otherwise states are evenly spaced. With fewer than two states there is no animation.
+
+    Parameters
+    ----------
+    path
+        The file.
+    document
+        What is written.
+    settings
+        ``state`` says which state the nodes stand in.
+
+    Raises
+    ------
+    InputError
+        If there is no such state, or if the document names no unit.
+    """
+    import orjson
+
+    scale = _metres(document)
+    rest = _corners(document, document.state(settings.state), scale)
+    along = longer_diagonals(rest)
+    origins, axes = find_frames(rest, along)
+    buffers = _Buffers()
+    content = {
+        "asset": {
+            "version": "2.0",
+            "generator": "orishell",
+            "extras": {"title": document.title, "unit": document.unit},
+        },
+        "scene": 0,
+        "scenes": [{"name": document.title, "nodes": [0]}],
+        "nodes": _nodes(document, origins, axes),
+        "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest)),
+        "materials": [
+            {
+                "name": "panel",
+                "doubleSided": True,
+                "pbrMetallicRoughness": {
+                    "baseColorFactor": COLOUR,
+                    "metallicFactor": 0.0,
+                    "roughnessFactor": 0.9,
+                },
+            }
+        ],
+    }
+    if len(document.states) > 1:
+        content["animations"] = [_animation(buffers, document, scale, along)]
+    content |= buffers.described()
+    text = orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
+    chunks = _chunk(_JSON, text, b" ") + _chunk(_BINARY, b"".join(buffers.parts), b"\0")
+    header = b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little")
+    path.write_bytes(header + chunks)
+
+
+@dataclass(slots=True)
+class _Buffers:
+    """The binary part of the file and the tables that say what lies where in it."""
+
+    parts: list[bytes] = field(default_factory=list)
+    views: list[dict[str, Any]] = field(default_factory=list)
+    accessors: list[dict[str, Any]] = field(default_factory=list)
+
+    def add(self, array: NDArray[Any], kind: str, **view: int) -> int:
+        """Store arrays (K, count) or (K, count, width), one accessor each, in one view.
+
+        Returns the number of the first accessor.
+        """
+        data = array.tobytes()
+        begin = sum(len(part) for part in self.parts)
+        self.parts.append(data + bytes(-len(data) % 4))
+        component = _FLOAT if array.dtype == np.float32 else _SHORT
+        first, size = len(self.accessors), len(data) // len(array)
+        self.accessors += [
+            {
+                "bufferView": len(self.views),
+                "byteOffset": number * size,
+                "componentType": component,
+                "count": array.shape[1],
+                "type": kind,
+            }
+            for number in range(len(array))
+        ]
+        self.views.append({"buffer": 0, "byteOffset": begin, "byteLength": len(data), **view})
+        return first
+
+    def add_bounded(self, array: Singles, kind: str, **view: int) -> int:
+        """As :meth:`add`, with the smallest and largest value, as positions and times must."""
+        first = self.add(array, kind, **view)
+        for accessor, low, high in zip(
+            self.accessors[first:], array.min(axis=1), array.max(axis=1), strict=True
+        ):
+            accessor["min"], accessor["max"] = np.atleast_1d(low), np.atleast_1d(high)
+        return first
+
+    def described(self) -> dict[str, Any]:
+        """The tables, as the JSON part has them."""
+        size = sum(len(part) for part in self.parts)
+        return {
+            "accessors": self.accessors,
+            "bufferViews": self.views,
+            "buffers": [{"byteLength": size}],
+        }
+
+
+def _nodes(document: Document, origins: Array, axes: Array) -> list[dict[str, Any]]:
+    places, turns = origins.astype(np.float32), quaternions(axes).astype(np.float32)
+    root = {"name": document.title, "children": list(range(1, len(origins) + 1))}
+    return [root] + [
+        {
+            "name": f"panel {document.panel_name(panel)}",
+            "mesh": panel,
+            "translation": place,
+            "rotation": turn,
+        }
+        for panel, (place, turn) in enumerate(zip(places, turns, strict=True))
+    ]
+
+
+def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str, Any]]:
+    """One mesh for each panel with corners (F, 4, 3) in its own frame."""
+    corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=_VERTICES, byteStride=12)
+    upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
+    normals = buffers.add(upright, "VEC3", target=_VERTICES, byteStride=12)
+    used = np.unique(splits)
+    triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
+    first = buffers.add(triangles, "SCALAR", target=_INDICES)
+    indices = (first + np.searchsorted(used, splits)).tolist()
+    return [
+        {
+            "primitives": [
+                {
+                    "attributes": {"POSITION": corners + panel, "NORMAL": normals},
+                    "indices": index,
+                    "material": 0,
+                }
+            ]
+        }
+        for panel, index in enumerate(indices)
+    ]
+
+
+def _animation(
+    buffers: _Buffers, document: Document, scale: float, along: Integers
+) -> dict[str, Any]:
+    """Keys of all panels at all states."""
+    origins: list[Array] = []
+    turns: list[Array] = []
+    drives: list[float | None] = []
+    for state in document.states:
+        origin, axes = find_frames(_corners(document, state, scale), along)
+        turn = quaternions(axes)
+        if turns:  # q and -q are one rotation: the one nearer to the key before is meant
+            turn = np.where((turn * turns[-1]).sum(axis=1, keepdims=True) < 0, -turn, turn)
+        origins.append(origin)
+        turns.append(turn)
+        drives.append(state.drive_deg)
+    times = buffers.add_bounded(_times(drives)[None], "SCALAR")
+    paths = {
+        "translation": buffers.add(np.stack(origins, axis=1).astype(np.float32), "VEC3"),
+        "rotation": buffers.add(np.stack(turns, axis=1).astype(np.float32), "VEC4"),
+    }
+    panels = range(len(along))
+    return {
+        "name": "flat to locked",
+        "samplers": [
+            {"input": times, "output": first + panel, "interpolation": "LINEAR"}
+            for first in paths.values()
+            for panel in panels
+        ],
+        "channels": [
+            {
+                "sampler": number * len(panels) + panel,
+                "target": {"node": panel + 1, "path": name},
+            }
+            for number, name in enumerate(paths)
+            for panel in panels
+        ],
+    }
+
+
+def _times(drives: Sequence[float | None]) -> Singles:
+    """When (S,) the states are reached (seconds): as their drives rise, or else evenly."""
+    values = np.array(drives, dtype=np.float64)
+    if np.isfinite(values).all() and np.ptp(values) > 0:
+        times: Singles = ((values - values[0]) / np.ptp(values) * SECONDS).astype(np.float32)
+        if (np.diff(times) > 0).all():
+            return times
+    return np.linspace(0.0, SECONDS, len(values)).astype(np.float32)
+
+
+def _metres(document: Document) -> float:
+    if document.unit not in MILLIMETRES:
+        raise InputError(
+            "glTF is in metres, and the FOLD file names no unit",
+            got=repr(document.unit),
+            expected=", ".join(MILLIMETRES),
+            remedy="name it, for instance with --unit mm",
+        )
+    return conversion(document.unit, "m")
+
+
+def _corners(document: Document, state: DocumentState, scale: float) -> Array:
+    """Corners (F, 4, 3) of the panels in metres, y up."""
+    order, signs = _TURNED
+    return np.asarray(state.positions[:, order] * signs * scale + 0.0)[document.mesh.faces]
+
+
+def _chunk(kind: bytes, data: bytes, padding: bytes) -> bytes:
+    data += padding * (-len(data) % 4)
+    return len(data).to_bytes(4, "little") + kind + data

@@ -1,0 +1,58 @@
+"""One state of the shell as Wavefront OBJ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.io.settings import Settings
+
+Array = NDArray[np.float64]
+
+
+def write_obj(path: Path, document: Document, settings: Settings) -> None:
+    """Write the panels of one state as quadrilaterals.
+
+    The y axis is up, as readers of OBJ expect: a point (x, y, z) is written as (x, z, -y).
+    Coordinates are in the document's unit, which a comment names (OBJ has no place for it), and
+    have all their digits. A grid has one group for each row of panels, any other sheet one group.
+    Without smoothing (``s off``) creases stay sharp.
+
+    Parameters
+    ----------
+    path
+        The file.
+    document
+        What is written.
+    settings
+        ``state`` says which state.
+
+    Raises
+    ------
+    InputError
+        If there is no such state.
+    """
+    positions = document.state(settings.state).positions
+    with path.open("w", encoding="utf-8", newline="\n") as file:
+        file.write(f"# {' '.join(document.title.split())}\n# Unit: {document.unit}. Up: y.\n")
+        file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in _y_up(positions).tolist())
+        file.write("s off\n")
+        file.writelines(_panels(document))
+
+
+def _panels(document: Document) -> Iterator[str]:
+    faces = document.mesh.faces
+    row = len(faces) if document.grid_shape is None else document.grid_shape[1] - 1
+    for number, begin in enumerate(range(0, len(faces), row)):
+        yield "g panels\n" if document.grid_shape is None else f"g row_{number}\n"
+        for a, b, c, d in (faces[begin : begin + row] + 1).tolist():
+            yield f"f {a} {b} {c} {d}\n"
+
+
+def _y_up(positions: Array) -> Array:
+    """Points (V, 3) turned about the x axis so that z comes to lie on y; without -0.0."""
+    return np.asarray(positions[:, [0, 2, 1]] * [1.0, 1.0, -1.0] + 0.0)

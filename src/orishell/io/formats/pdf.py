@@ -1,0 +1,260 @@
+"""PDF of a paper model: the flat sheet to scale over as many pages as it takes, to print and fold.
+
+Mountains are dash-dotted and valleys dashed, as folders draw them, so that a printer without
+colours will do. Nothing is compressed, and nothing tells when or where the file was written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.io.settings import Settings
+from orishell.workshop.drawing import Layer, Text
+from orishell.workshop.paper_model import PaperModel, make_paper_model
+from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
+
+if TYPE_CHECKING:
+    from reportlab.pdfgen.canvas import Canvas
+
+Array = NDArray[np.float64]
+Box = tuple[Array, Array]
+
+MM = 72 / 25.4
+"""Points in a millimetre."""
+ARM_MM = 2.5
+"""Length of the arms of register marks (mm)."""
+CAPITALS = 0.718
+"""Height of Helvetica's capitals, in font sizes."""
+INK, PALE = "#000000", "#b4b4b4"
+
+STYLES: dict[Layer, tuple[float, tuple[float, ...]]] = {
+    "ENGRAVE": (0.2, (0.3, 1.1)),
+    "MOUNTAIN": (0.3, (3.6, 1.1, 0.4, 1.1)),
+    "VALLEY": (0.3, (2.2, 1.3)),
+    "CUT": (0.4, ()),
+}
+"""Width of lines, and lengths of dashes and gaps (mm); in the order in which they are drawn."""
+MEANINGS: dict[Layer, str] = {
+    "CUT": "cut",
+    "MOUNTAIN": "mountain: fold so that the crease comes towards you",
+    "VALLEY": "valley: fold so that the crease goes away from you",
+    "ENGRAVE": "not folded",
+}
+
+
+def write_pdf(path: Path, document: Document, settings: Settings) -> None:
+    """Write the flat sheet at ``paper_scale`` over pages of ``paper``.
+
+    Neighbouring pages share a strip of 10 mm; register marks stand at its corners, at the same
+    places of the sheet on both. Pages that the sheet does not touch are left out. If there are
+    several, a page with their order comes first.
+
+    Parameters
+    ----------
+    path
+        The file.
+    document
+        What is written.
+    settings
+        The paper, the scale, the palette (colours only) and the labels.
+
+    Raises
+    ------
+    InputError
+        If there is no flat sheet or unit, or it takes too many pages.
+    """
+    from reportlab.pdfgen.canvas import Canvas
+
+    model = make_paper_model(document, settings.workshop)
+    tiling = model.tiling
+    size = (tiling.page_width * MM, tiling.page_height * MM)
+    canvas = Canvas(str(path), pagesize=size, invariant=1, pageCompression=0)
+    canvas.setTitle(model.title)
+    canvas.setCreator("orishell")
+    if len(tiling.pages) > 1:
+        _draw_order(canvas, model)
+    for number, page in enumerate(tiling.pages, 1):
+        _draw_page(canvas, model, page, number)
+    canvas.save()
+
+
+def _draw_page(canvas: Canvas, model: PaperModel, page: Page, number: int) -> None:
+    """The part of the model that lies on a page, clipped to its frame, and what is around it."""
+    tiling = model.tiling
+    origin = np.array([BORDER_MM - page.left, BORDER_MM + FOOT_MM - page.bottom])
+    low = np.array([page.left, page.bottom])
+    high = low + np.array([tiling.frame_width, tiling.frame_height])
+    canvas.saveState()
+    clip = canvas.beginPath()
+    clip.rect(
+        BORDER_MM * MM,
+        (BORDER_MM + FOOT_MM) * MM,
+        tiling.frame_width * MM,
+        tiling.frame_height * MM,
+    )
+    canvas.clipPath(clip, stroke=0, fill=0)
+    _draw_sheet(canvas, model, origin, 1.0, (low, high))
+    canvas.restoreState()
+    marks = tiling.marks(page)
+    _draw_marks(canvas, marks + origin)
+    if len(marks):
+        _pen(canvas, PALE, 0.1, (1.0, 1.0))
+        x, y = (BORDER_MM * MM, (BORDER_MM + FOOT_MM) * MM)
+        canvas.rect(x, y, tiling.frame_width * MM, tiling.frame_height * MM)
+    _draw_foot(canvas, model, page, number)
+    canvas.showPage()
+
+
+def _draw_sheet(
+    canvas: Canvas, model: PaperModel, origin: Array, size: float, shown: Box | None = None
+) -> None:
+    """All lines that come near a box of the model (mm), enlarged by ``size`` about its corner."""
+    near: NDArray[np.bool_] = np.ones(len(model.lines), dtype=np.bool_)
+    if shown is not None:
+        beside = (model.highs < shown[0] - 1) | (model.lows > shown[1] + 1)
+        near = np.asarray(~beside.any(axis=1))
+    for layer, (width, dashes) in STYLES.items():
+        _pen(canvas, model.colours[layer], width, dashes if size == 1 else ())
+        path = canvas.beginPath()
+        for k in np.flatnonzero(near):
+            line = model.lines[k]
+            if line.layer == layer:
+                first, *others = ((line.points * size + origin) * MM).tolist()
+                path.moveTo(*first)
+                for point in others:
+                    path.lineTo(*point)
+                if line.closed:
+                    path.close()
+        canvas.drawPath(path)
+    if size == 1:
+        for text in model.texts:
+            _draw_text(canvas, text, origin, model.colours["ENGRAVE"])
+
+
+def _draw_text(canvas: Canvas, text: Text, origin: Array, colour: str) -> None:
+    words = text.words.encode("cp1252", "replace").decode("cp1252")
+    canvas.saveState()
+    canvas.setFillColor(colour)
+    canvas.setFont("Helvetica", text.height / CAPITALS * MM)
+    canvas.translate((text.x + origin[0]) * MM, (text.y + origin[1]) * MM)
+    canvas.rotate(float(np.rad2deg(text.angle)))
+    draw = {"start": canvas.drawString, "end": canvas.drawRightString}
+    draw.get(text.anchor, canvas.drawCentredString)(0, -0.5 * text.height * MM, words)
+    canvas.restoreState()
+
+
+def _draw_marks(canvas: Canvas, places: Array) -> None:
+    """Crosses at places (k, 2) of the page."""
+    _pen(canvas, INK, 0.15, ())
+    for x, y in (places * MM).tolist():
+        arm = ARM_MM * MM
+        canvas.line(x - arm, y, x + arm, y)
+        canvas.line(x, y - arm, x, y + arm)
+
+
+def _draw_foot(canvas: Canvas, model: PaperModel, page: Page, number: int) -> None:
+    tiling = model.tiling
+    top, right = BORDER_MM + FOOT_MM - 6.5, tiling.page_width - BORDER_MM
+    _say(canvas, BORDER_MM, top, _cut(model.title, 34), 9)
+    _say(canvas, BORDER_MM, top - 4, f"{model.says}. Print at 100 %", 8)
+    _draw_bar(canvas, model, 0.5 * (tiling.page_width - model.bar_mm), top)
+    if len(tiling.pages) > 1:
+        _say(canvas, right, top, f"Page {number} of {len(tiling.pages)}", 9, anchor="end")
+        place = f"row {page.row}, column {page.column}"
+        _say(canvas, right, top - 4, place, 8, anchor="end")
+    else:
+        folds: tuple[Layer, ...] = ("MOUNTAIN", "VALLEY")
+        for k, layer in enumerate(folds):
+            _sample(canvas, model, layer, (right - 32, right - 17), top - 4 * k + 0.9)
+            _say(canvas, right - 15, top - 4 * k, layer.lower(), 8)
+
+
+def _draw_bar(canvas: Canvas, model: PaperModel, left: float, bottom: float) -> None:
+    """A bar of exactly the length that is written below it."""
+    _pen(canvas, INK, 0.25, ())
+    y = (bottom + 1.2) * MM
+    canvas.line(left * MM, y, (left + model.bar_mm) * MM, y)
+    for share in (0.0, 0.5, 1.0):
+        x = (left + share * model.bar_mm) * MM
+        canvas.line(x, y, x, y + (2.0 if share != 0.5 else 1.2) * MM)
+    _say(canvas, left + 0.5 * model.bar_mm, bottom - 3, model.bar_says, 8, anchor="middle")
+
+
+def _draw_order(canvas: Canvas, model: PaperModel) -> None:
+    """The first page: how the others lie, what the lines mean, what to do."""
+    tiling = model.tiling
+    left, right = BORDER_MM, tiling.page_width - BORDER_MM
+    y = tiling.page_height - BORDER_MM - 6
+    _say(canvas, left, y, _cut(model.title, 60), 16)
+    wide, high = model.size.tolist()
+    pages = f"{len(tiling.pages)} pages"
+    _say(canvas, left, y - 8, f"{model.says}, {wide:.0f} x {high:.0f} mm on {pages}", 11)
+    words = [
+        "Print at 100 % (no fitting to the page) and measure the bar.",
+        f"Neighbouring pages share a strip of {OVERLAP_MM:g} mm: cut one of them along its dashed "
+        "frame,",
+        "lay it on the other so that the crosses meet, and glue. Then score, cut and fold.",
+    ]
+    for k, line in enumerate(words):
+        _say(canvas, left, y - 16 - 5 * k, line, 9)
+    for k, (layer, meaning) in enumerate(MEANINGS.items()):
+        low = y - 36 - 5.5 * k
+        _sample(canvas, model, layer, (left, left + 30), low + 1.1)
+        _say(canvas, left + 34, low, meaning, 9)
+    _draw_bar(canvas, model, left, BORDER_MM + 5)
+
+    frames = np.array([[page.left, page.bottom] for page in tiling.pages])
+    frame = np.array([tiling.frame_width, tiling.frame_height])
+    low = frames.min(axis=0)
+    extent = frames.max(axis=0) + frame - low
+    room = np.array([right - left, y - 64 - (BORDER_MM + 16)])
+    size = float((room / extent).min())
+    origin = np.array([left, BORDER_MM + 16]) + 0.5 * (room - size * extent) - size * low
+    _draw_sheet(canvas, model, origin, size)
+    for number, corner in enumerate(frames, 1):
+        x, base = (corner * size + origin).tolist()
+        _pen(canvas, PALE, 0.2, ())
+        canvas.rect(x * MM, base * MM, *(frame * size * MM).tolist())
+        _say(canvas, x + 1.5, base + size * frame[1] - 6, str(number), 14)
+    canvas.showPage()
+
+
+def _sample(
+    canvas: Canvas, model: PaperModel, layer: Layer, ends: tuple[float, float], y: float
+) -> None:
+    width, dashes = STYLES[layer]
+    _pen(canvas, model.colours[layer], width, dashes)
+    canvas.line(ends[0] * MM, y * MM, ends[1] * MM, y * MM)
+
+
+def _pen(canvas: Canvas, colour: str, width: float, dashes: Sequence[float]) -> None:
+    canvas.setStrokeColor(colour)
+    canvas.setLineWidth(width * MM)
+    canvas.setLineJoin(1)
+    canvas.setDash([length * MM for length in dashes])
+
+
+def _say(
+    canvas: Canvas,
+    x: float,
+    y: float,
+    words: str,
+    points: float,
+    *,
+    anchor: Literal["start", "middle", "end"] = "start",
+) -> None:
+    """Words on the page, their baseline at (x, y) in mm."""
+    canvas.setFillColor(INK)
+    canvas.setFont("Helvetica", points)
+    draw = {"start": canvas.drawString, "end": canvas.drawRightString}
+    draw.get(anchor, canvas.drawCentredString)(x * MM, y * MM, words)
+
+
+def _cut(words: str, most: int) -> str:
+    return words if len(words) <= most else words[: most - 3] + "..."

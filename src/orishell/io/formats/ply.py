@@ -1,0 +1,53 @@
+"""One state of the shell as binary PLY."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from orishell.document import Document
+from orishell.io.settings import Settings
+
+_FACE = np.dtype([("corner_count", "u1"), ("vertex_indices", "<i4", (4,))])
+
+
+def write_ply(path: Path, document: Document, settings: Settings) -> None:
+    """Write the panels of one state as quadrilaterals.
+
+    The z axis is up. Coordinates are in the document's unit, which a comment names (PLY has no
+    place for it), in double precision: not a bit is lost. Panels have no properties: some readers
+    stumble over them.
+
+    Parameters
+    ----------
+    path
+        The file.
+    document
+        What is written.
+    settings
+        ``state`` says which state.
+
+    Raises
+    ------
+    InputError
+        If there is no such state.
+    """
+    positions = document.state(settings.state).positions
+    faces = np.empty(len(document.mesh.faces), _FACE)
+    faces["corner_count"], faces["vertex_indices"] = 4, document.mesh.faces
+    lines = [
+        "ply",
+        "format binary_little_endian 1.0",
+        f"comment {' '.join(document.title.split())}",
+        f"comment Unit: {document.unit}. Up: z.",
+        f"element vertex {len(positions)}",
+        *(f"property double {axis}" for axis in "xyz"),
+        f"element face {len(faces)}",
+        "property list uchar int vertex_indices",
+        "end_header",
+    ]
+    with path.open("wb") as file:
+        file.write("".join(f"{line}\n" for line in lines).encode("ascii", "replace"))
+        file.write(positions.astype("<f8").tobytes())
+        file.write(faces.tobytes())

@@ -1,0 +1,240 @@
+"""Pattern, shell and target curves as Rhino 3dm."""
+
+from __future__ import annotations
+
+import base64
+import struct
+import zlib
+from math import isnan
+from pathlib import Path
+from typing import Any, Final
+from uuid import UUID
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.io.settings import Settings
+from orishell.panels import reflex_corners, unit_normals
+from orishell.workshop.outline import find_outlines
+
+Array = NDArray[np.float64]
+
+VERSION: Final = 6
+"""The oldest Rhino that reads the file."""
+
+_UNIT_SYSTEMS = {
+    "mm": "Millimeters",
+    "cm": "Centimeters",
+    "m": "Meters",
+    "in": "Inches",
+    "ft": "Feet",
+}
+_COLOURS = {
+    "CUT": (0, 0, 0, 255),
+    "MOUNTAIN": (220, 40, 40, 255),
+    "VALLEY": (40, 80, 220, 255),
+    "ENGRAVE": (120, 120, 120, 255),
+    "mesh": (150, 140, 120, 255),
+    "panels": (190, 180, 160, 255),
+    "f": (0, 140, 70, 255),
+    "g": (230, 140, 0, 255),
+}
+_LETTERS = {"C": "CUT", "M": "MOUNTAIN", "V": "VALLEY", "F": "ENGRAVE", "U": "ENGRAVE"}
+_FIRST_ID = UUID("6f1c2c1e-3d55-8c7e-9c38-0e1a00000000")
+_FIRST_CHUNK, _CHUNK_HEAD = 32, 12
+_PROPERTIES, _HISTORY, _SHORT = 0x10000014, 0x20008021, 0x80000000
+_NO_TIME = struct.pack("<8i", 0, 0, 0, 1, 0, 70, 4, 0)
+
+
+def write_rhino(path: Path, document: Document, settings: Settings) -> None:
+    """Write the flat pattern as curves, the chosen state as mesh and as panels, and the curves.
+
+    Layers are "flat pattern" with CUT, MOUNTAIN, VALLEY and, if there are unfolded or unassigned
+    creases, ENGRAVE; "shell" with "mesh" (one mesh, welded, double precision) and "panels" (one
+    surface each, named by row and column); "target" with a layer for each curve. The pattern lies
+    at z = 0: its outlines are closed polylines, its creases lines with their fold angle as user
+    text. The z axis is up. A panel is the bilinear surface of its corners, plane if they are; one
+    with a corner that points inwards is a trimmed plane.
+
+    The unit is the model's unit system, "no units" if none is known. The same document gives the
+    same bytes with the same version of rhino3dm: objects have ids by their order, and the
+    times that rhino3dm writes are replaced by the first second of 1970. It also writes its own
+    version and the kind of operating system it ran on.
+
+    Parameters
+    ----------
+    path
+        The file.
+    document
+        What is written.
+    settings
+        ``state`` says which state is the shell's.
+
+    Raises
+    ------
+    InputError
+        If there is no such state.
+    """
+    rhino3dm = _rhino3dm()
+
+    model = _Model(document)
+    if document.flat is not None:
+        _add_pattern(model, document, document.flat)
+    _add_shell(model, document, document.state(settings.state).positions)
+    for name, points in document.curves.items():
+        model.add(_polyline(points), model.layer("target", name), name)
+    options = rhino3dm.File3dmWriteOptions()
+    options.Version = VERSION
+    path.write_bytes(_without_clock(base64.b64decode(model.file.Encode(options))))
+
+
+class _Model:
+    """A file with layers that are made when something is put on them."""
+
+    def __init__(self, document: Document) -> None:
+        rhino3dm = _rhino3dm()
+
+        self.file = rhino3dm.File3dm()
+        system = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS.get(document.unit, "None"))
+        self.file.Settings.ModelUnitSystem = system
+        self.file.ApplicationName = "orishell"
+        self.file.StartSectionComments = (
+            f"{' '.join(document.title.split())}\nUnit: {document.unit}. Up: z.\n"
+        )
+        self._layers: dict[tuple[str, ...], int] = {}
+        self._ids = 0
+
+    def layer(self, *path: str) -> int:
+        """The number of a layer; path is its name after those of the layers it is in."""
+        rhino3dm = _rhino3dm()
+
+        if path not in self._layers:
+            layer = rhino3dm.Layer()
+            layer.Name = path[-1]
+            layer.Id = self._new_id()
+            layer.Color = _COLOURS.get(path[-1], (0, 0, 0, 255))
+            if path[:-1]:
+                layer.ParentLayerId = self.file.Layers[self.layer(*path[:-1])].Id
+            self._layers[path] = self.file.Layers.Add(layer)
+        return self._layers[path]
+
+    def add(self, geometry: Any, layer: int, name: str, **user_text: str) -> None:
+        """Put something on a layer."""
+        rhino3dm = _rhino3dm()
+
+        attributes = rhino3dm.ObjectAttributes()
+        attributes.LayerIndex = layer
+        attributes.Name = name
+        attributes.Id = self._new_id()
+        for key, text in user_text.items():
+            attributes.SetUserString(key, text)
+        self.file.Objects.Add(geometry, attributes)
+
+    def _new_id(self) -> UUID:
+        """Ids in the order in which they are asked for: rhino3dm would make random ones."""
+        self._ids += 1
+        return UUID(int=_FIRST_ID.int + self._ids)
+
+
+def _add_pattern(model: _Model, document: Document, flat: Array) -> None:
+    """Outlines and creases of the flat sheet, and what is cut inside it."""
+    rhino3dm = _rhino3dm()
+
+    points = np.column_stack([flat, np.zeros(len(flat))])
+    for name in ("CUT", "MOUNTAIN", "VALLEY"):
+        model.layer("flat pattern", name)
+    for number, loop in enumerate(find_outlines(document.mesh.faces, flat)):
+        outline = _polyline(points[[*loop, loop[0]]])
+        model.add(outline, model.layer("flat pattern", "CUT"), f"outline {number}")
+    inner = np.flatnonzero((document.mesh.edge_faces >= 0).all(axis=1))
+    ends = points[document.mesh.edges[inner]].tolist()
+    angles = document.fold_angles_deg[inner].tolist()
+    for edge, (start, end), angle in zip(inner.tolist(), ends, angles, strict=True):
+        layer = _LETTERS.get(document.assignment[edge], "CUT")
+        line = rhino3dm.LineCurve(rhino3dm.Point3d(*start), rhino3dm.Point3d(*end))
+        known = {} if layer == "CUT" or isnan(angle) else {"fold_angle_deg": repr(angle)}
+        kind = "cut" if layer == "CUT" else "crease"
+        model.add(line, model.layer("flat pattern", layer), f"{kind} {edge}", **known)
+
+
+def _add_shell(model: _Model, document: Document, positions: Array) -> None:
+    """The shell in space as one mesh, and panel by panel."""
+    rhino3dm = _rhino3dm()
+
+    mesh = rhino3dm.Mesh()
+    mesh.Vertices.UseDoublePrecisionVertices = True
+    for point in positions.tolist():
+        mesh.Vertices.AddPoint3d(*point)
+    for face in document.mesh.faces.tolist():
+        mesh.Faces.AddFace(*face)
+    mesh.Normals.ComputeNormals()
+    model.add(mesh, model.layer("shell", "mesh"), "shell")
+    corners = positions[document.mesh.faces]
+    layer = model.layer("shell", "panels")
+    reflex: list[bool] = np.any(reflex_corners(corners), axis=1).tolist()
+    for panel, (points, concave) in enumerate(zip(corners, reflex, strict=True)):
+        surface = _trimmed(points) if concave else _bilinear(points)
+        model.add(surface, layer, f"panel {document.panel_name(panel)}")
+
+
+def _bilinear(corners: Array) -> Any:
+    """The surface with these corners (4, 3) and straight sides."""
+    rhino3dm = _rhino3dm()
+
+    a, b, c, d = (rhino3dm.Point3d(*point) for point in corners.tolist())
+    return rhino3dm.NurbsSurface.CreateRuledSurface(
+        rhino3dm.LineCurve(a, b), rhino3dm.LineCurve(d, c)
+    )
+
+
+def _trimmed(corners: Array) -> Any:
+    """The part of a plane inside these corners (4, 3)."""
+    rhino3dm = _rhino3dm()
+
+    plane = rhino3dm.Plane(
+        rhino3dm.Point3d(*corners[0].tolist()), rhino3dm.Vector3d(*unit_normals(corners).tolist())
+    )
+    return rhino3dm.Brep.CreateTrimmedPlane(plane, _polyline(corners[[0, 1, 2, 3, 0]]))
+
+
+def _polyline(points: Array) -> Any:
+    rhino3dm = _rhino3dm()
+
+    return rhino3dm.Polyline(
+        [rhino3dm.Point3d(*point) for point in points.tolist()]
+    ).ToPolylineCurve()
+
+
+def _rhino3dm() -> Any:
+    """The module without its type stubs, which say that nothing can be set or added."""
+    import rhino3dm
+
+    return rhino3dm
+
+
+def _without_clock(data: bytes) -> bytes:
+    """A file with 1970-01-01 for the times at which it was made and edited.
+
+    They are in a chunk of the table of properties: a byte, a name, a time, a name, a time, a
+    count and the checksum of these. Names are strings of two bytes a letter after their number
+    of letters, times are eight integers (second, minute, hour, day, month, year,
+    day of the week and of the year; C's ``struct tm``). Chunks begin with a typecode and
+    their length; short ones have a value in its place and no content.
+    """
+    begin = _FIRST_CHUNK
+    while True:
+        kind, length = struct.unpack_from("<IQ", data, begin)
+        begin += _CHUNK_HEAD
+        if kind == _HISTORY:
+            break
+        begin += 0 if kind == _PROPERTIES or kind & _SHORT else length
+    end = begin + length
+    content = bytearray(data[begin : end - 4])
+    place = 1
+    for _ in ("made", "edited"):
+        place += 4 + 2 * int(struct.unpack_from("<I", content, place)[0])
+        content[place : place + len(_NO_TIME)] = _NO_TIME
+        place += len(_NO_TIME)
+    checksum = struct.pack("<I", zlib.crc32(content))
+    return data[:begin] + content + checksum + data[end:]

@@ -1,0 +1,105 @@
+"""Bill of quantities: a table of panels and a table of creases (CSV)."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Sequence
+from math import isnan
+from pathlib import Path
+
+import numpy as np
+
+from orishell.document import Document
+from orishell.io.settings import Settings
+
+PANELS = "panels"
+"""Stem of the table of panels, beside which the other is called ``creases.csv``."""
+
+
+def write_tables(path: Path, document: Document, settings: Settings) -> None:
+    """Write the panels to ``path`` and the creases beside it.
+
+    The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
+    other ``NAME.csv``. The first line names the columns and their units; panels are numbered from
+    0, and by row and column where the sheet is a grid; numbers have all their digits.
+
+    Raises
+    ------
+    InputError
+        If only folded states are known.
+    """
+    creases = path.with_name("creases.csv" if path.stem == PANELS else f"{path.stem}-creases.csv")
+    _write(path, *_panels(document))
+    _write(creases, *_creases(document))
+
+
+def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
+    unit = document.unit
+    corners = document.require_flat()[document.mesh.faces]
+    perimeter = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=-1).sum(axis=1)
+    heads = [
+        "panel",
+        "row",
+        "column",
+        *(f"{axis}{corner}_{unit}" for corner in (1, 2, 3, 4) for axis in "xy"),
+        f"area_{unit}2",
+        f"perimeter_{unit}",
+    ]
+    count = len(corners)
+    rows, columns = _places(document, count)
+    numbers = np.column_stack([corners.reshape(count, 8), document.areas(), perimeter]).tolist()
+    return heads, (
+        [panel, row, column, *values]
+        for panel, (row, column, values) in enumerate(zip(rows, columns, numbers, strict=True))
+    )
+
+
+def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
+    unit, mesh, flat = document.unit, document.mesh, document.require_flat()
+    heads = [
+        "crease",
+        "panel_1",
+        "panel_2",
+        "vertex_1",
+        "vertex_2",
+        f"length_{unit}",
+        "fold_angle_at_lock_deg",
+        "assignment",
+    ]
+    numbers = np.flatnonzero(mesh.crease)
+    ends = flat[mesh.edges[numbers]]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    angles = document.fold_angles_deg[numbers].tolist()
+    return heads, (
+        [
+            number,
+            *panels,
+            *vertices,
+            size,
+            "" if isnan(angle) else angle,
+            document.assignment[number],
+        ]
+        for number, panels, vertices, size, angle in zip(
+            numbers.tolist(),
+            mesh.edge_faces[numbers].tolist(),
+            mesh.edges[numbers].tolist(),
+            length.tolist(),
+            angles,
+            strict=True,
+        )
+    )
+
+
+def _places(document: Document, count: int) -> tuple[Sequence[object], Sequence[object]]:
+    """Row and column of every panel; nothing where the panels are no grid."""
+    if document.grid_shape is None:
+        return [""] * count, [""] * count
+    rows, columns = np.divmod(np.arange(count), document.grid_shape[1] - 1)
+    return rows.tolist(), columns.tolist()
+
+
+def _write(path: Path, heads: list[str], rows: Iterable[Sequence[object]]) -> None:
+    with path.open("w", newline="", encoding="ascii") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(heads)
+        writer.writerows(rows)

@@ -1,0 +1,110 @@
+"""All states of the shell for ParaView: VTU files and the PVD file that lists them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from orishell.document import Document, DocumentState
+from orishell.io.settings import Settings
+from orishell.units import MILLIMETRES
+
+SERIES = ".pvd"
+
+_GRID = b"<UnstructuredGrid>\n"
+
+
+def write_vtk(path: Path, document: Document, settings: Settings) -> None:
+    """Write one VTU file for each state and the PVD file that makes a series of them.
+
+    For ``shell.vtu`` these are ``shell-0000.vtu``, ``shell-0001.vtu`` ... and ``shell.pvd``; the
+    state that the settings choose is ``shell.vtu`` itself. For ``shell.pvd`` there is no single
+    file. The time of a state is its drive angle in degrees, or its number if not all states have
+    rising drive angles.
+
+    The z axis is up. Cells are the panels, with their number and, in a grid, their row and
+    column. Coordinates are in the document's unit, in double precision. VTU has no place for a
+    unit: a comment names it, and the field ``metres_per_unit`` has its length; the field
+    ``drive_deg`` has the drive angle.
+
+    Parameters
+    ----------
+    path
+        The file, ``.vtu`` or ``.pvd``.
+    document
+        What is written.
+    settings
+        ``state`` says which state is the single file's.
+
+    Raises
+    ------
+    InputError
+        If there is no such state.
+    """
+    chosen = document.state(settings.state)
+    single = path.suffix.lower() != SERIES
+    if single:
+        _write_state(path, document, chosen)
+    files, drives = [], []
+    for number, state in enumerate(document.states or [chosen]):
+        files.append(f"{path.stem}-{number:04d}.vtu")
+        drives.append(np.nan if state.drive_deg is None else float(state.drive_deg))
+        _write_state(path.with_name(files[-1]), document, state)
+    series = path.with_suffix(SERIES) if single else path
+    series.write_text(_collection(files, drives, document.unit), encoding="utf-8", newline="\n")
+
+
+def _write_state(path: Path, document: Document, state: DocumentState) -> None:
+    import meshio
+
+    count = len(document.mesh.faces)
+    cell_data = {"panel": [np.arange(count, dtype=np.int32)]}
+    if document.grid_shape is not None:
+        rows, columns = np.divmod(np.arange(count, dtype=np.int32), document.grid_shape[1] - 1)
+        cell_data |= {"row": [rows], "column": [columns]}
+    faces = document.mesh.faces.astype(np.int32)
+    mesh = meshio.Mesh(state.positions, [("quad", faces)], cell_data=cell_data)
+    meshio.write(path, mesh, file_format="vtu")
+    path.write_bytes(path.read_bytes().replace(_GRID, _GRID + _facts(document, state), 1))
+
+
+def _facts(document: Document, state: DocumentState) -> bytes:
+    """What is known of a whole state, for which meshio has no place."""
+    fields = {}
+    if document.unit in MILLIMETRES:
+        fields["metres_per_unit"] = MILLIMETRES[document.unit] / MILLIMETRES["m"]
+    if state.drive_deg is not None:
+        fields["drive_deg"] = float(state.drive_deg)
+    lines = [f"<!--Unit: {document.unit}. Up: z.-->"]
+    if fields:
+        lines += [
+            "<FieldData>",
+            *(
+                f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="ascii">'
+                f"{value!r}</DataArray>"
+                for name, value in fields.items()
+            ),
+            "</FieldData>",
+        ]
+    return "".join(f"{line}\n" for line in lines).encode()
+
+
+def _collection(files: list[str], drives: list[float], unit: str) -> str:
+    rising = bool(np.all(np.isfinite(drives)) and np.all(np.diff(drives) > 0))
+    times = drives if rising else [float(number) for number in range(len(files))]
+    meaning = "drive angle in degrees" if rising else "number of the state"
+    lines = [
+        '<?xml version="1.0"?>',
+        f"<!--Unit: {unit}. Up: z. Time: {meaning}.-->",
+        '<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">',
+        "<Collection>",
+        *(
+            f'<DataSet timestep="{time!r}" part="0" file={quoteattr(file)}/>'
+            for time, file in zip(times, files, strict=True)
+        ),
+        "</Collection>",
+        "</VTKFile>",
+    ]
+    return "".join(f"{line}\n" for line in lines)

@@ -1,0 +1,72 @@
+"""Where rigid panels are and how they are turned: frames fixed in them, and quaternions."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.panels import unit_normals
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+def longer_diagonals(corners: Array) -> Integers:
+    """The corner (F,) at which the longer diagonal of a panel (F, 4, 3) begins: 0 or 1."""
+    diagonals = corners[:, 2:] - corners[:, :2]
+    return np.asarray(np.argmax((diagonals**2).sum(axis=-1), axis=1))
+
+
+def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
+    """A frame fixed in every panel.
+
+    Parameters
+    ----------
+    corners
+        Corners (F, 4, 3) of the panels.
+    along
+        The corner (F,) at which the diagonal begins that the x axis follows, the same in all
+        states: see :func:`longer_diagonals`.
+
+    Returns
+    -------
+    origins
+        Means (F, 3) of the corners.
+    axes
+        Rotations (F, 3, 3) with the unit axes x, y, z as columns; z is the panel's normal. A
+        panel without an area has any z square to its x axis.
+    """
+    panels = np.arange(len(corners))
+    x = _normalised(corners[panels, along + 2] - corners[panels, along], 0)
+    z = unit_normals(corners)
+    z = _normalised(z - (x * z).sum(axis=1, keepdims=True) * x, (np.argmax(abs(x), axis=1) + 1) % 3)
+    z = _normalised(z - (x * z).sum(axis=1, keepdims=True) * x, 0)
+    return corners.mean(axis=1), np.stack([x, np.cross(z, x), z], axis=-1)
+
+
+def quaternions(axes: Array) -> Array:
+    """Unit quaternions (F, 4; x, y, z, w) of rotations (F, 3, 3), largest component positive.
+
+    Four times the products of a quaternion's components are a symmetric matrix made of sums and
+    differences of the rotation's entries. The row with the largest diagonal is the quaternion
+    but for its length, and no digits are lost in it.
+    """
+    diagonal = np.diagonal(axes, axis1=1, axis2=2)
+    trace = diagonal.sum(axis=1)
+    products = np.empty((len(axes), 4, 4))
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        products[:, i, i] = 1 + 2 * diagonal[:, i] - trace
+        products[:, i, j] = products[:, j, i] = axes[:, i, j] + axes[:, j, i]
+        products[:, i, 3] = products[:, 3, i] = axes[:, k, j] - axes[:, j, k]
+    products[:, 3, 3] = 1 + trace
+    largest = np.argmax(np.diagonal(products, axis1=1, axis2=2), axis=1)
+    row = products[np.arange(len(axes)), largest]
+    return np.asarray(row / np.linalg.norm(row, axis=1, keepdims=True))
+
+
+def _normalised(vectors: Array, otherwise: Integers | int) -> Array:
+    """Unit vectors (F, 3); where there is no direction, that of the axis of this number (F,)."""
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    axis = np.eye(3)[np.broadcast_to(otherwise, len(vectors))]
+    return np.where(length > 0, vectors / np.where(length > 0, length, 1.0), axis)

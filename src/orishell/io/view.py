@@ -1,0 +1,112 @@
+"""The view of a shell: one block of bytes that the viewer and the studio draw from.
+
+Little endian: the length N of the header (uint32), the header (JSON in UTF-8, filled up with spaces
+to N bytes, N a multiple of four), then the arrays, each beginning at a multiple of four. The header
+says where each array is. Coordinates are single precision, about ``origin``.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document, DocumentState
+
+Array = NDArray[np.float64]
+
+VERSION = 1
+CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "U": 3, "C": 4}
+"""Numbers of the assignments."""
+MOST = 16_000_000
+"""Coordinates of states in a view, at most: of longer motions every k-th state is taken."""
+
+
+def dump_view(document: Document, extra: Mapping[str, Any] | None = None) -> bytes:
+    """The view of a document.
+
+    Parameters
+    ----------
+    document
+        The sheet. Of its states at most so many are taken that :data:`MOST` coordinates are kept,
+        the first and the last among them.
+    extra
+        Further entries of the header.
+    """
+    import orjson
+
+    states = _thinned(document)
+    last = states[-1].positions if states else np.zeros((0, 3))
+    origin = (last.min(axis=0) + last.max(axis=0)) / 2 if len(last) else np.zeros(3)
+    arrays = _arrays(document, states, origin)
+    places, offset = {}, 0
+    for name, array in arrays.items():
+        places[name] = {"type": str(array.dtype), "shape": list(array.shape), "offset": offset}
+        offset += -(-array.nbytes // 4) * 4
+    header = {
+        "version": VERSION,
+        "title": document.title,
+        "unit": document.unit,
+        "grid": document.grid_shape,
+        "origin": origin.tolist(),
+        "drives_deg": [state.drive_deg for state in states],
+        "report": dict(document.report),
+        "contact": contact_of(document.report, document.grid_shape),
+        "arrays": places,
+        **(extra or {}),
+    }
+    text = orjson.dumps(header)
+    text += b" " * (-len(text) % 4)
+    blocks = [array.tobytes() + b"\0" * (-array.nbytes % 4) for array in arrays.values()]
+    return b"".join([struct.pack("<I", len(text)), text, *blocks])
+
+
+def contact_of(
+    report: Mapping[str, Any], grid_shape: tuple[int, int] | None
+) -> dict[str, Any] | None:
+    """The first contact before the target in a report, with its panels by their numbers."""
+    contact = report.get("lock", {}).get("first_contact")
+    if contact is None or grid_shape is None or contact["drive_deg"] is None:
+        return None
+    numbers = [row * (grid_shape[1] - 1) + column for row, column in contact["panels"]]
+    return {"drive_deg": contact["drive_deg"], "panels": numbers}
+
+
+def _thinned(document: Document) -> Sequence[DocumentState]:
+    count = len(document.states)
+    kept = max(2, MOST // (3 * document.mesh.vertex_count))
+    if count <= kept:
+        return list(document.states)
+    numbers = np.unique(np.rint(np.linspace(0, count - 1, kept)).astype(int))
+    return [document.states[int(number)] for number in numbers]
+
+
+def _arrays(
+    document: Document, states: Sequence[DocumentState], origin: Array
+) -> dict[str, NDArray[Any]]:
+    """Arrays by name, in the order of the file."""
+
+    def placed(points: Array) -> NDArray[np.float32]:
+        return np.asarray(points - origin, dtype="<f4")
+
+    mesh = document.mesh
+    flat = np.zeros((0, 2)) if document.flat is None else document.flat
+    positions = [placed(state.positions) for state in states]
+    arrays: dict[str, NDArray[Any]] = {
+        "flat": flat.astype("<f4"),
+        "positions": np.array(positions, "<f4").reshape(len(states), -1, 3),
+        "edges": mesh.edges.astype("<u4"),
+        "assignment": np.array([CODES.get(each, 3) for each in document.assignment], dtype="u1"),
+        "fold_angles_deg": document.fold_angles_deg.astype("<f4"),
+        "faces": mesh.faces.astype("<u4"),
+    }
+    for name, curve in document.curves.items():
+        arrays[f"curve_{name}"] = placed(curve)
+    if document.surface is not None:
+        arrays["surface"] = placed(document.surface)
+    if document.distances is not None:
+        arrays["distance"] = document.distances.astype("<f4")
+    return arrays

@@ -1,0 +1,132 @@
+"""How the parts of a split sheet go together: their numbers, and a map of the whole sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.workshop.drawing import Drawing, Layer, Line, Text
+from orishell.workshop.joints import LETTER_WIDTH, Joint
+from orishell.workshop.outline import whole_sheet
+from orishell.workshop.part import Part
+from orishell.workshop.settings import Workshop
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+TRIED = 8
+"""Panels of a part, the largest, where room is looked for."""
+NUMBER_SHARE = 0.5
+"""Height of a part's number as a share of the diameter of the free circle around it."""
+LARGEST = 1 / 12
+"""Height of a part's number at most, as a share of the part's size."""
+TRIMMED = 0.12
+"""Share of a crease that is left out at either end on the map, so that cuts stand out."""
+BELOW = 1 / 45
+"""Height of the words below the map, as a share of its width."""
+
+
+def number_text(document: Document, part: Part, texts: Sequence[Text]) -> Text:
+    """A part's number, as large as a panel has room for beside the texts on it."""
+    import shapely
+
+    corners = document.require_flat()[document.mesh.faces[part.panels]]
+    panels = [shapely.Polygon(quad) for quad in corners]
+    largest = np.argsort(-np.round(shapely.area(panels), 12), kind="stable")[:TRIED]
+    taken = shapely.union_all([_text_box(text) for text in texts])
+    words = str(part.number)
+    best = (0.0, np.zeros(2))
+    for k in largest.tolist():
+        free = shapely.difference(panels[k], taken)
+        circle = shapely.maximum_inscribed_circle(free, tolerance=free.length / 500)
+        if circle.length > best[0] * (1 + 1e-6):
+            best = (circle.length, shapely.get_coordinates(circle)[0])
+    height = 2 * NUMBER_SHARE * best[0] / max(1.0, 0.6 * len(words))
+    size = float(np.ptp(corners.reshape(-1, 2), axis=0).max())
+    x, y = best[1].tolist()
+    return Text("ENGRAVE", x, y, min(height, LARGEST * size), words)
+
+
+def draw_map(
+    document: Document,
+    parts: Sequence[Part],
+    joints: Sequence[Joint],
+    workshop: Workshop,
+    sheets: int,
+) -> Drawing:
+    """The whole sheet with its parts outlined and numbered and its joints named, not to be cut.
+
+    Creases are drawn short, tabs where they lie under the neighbouring panels.
+    """
+    flat, edges = document.require_flat(), document.mesh.edges
+    rims = whole_sheet(document).outlines
+    low, high = rims[0].min(axis=0), rims[0].max(axis=0)
+    for rim in rims[1:]:
+        low, high = np.minimum(low, rim.min(axis=0)), np.maximum(high, rim.max(axis=0))
+    letter = BELOW * float(high[0] - low[0])
+    shift = 2 * letter - low + np.array([0.0, 4 * letter])
+
+    cut = {joint.edge for joint in joints}
+    letters = np.array(document.assignment)
+    inner = np.array(sorted(set(np.flatnonzero(document.mesh.crease).tolist()) - cut), dtype=int)
+    lines = [Line("ENGRAVE", tab[[1, 2, 3, 0]] + shift) for joint in joints for tab in joint.tabs]
+    for layer, marks in _LAYERS:
+        ends = flat[edges[inner[np.isin(letters[inner], list(marks))]]]
+        trim = TRIMMED * (ends[:, 1] - ends[:, 0])
+        ends = np.stack([ends[:, 0] + trim, ends[:, 1] - trim], axis=1) + shift
+        lines += [Line(layer, line) for line in ends]
+    seams = flat[edges[sorted(cut)]] + shift
+    lines += [Line("CUT", seam) for seam in seams]
+    lines += [Line("CUT", rim + shift, closed=True) for rim in rims]
+
+    names = [mark for joint in joints for mark in joint.marks()[:1]]
+    numbered = [part for part in parts if part.number]
+    texts = [*names, *(number_text(document, part, names) for part in numbered)]
+    x, y = shift.tolist()
+    placed = [
+        Text(text.layer, text.x + x, text.y + y, text.height, text.words, text.angle)
+        for text in texts
+    ]
+    stock = workshop.stock or (0.0, 0.0)
+    words = [
+        f"Assembly map: {len(numbered)} parts, {len(joints)} joints",
+        f"{sheets} sheets of {stock[0]:g} x {stock[1]:g} {document.unit}. " + _HOW[workshop.joint],
+    ]
+    size = min(letter, (high[0] - low[0]) / (0.8 * max(map(len, words))))
+    placed += [
+        Text("ENGRAVE", 2 * letter, (3.5 - 1.8 * k) * letter, float(size), line, anchor="start")
+        for k, line in enumerate(words)
+    ]
+    width, height = (high - low + np.array([4, 8]) * letter).tolist()
+    title = f"{document.title}, assembly map"
+    return Drawing(title, document.unit, width, height, tuple(lines), (), tuple(placed))
+
+
+_LAYERS: tuple[tuple[Layer, str], ...] = (("ENGRAVE", "FU"), ("MOUNTAIN", "M"), ("VALLEY", "V"))
+
+_HOW = {
+    "tabs": "Glue each tab to the back of the panel of the same name.",
+    "strips": "Glue each strip to the backs of the panels of the same name.",
+}
+
+
+def _text_box(text: Text) -> Polygon:
+    """The room that a text takes with a border of a third of its height."""
+    import shapely
+
+    along = np.array([np.cos(text.angle), np.sin(text.angle)])
+    above = np.array([-along[1], along[0]])
+    half = (0.5 * LETTER_WIDTH * len(text.words) + 0.3) * text.height
+    centre = np.array([text.x, text.y])
+    corners = [
+        centre + a * half * along + b * 0.8 * text.height * above
+        for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
+    return shapely.Polygon(corners)

@@ -1,0 +1,251 @@
+"""Creases as a machine makes them: scored, cut in dashes or perforated, with holes at vertices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.quoting import inside
+from orishell.workshop.drawing import Circle, Layer, Line
+from orishell.workshop.outline import STRAIGHT
+from orishell.workshop.part import Part
+from orishell.workshop.settings import Workshop
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Booleans = NDArray[np.bool_]
+Names = NDArray[np.str_]
+
+KEPT = 0.1
+"""Gaps and holes leave at least this share of every crease."""
+
+DASHES_PER_PANEL, CUTS_PER_PANEL = 4, 20
+"""Dashes, and cuts of a perforation, along a mean panel's edge if ``dash`` is "auto"."""
+
+MOST_CUTS = 1_000_000
+"""Finer dashes are refused: no machine would read the file."""
+
+_MARKS: dict[Layer, str] = {"ENGRAVE": "FU", "MOUNTAIN": "M", "VALLEY": "V"}
+"""Assignments of the creases in each layer, in the order in which they are drawn."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Creases:
+    """Creases (C,) between the rims of holes: where they begin, which way, how long they are."""
+
+    edges: Integers
+    layers: Names
+    starts: Array
+    directions: Array
+    lengths: Array
+
+
+def crease_lines(document: Document, part: Part, workshop: Workshop) -> tuple[Line, ...]:
+    """The creases of a part, in the sheet's own coordinates.
+
+    Mountains and valleys are scored, cut in dashes or perforated. Creases that do not fold (F) or
+    are not assigned (U) are engraved, as continuous lines. Scores without gaps and holes run
+    through vertices where the crease goes on straight in the same layer.
+
+    Of a dash with its bridge the share ``duty`` is cut. Dashes are as long as ``dash`` but for the
+    rounding to whole numbers of them, and half a bridge (``corner_gap`` if that is more) stays at
+    either end. Perforations have cuts of exactly ``duty * dash``, as many as fit, spread evenly.
+    Both are symmetric about the crease's middle. No more than ``duty`` of any crease is cut.
+
+    Raises
+    ------
+    InputError
+        If holes or gaps leave nothing of a crease.
+    """
+    holes = _holed(document, part, workshop)
+    creases = _between_rims(document, part, np.where(holes, 0.5 * workshop.relief_hole, 0.0))
+    gap = _corner_gap(document, creases, workshop)
+    if not len(creases.edges):
+        return ()
+    if workshop.creases == "score" and not gap and not workshop.relief_hole:
+        layers, points = _straight_runs(document, creases)
+    else:
+        folded = creases.layers != "ENGRAVE"
+        counts, first, pitch, length = _cuts(document, creases.lengths, gap, workshop, folded)
+        crease = np.repeat(np.arange(len(counts)), counts)
+        number = np.arange(len(crease)) - np.repeat(np.cumsum(counts) - counts, counts)
+        along = (first[crease] + number * pitch[crease])[:, None] + np.column_stack(
+            [np.zeros(len(crease)), length[crease]]
+        )
+        points = creases.starts[crease, None] + along[..., None] * creases.directions[crease, None]
+        layers = creases.layers[crease]
+    return tuple(Line(layer, line) for layer in _MARKS for line in points[layers == layer])
+
+
+def relief_holes(document: Document, part: Part, workshop: Workshop) -> tuple[Circle, ...]:
+    """Holes at the vertices that panels of the part surround, in the sheet's own coordinates."""
+    flat = document.require_flat()
+    return tuple(
+        Circle("CUT", x, y, 0.5 * workshop.relief_hole)
+        for x, y in flat[_holed(document, part, workshop)].tolist()
+    )
+
+
+def mean_edge(document: Document) -> float:
+    """Mean length of the panels' edges in the flat sheet: what "auto" sizes follow."""
+    corners = document.require_flat()[document.mesh.faces]
+    sides = np.roll(corners, -1, axis=1) - corners
+    return float(np.mean(np.hypot(sides[..., 0], sides[..., 1])))
+
+
+def _holed(document: Document, part: Part, workshop: Workshop) -> Booleans:
+    """Which vertices (V,) get a hole: inner ones of the sheet with all their panels in the part."""
+    mesh = document.mesh
+    holed = np.zeros(mesh.vertex_count, dtype=np.bool_)
+    if workshop.relief_hole > 0:
+        holed[mesh.inner_vertices()] = True
+        holed[np.delete(mesh.faces, part.panels, axis=0)] = False
+        _require_room(document, part, holed, workshop.relief_hole)
+    return holed
+
+
+def _between_rims(document: Document, part: Part, radius: Array) -> _Creases:
+    """The part's creases without what holes of radius (V,) take of them."""
+    flat = document.require_flat()
+    letters = np.array(document.assignment)[part.creases]
+    layers = np.full(len(letters), "", dtype="<U8")
+    for layer, marks in _MARKS.items():
+        layers[np.isin(letters, list(marks))] = layer
+    edges = part.creases[layers != ""]
+    ends = document.mesh.edges[edges]
+    vectors = flat[ends[:, 1]] - flat[ends[:, 0]]
+    lengths = np.hypot(*vectors.T)
+    directions = vectors / lengths[:, None]
+    rims = radius[ends]
+    return _Creases(
+        edges,
+        layers[layers != ""],
+        flat[ends[:, 0]] + rims[:, :1] * directions,
+        directions,
+        lengths - rims.sum(axis=1),
+    )
+
+
+def _corner_gap(document: Document, creases: _Creases, workshop: Workshop) -> float:
+    gap = 0.0 if workshop.corner_gap == "auto" else workshop.corner_gap
+    if not len(creases.edges):
+        return gap
+    shortest = int(np.argmin(creases.lengths))
+    largest = 0.5 * (1 - KEPT) * float(creases.lengths[shortest])
+    if gap > largest:
+        raise InputError(
+            f"the gaps leave less than {KEPT:.0%} of "
+            f"{_edge_name(document, creases.edges[shortest])}",
+            where="[workshop] corner_gap",
+            got=f"{gap:g} {document.unit}",
+            expected=f"at most {inside(largest, 0.0):.4g} {document.unit}",
+        )
+    return gap
+
+
+def _require_room(document: Document, part: Part, holed: Booleans, diameter: float) -> None:
+    """Refuse holes that leave too little of a crease, or reach beyond the panels around them."""
+    flat, mesh = document.require_flat(), document.mesh
+    ends = mesh.edges[part.creases]
+    lengths = np.hypot(*(flat[ends[:, 1]] - flat[ends[:, 0]]).T)
+    share = 0.5 * holed[ends].sum(axis=1)
+    limits = np.divide(
+        (1 - KEPT) * lengths, share, out=np.full(len(share), np.inf), where=share > 0
+    )
+    faces = mesh.faces[part.panels]
+    corners = flat[faces]
+    for k in range(4):
+        here, after, across, before = (corners[:, (k + i) % 4] for i in range(4))
+        reach = np.minimum(_distances(here, after, across), _distances(here, before, across))
+        room = np.where(holed[faces[:, k]], 2 * (1 - KEPT) * reach, np.inf)
+        limits = np.append(limits, room)
+        if k < 2:
+            both = holed[faces[:, k]] & holed[faces[:, k + 2]]
+            apart = np.hypot(*(across - here).T)
+            limits = np.append(limits, np.where(both, (1 - KEPT) * apart, np.inf))
+    largest = float(limits.min(initial=np.inf))
+    if diameter > largest:
+        raise InputError(
+            f"the holes leave too little of the creases and panels (they keep {KEPT:.0%})",
+            where="[workshop] relief_hole",
+            got=f"{diameter:g} {document.unit}",
+            expected=f"at most {inside(largest, 0.0):.4g} {document.unit}",
+        )
+
+
+def _distances(points: Array, starts: Array, ends: Array) -> Array:
+    """Distances (N,) of points (N, 2) from segments between starts and ends (N, 2)."""
+    along = ends - starts
+    share = ((points - starts) * along).sum(axis=1) / (along**2).sum(axis=1)
+    nearest = starts + np.clip(share, 0.0, 1.0)[:, None] * along
+    return np.asarray(np.hypot(*(points - nearest).T))
+
+
+def _cuts(
+    document: Document, lengths: Array, gap: float, workshop: Workshop, folded: Booleans
+) -> tuple[Integers, Array, Array, Array]:
+    """Number of cuts (C,), where the first one begins, from one to the next, their length."""
+    continuous = ~folded | (workshop.creases == "score")
+    perforation = workshop.creases == "perforation"
+    per_panel = CUTS_PER_PANEL if perforation else DASHES_PER_PANEL
+    dash = mean_edge(document) / per_panel if workshop.dash == "auto" else workshop.dash
+    duty = workshop.duty
+    bridge = (1 - duty) * dash
+    whole = (lengths - 2 * max(gap, 0.5 * bridge) + bridge) / dash
+    counts = np.floor(whole * (1 + STRAIGHT)) if perforation else np.rint(whole)
+    counts = np.where(continuous, 1, np.maximum(counts, 1))
+    if counts.sum() > MOST_CUTS:
+        raise InputError(
+            "the dashes are too fine",
+            where="[workshop] dash",
+            got=f"{dash:g} {document.unit}, {counts.sum():.3g} cuts",
+            expected=f"at most {MOST_CUTS:g} cuts",
+        )
+    counts = counts.astype(np.int64)
+    if perforation:
+        cut = np.minimum(duty * np.minimum(dash, lengths / counts), lengths - 2 * gap)
+        margin = np.maximum(gap, 0.5 * (lengths / counts - cut))
+        pitch = (lengths - 2 * margin - cut) / np.maximum(counts - 1, 1)
+    else:
+        margin = np.maximum(gap, 0.5 * (1 - duty) * lengths / counts)
+        pitch = (lengths - 2 * margin) / (counts - 1 + duty)
+        cut = duty * pitch
+    first = np.where(continuous, gap, np.where(counts > 1, margin, 0.5 * (lengths - cut)))
+    return counts, first, pitch, np.where(continuous, lengths - 2 * gap, cut)
+
+
+def _straight_runs(document: Document, creases: _Creases) -> tuple[Names, Array]:
+    """Layers (L,) and ends (L, 2, 2) of creases, those that go on straight in one layer joined."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    flat, count = document.require_flat(), len(creases.edges)
+    vertices = document.mesh.edges[creases.edges].T.ravel()
+    outward = np.concatenate([creases.directions, -creases.directions])
+    owners, layers = np.tile(np.arange(count), 2), np.tile(creases.layers, 2)
+    order = np.argsort(vertices, kind="stable")
+    free = np.ones(2 * count, dtype=np.bool_)
+    pairs = []
+    for step in range(1, int(np.bincount(vertices).max())):
+        one, two = order[:-step], order[step:]
+        cross = outward[one, 0] * outward[two, 1] - outward[one, 1] * outward[two, 0]
+        straight = (np.abs(cross) < STRAIGHT) & ((outward[one] * outward[two]).sum(axis=1) < 0)
+        joined = straight & (vertices[one] == vertices[two]) & (layers[one] == layers[two])
+        free[one[joined]] = free[two[joined]] = False
+        pairs.append(np.stack([owners[one[joined]], owners[two[joined]]]))
+    rows, columns = np.concatenate([*pairs, np.zeros((2, 0), dtype=owners.dtype)], axis=1)
+    graph = coo_array((np.ones(len(rows)), (rows, columns)), shape=(count, count))
+    runs = connected_components(graph, directed=False)[1][owners]
+    tips = np.flatnonzero(free)
+    ends = tips[np.argsort(runs[tips], kind="stable")].reshape(-1, 2)
+    return layers[ends[:, 0]], flat[vertices[ends]]
+
+
+def _edge_name(document: Document, edge: np.int64) -> str:
+    panels = document.mesh.edge_faces[edge]
+    names = [document.panel_name(int(panel)) for panel in panels if panel >= 0]
+    return "the crease between panels " + " and ".join(names)

@@ -1,0 +1,159 @@
+"""One part of the flat sheet as a drawing, 1:1."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.units import MILLIMETRES
+from orishell.workshop.creases import crease_lines, relief_holes
+from orishell.workshop.drawing import Circle, Drawing, Line, Text
+from orishell.workshop.labels import part_labels
+from orishell.workshop.outline import signed_areas, without_straight
+from orishell.workshop.palettes import load_palette
+from orishell.workshop.part import Part
+from orishell.workshop.settings import Workshop
+from orishell.workshop.title_block import draw_title_block, letter_height
+
+Array = NDArray[np.float64]
+Content = tuple[tuple[Line, ...], tuple[Circle, ...], tuple[Text, ...]]
+
+NOTHING = 1e-12
+"""A panel is a line if its area is below this share of the sheet's size squared."""
+
+MARGIN = 3.0
+"""Width of the page around what is drawn, in letters of the title block."""
+
+
+def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
+    """What is drawn of a part, in the sheet's own coordinates.
+
+    Parameters
+    ----------
+    document
+        The sheet.
+    part
+        The part of it.
+    workshop
+        How creases are made and what is labelled.
+
+    Returns
+    -------
+    lines, circles, texts
+        In the order of work: marks, creases, cuts within the part, holes, the outer outline.
+
+    Raises
+    ------
+    InputError
+        If there is no flat sheet or no unit, a panel of it is a line, or holes or gaps are too
+        large.
+    """
+    if document.unit not in MILLIMETRES:
+        raise InputError(
+            "a drawing for the workshop needs a unit of length",
+            got=f'"{document.unit}"',
+            expected=", ".join(MILLIMETRES),
+            remedy="say what it is with --unit",
+        )
+    flat, mesh = document.require_flat(), document.mesh
+    _require_areas(document)
+    inside = np.isin(mesh.edge_faces, part.panels).all(axis=1) & ~mesh.crease
+    lines = (
+        *(mark for mark in part.marks if isinstance(mark, Line)),
+        *crease_lines(document, part, workshop),
+        *(Line("CUT", ends) for ends in flat[mesh.edges[inside]]),
+        *(Line("CUT", without_straight(rim), closed=True) for rim in part.outlines[::-1]),
+    )
+    texts = (mark for mark in part.marks if isinstance(mark, Text))
+    return (
+        lines,
+        relief_holes(document, part, workshop),
+        (*texts, *part_labels(document, part, workshop)),
+    )
+
+
+def draw_part(
+    document: Document,
+    part: Part,
+    workshop: Workshop,
+    *,
+    title: str = "",
+    title_block: bool = True,
+) -> Drawing:
+    """A part on a page that is just large enough, 1:1, in the document's unit.
+
+    Parameters
+    ----------
+    document
+        The sheet.
+    part
+        The part of it.
+    workshop
+        How it is drawn.
+    title
+        What the title block says; the document's title if empty.
+    title_block
+        Whether a title and a scale bar stand below the part, unless ``workshop`` or its palette
+        leave them out.
+
+    Raises
+    ------
+    InputError
+        As :func:`part_lines` does, or if there is no such palette.
+    """
+    lines, circles, texts = part_lines(document, part, workshop)
+    palette = load_palette(workshop.palette)
+    points = np.concatenate([line.points for line in lines])
+    low, size = points.min(axis=0), np.ptp(points, axis=0)
+    letter = letter_height(float(size[0]), document.unit)
+    margin = MARGIN * letter
+    width, below = float(size[0]), 0.0
+    block: Content = ((), (), ())
+    if title_block and workshop.title_block and "LABEL" in palette.pens:
+        wide, high = size.tolist()
+        drawn = Drawing(title or document.title, document.unit, wide, high, lines, circles)
+        made = draw_title_block(document, part, workshop, drawn=drawn, letter=letter)
+        block = moved(made.lines, (), made.texts, (margin, margin))
+        width, below = max(width, made.width), made.height + margin
+    left = margin + 0.5 * (width - float(size[0]))
+    sheet = moved(lines, circles, texts, (left - float(low[0]), margin + below - float(low[1])))
+    return Drawing(
+        title or document.title,
+        document.unit,
+        width + 2 * margin,
+        float(size[1]) + below + 2 * margin,
+        block[0] + sheet[0],
+        sheet[1],
+        block[2] + sheet[2],
+    )
+
+
+def _require_areas(document: Document) -> None:
+    corners = document.require_flat()[document.mesh.faces]
+    sides = np.roll(corners, -1, axis=1) - corners
+    size = float(np.ptp(corners.reshape(-1, 2), axis=0).max())
+    lines = np.abs(signed_areas(corners)) <= NOTHING * size**2
+    lines |= (np.hypot(sides[..., 0], sides[..., 1]) <= NOTHING * size).any(axis=1)
+    if lines.any():
+        raise InputError(
+            f"panel {document.panel_name(int(np.argmax(lines)))} has no area in the flat sheet"
+        )
+
+
+def moved(
+    lines: tuple[Line, ...],
+    circles: tuple[Circle, ...],
+    texts: tuple[Text, ...],
+    shift: tuple[float, float],
+) -> Content:
+    """The same at another place."""
+    x, y = shift
+    return (
+        tuple(replace(line, points=line.points + np.array(shift)) for line in lines),
+        tuple(replace(circle, x=circle.x + x, y=circle.y + y) for circle in circles),
+        tuple(replace(text, x=text.x + x, y=text.y + y) for text in texts),
+    )

@@ -1,0 +1,180 @@
+"""Whether pieces of the flat sheet fit the stock, and how they are turned for it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.workshop.tabs import find_owners, tab_shapes
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+SLACK = 1e-9
+"""A part fits if it is no larger than the stock by more than this share of it."""
+
+
+def find_turns(points: Array, width: float, height: float) -> Array:
+    """Turns that fit points into a rectangle.
+
+    Those that lay an edge of their hull level; if none of them fits, those that touch two
+    opposite sides of the rectangle. If there is a way to fit the points at all, one of these does.
+
+    Parameters
+    ----------
+    points
+        Points (k, 2).
+    width, height
+        The rectangle.
+
+    Returns
+    -------
+    turns
+        Angles (t,) in [0, 2 pi), the smallest bounding box first (radians, counter-clockwise).
+        0, no turn, is first if it fits.
+    """
+    import shapely
+
+    hull = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
+    sides = np.diff(hull, axis=0)
+    level = -np.arctan2(sides[:, 1], sides[:, 0])
+    angles = np.concatenate([[0.0], np.add.outer(np.arange(4) * np.pi / 2, level).ravel()])
+    fitting = _fitting(hull, angles, width, height)
+    if len(fitting):
+        return fitting
+    across = (hull[:, None] - hull).reshape(-1, 2)
+    distance = np.hypot(*across.T)
+    direction = np.arctan2(across[:, 1], across[:, 0])
+    tight = []
+    for size, upright in ((width, 0.0), (height, np.pi / 2)):
+        long = distance >= size
+        swing = np.arccos(size / distance[long])
+        tight += [upright + swing - direction[long], upright - swing - direction[long]]
+    return _fitting(hull, np.concatenate(tight), width, height)
+
+
+def _fitting(hull: Array, angles: Array, width: float, height: float) -> Array:
+    angles = np.unique(np.round(angles % (2 * np.pi), 15))
+    x = np.cos(angles)[:, None] * hull[:, 0] - np.sin(angles)[:, None] * hull[:, 1]
+    y = np.sin(angles)[:, None] * hull[:, 0] + np.cos(angles)[:, None] * hull[:, 1]
+    wide, high = np.ptp(x, axis=1), np.ptp(y, axis=1)
+    slack = SLACK * max(width, height)
+    fits = (wide <= width + slack) & (high <= height + slack)
+    box = np.round(wide * high / (width * height), 9)
+    order = np.lexsort((angles, box, angles > 0))
+    return np.asarray(angles[order][fits[order]])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CutSheet:
+    """Panels, what hangs on them if they are cut off from their neighbours, and the stock.
+
+    Parameters
+    ----------
+    corners
+        Corners (F, 4, 2) of the panels.
+    areas
+        Their areas (F,).
+    neighbours
+        Panels (F, 4) beyond each panel's creases, -1 for none.
+    tabs
+        Far corners (F, 4, 2, 2) of the tabs that it has where it is cut off from them, NaN for
+        none.
+    width, height
+        What can be used of the stock.
+    """
+
+    corners: Array
+    areas: Array
+    neighbours: Integers
+    tabs: Array
+    width: float
+    height: float
+
+    @classmethod
+    def of(cls, document: Document, width: float, height: float, allowance: float) -> CutSheet:
+        """A document's sheet with tabs of a width (``allowance``), 0 for none."""
+        flat, mesh = document.require_flat(), document.mesh
+        owner, _ = find_owners(document)
+        shapes = tab_shapes(document, allowance)[..., 2:, :]
+        creases = np.flatnonzero(mesh.crease)
+        neighbours = np.full((len(mesh.faces), 4), -1)
+        tabs = np.full((len(mesh.faces), 4, 2, 2), np.nan)
+        for side in (0, 1):
+            here, there = mesh.edge_faces[creases, side], mesh.edge_faces[creases, 1 - side]
+            ends = mesh.edges[creases]
+            found = (mesh.faces[here][..., None] == ends[:, None]).any(axis=-1)
+            slot = np.argmax(found & np.roll(found, -1, axis=1), axis=1)
+            neighbours[here, slot] = there
+            owned = owner[creases] == here
+            tabs[here[owned], slot[owned]] = shapes[creases[owned], 1 - side]
+        return cls(
+            flat[mesh.faces], document.areas(), neighbours, tabs, float(width), float(height)
+        )
+
+    def points(self, panels: Integers, rim: Integers | None = None) -> Array:
+        """Corners (k, 2) of panels and of the tabs around them.
+
+        Parameters
+        ----------
+        panels
+            Panels (P,) that hang together.
+        rim
+            Those of them (R,) that lie on the rim, if it is known; no others are looked at.
+        """
+        rim = panels if rim is None else rim
+        inside = np.zeros(len(self.corners) + 1, dtype=np.bool_)
+        inside[panels] = True
+        tabs = self.tabs[rim][~inside[self.neighbours[rim]]].reshape(-1, 2)
+        tabs = tabs[~np.isnan(tabs[:, 0])]
+        return np.concatenate([self.corners[rim].reshape(-1, 2), tabs])
+
+    def fits(self, panels: Integers, rim: Integers | None = None) -> bool:
+        """Whether panels fit the stock in one piece; ``rim`` as in :meth:`points`."""
+        if self.areas[panels].sum() > (1 + SLACK) * self.width * self.height:
+            return False
+        points = self.points(panels, rim)
+        size = np.ptp(points, axis=0)
+        if (size <= (self.width, self.height)).all():
+            return True
+        if size.max() > math.hypot(self.width, self.height) * (1 + SLACK):
+            return False
+        return len(find_turns(points, self.width, self.height)) > 0
+
+
+def require_panels_fit(document: Document, sheet: CutSheet) -> None:
+    """Refuse a sheet with a panel that is larger than the stock.
+
+    Raises
+    ------
+    InputError
+        With the size that such a panel needs.
+    """
+    for panel in range(len(sheet.corners)):
+        if sheet.fits(np.array([panel])):
+            continue
+        import shapely
+
+        points = sheet.points(np.array([panel]))
+        box = shapely.minimum_rotated_rectangle(shapely.multipoints(points))
+        corners = shapely.get_coordinates(box)
+        long, short = sorted(np.hypot(*np.diff(corners[:3], axis=0).T).tolist(), reverse=True)
+        raise InputError(
+            "a panel does not fit the stock",
+            where="[workshop] stock",
+            got=f"{sheet.width:.6g} x {sheet.height:.6g} without its margins",
+            expected=f"at least {_above(long)} x {_above(short)}, the size of panel "
+            f"{document.panel_name(panel)} with its tabs",
+            remedy="larger stock, or more rows or columns",
+        )
+
+
+def _above(length: float) -> str:
+    """Four digits, rounded up."""
+    unit = 10.0 ** (math.floor(math.log10(length)) - 3)
+    return f"{math.ceil(length / unit) * unit:.4g}"

@@ -1,0 +1,200 @@
+"""Parts laid on sheets of stock, side by side, turned but never turned over."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.errors import InputError
+from orishell.workshop.fitting import find_turns
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+Array = NDArray[np.float64]
+
+CLEARANCE = 1e-9
+"""Rounding, relative to the stock: four times as much is added to the spacing."""
+SLIDES = 16
+"""Steps in which a part is moved on into the hollows of others."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Placement:
+    """Where a part lies: turned about the origin, then shifted.
+
+    Parameters
+    ----------
+    sheet
+        Number of the sheet of stock, from 0.
+    angle
+        Turn (radians, counter-clockwise).
+    shift
+        Shift (2,).
+    """
+
+    sheet: int
+    angle: float
+    shift: Array
+
+    def move(self, points: Array) -> Array:
+        """Points (k, 2) where the part lies."""
+        return _turn(points, self.angle) + self.shift
+
+
+def nest_parts(
+    outlines: Sequence[Array], width: float, height: float, spacing: float
+) -> tuple[Placement, ...]:
+    """Lay parts on as few sheets as it takes, the largest first.
+
+    Every part goes to the first sheet that has room for it, as far as possible towards the
+    left of a landscape sheet or the foot of a portrait one, so that what is left of the last
+    one is in one piece. Parts keep clear of each other's convex hulls, found exactly (the
+    places where two hulls meet are the hull of the differences of their corners), then slide
+    on into hollows.
+
+    Parameters
+    ----------
+    outlines
+        Outer outlines (k, 2) of the parts.
+    width, height
+        What can be used of the stock.
+    spacing
+        Least distance between parts.
+
+    Returns
+    -------
+    placements
+        One for each part, in their order.
+
+    Raises
+    ------
+    InputError
+        If a part does not fit the stock.
+    """
+    import shapely
+
+    shapes = [shapely.Polygon(outline) for outline in outlines]
+    order = sorted(range(len(shapes)), key=lambda k: (-round(shapes[k].area, 12), k))
+    sheets: list[_Stock] = []
+    placements: list[Placement | None] = [None] * len(shapes)
+    clear = spacing + 4 * CLEARANCE * max(width, height)
+    for k in order:
+        turns = _choose_turns(outlines[k], width, height)
+        tried = (sheet.place(outlines[k], turns) for sheet in sheets)
+        number, placed = next(
+            ((n, found) for n, found in enumerate(tried) if found is not None), (len(sheets), None)
+        )
+        if placed is None:
+            sheets.append(_Stock(width, height, clear))
+            placed = sheets[-1].place(outlines[k], turns)
+        if placed is None:
+            raise AssertionError("a part that fits the stock has its place on an empty sheet")
+        placements[k] = Placement(number, *placed)
+    return tuple(placement for placement in placements if placement is not None)
+
+
+def _choose_turns(outline: Array, width: float, height: float) -> Array:
+    """No turn, the four turns with the smallest bounding boxes, and their halves round."""
+    turns = find_turns(outline, width, height)
+    if not len(turns):
+        raise InputError(
+            "a part does not fit the stock",
+            where="[workshop] stock",
+            got=f"{width:.6g} x {height:.6g} without its margins",
+            expected="room for every part and strip",
+        )
+    upright = turns[:1] if turns[0] == 0 else turns[:0]
+    return np.concatenate([upright, turns[len(upright) : len(upright) + 4]])
+
+
+class _Stock:
+    """A sheet of stock that fills up."""
+
+    def __init__(self, width: float, height: float, clear: float) -> None:
+        self.size = np.array([width, height])
+        self.clear = clear
+        self.left = width * height
+        self.hulls: list[Array] = []
+        self.shapes: list[Polygon] = []
+
+    def place(self, outline: Array, turns: Array) -> tuple[float, Array] | None:
+        """Turn and shift of a part, which is laid there; None if there is no room for it."""
+        import shapely
+
+        area = shapely.Polygon(outline).area
+        if area > self.left * (1 + CLEARANCE):
+            return None
+        along = int(np.argmax(self.size))
+        best: tuple[tuple[float, float], float, Array] | None = None
+        for angle in turns.tolist():
+            turned = _turn(outline, angle)
+            corner = turned.min(axis=0)
+            places = self._free_places(turned - corner)
+            if not len(places):
+                continue
+            ends = np.round((places + np.ptp(turned, axis=0)) / self.size, 9)
+            first = int(np.lexsort((ends[:, 1 - along], ends[:, along]))[0])
+            key = (float(ends[first, along]), float(ends[first, 1 - along]))
+            if best is None or key < best[0]:
+                best = (key, angle, places[first] - corner)
+        if best is None:
+            return None
+        _, angle, shift = best
+        shape = self._slid(shapely.Polygon(_turn(outline, angle) + shift), along)
+        shift = shapely.get_coordinates(shape)[0] - _turn(outline, angle)[0]
+        self.left -= area
+        self.shapes.append(shape)
+        self.hulls.append(_hull(shapely.get_coordinates(shape)))
+        return angle, shift
+
+    def _free_places(self, outline: Array) -> Array:
+        """Places (k, 2) of the lower left corner of an outline's box where its hull is free."""
+        import shapely
+
+        room = np.maximum(self.size - outline.max(axis=0), 0.0)
+        tiny = CLEARANCE * self.size.max()
+        free = shapely.box(-tiny, -tiny, *(room + tiny))
+        if self.hulls:
+            hull = _hull(outline)
+            near = [
+                shapely.Polygon(_hull((taken[:, None] - hull).reshape(-1, 2))).buffer(
+                    self.clear, join_style="mitre", mitre_limit=20.0
+                )
+                for taken in self.hulls
+            ]
+            free = shapely.difference(free, shapely.union_all(near))
+        return np.clip(shapely.get_coordinates(free), 0.0, room)
+
+    def _slid(self, shape: Polygon, along: int) -> Polygon:
+        """The shape moved on along the sheet and across it, as far as others leave it room."""
+        import shapely
+
+        if not self.shapes:
+            return shape
+        others = shapely.GeometryCollection(self.shapes)
+        for axis in (along, 1 - along, along):
+            room = shape.bounds[axis]
+            for step in np.arange(SLIDES, 0, -1) / SLIDES:
+                way = np.zeros(2)
+                way[axis] = -room * step
+                moved = shapely.Polygon(shapely.get_coordinates(shape) + way)
+                if shapely.distance(moved, others) >= self.clear:
+                    shape = moved
+                    break
+        return shape
+
+
+def _hull(points: Array) -> Array:
+    import shapely
+
+    return shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
+
+
+def _turn(points: Array, angle: float) -> Array:
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]]))

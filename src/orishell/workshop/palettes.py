@@ -1,0 +1,172 @@
+"""Palettes: how a shop's machine is told by colour what to do. They are data: ``palettes.toml``."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from orishell.errors import InputError
+from orishell.workshop.drawing import LAYERS, Layer
+
+_KEYS = {"colour", "aci", "width_mm"}
+_COLOUR = re.compile("#[0-9a-f]{6}")
+_LARGEST = 1_000_000
+"""Bytes of a palette file that are read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """How the lines of a layer look.
+
+    Parameters
+    ----------
+    colour
+        "#rrggbb", in small letters.
+    aci
+        AutoCAD colour index, 1 ... 255.
+    width_mm
+        Width of the lines (mm).
+    """
+
+    colour: str
+    aci: int
+    width_mm: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Palette:
+    """The pens of a shop.
+
+    Parameters
+    ----------
+    name
+        Its name.
+    note
+        What it is for, in one line.
+    pens
+        Pen of every layer that is drawn; the others are left out of files.
+    page_mm
+        Longer side of the page for which the pens' widths are meant: on larger ones they grow
+        with it, so that a picture of it looks the same (mm). None if machines read the widths.
+    """
+
+    name: str
+    note: str
+    pens: Mapping[Layer, Pen]
+    page_mm: float | None = None
+
+    def width_mm(self, layer: Layer, page_mm: float) -> float:
+        """Width of a layer's lines on a page whose longer side is ``page_mm`` (mm)."""
+        grown = 1.0 if self.page_mm is None else max(1.0, page_mm / self.page_mm)
+        return grown * self.pens[layer].width_mm
+
+
+def palette_names() -> tuple[str, ...]:
+    """Names of the palettes that come with the program."""
+    return tuple(_known())
+
+
+def load_palette(name: str) -> Palette:
+    """A palette by its name, or from a TOML file of one table like those of ``palettes.toml``.
+
+    Parameters
+    ----------
+    name
+        A name (:func:`palette_names`), or the path of a file that ends in ``.toml``.
+
+    Raises
+    ------
+    InputError
+        If there is no such palette or file, or the file is not a palette.
+    """
+    if name.endswith(".toml"):
+        return _read_palette(Path(name))
+    if name not in _known():
+        raise InputError(
+            "there is no such palette",
+            where="[workshop] palette",
+            got=f'"{name}"',
+            expected=", ".join(_known()) + ", or the path of a .toml file",
+        )
+    return _known()[name]
+
+
+@cache
+def _known() -> dict[str, Palette]:
+    text = (files("orishell.workshop") / "palettes.toml").read_text(encoding="utf-8")
+    return {name: _parse(name, table) for name, table in tomllib.loads(text).items()}
+
+
+def _read_palette(path: Path) -> Palette:
+    try:
+        with path.open("rb") as file:
+            text = file.read(_LARGEST).decode("utf-8")
+        tables = tomllib.loads(text)
+    except OSError as error:
+        raise InputError(
+            "the palette cannot be read", where=str(path), got=error.strerror or str(error)
+        ) from None
+    except (ValueError, RecursionError) as error:
+        raise InputError("the palette is not valid TOML", where=str(path), got=str(error)) from None
+    if len(tables) != 1:
+        raise InputError(
+            "a palette file has one table, the palette",
+            where=str(path),
+            got=f"{len(tables)} keys or tables",
+        )
+    ((name, table),) = tables.items()
+    try:
+        return _parse(name, table)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+
+
+def _parse(name: str, table: Any) -> Palette:
+    if not isinstance(table, dict) or set(table) - {"note", "page_mm"} != set(LAYERS):
+        found = ", ".join(table) if isinstance(table, dict) else repr(table)
+        raise InputError(
+            "a palette names each layer once",
+            where=f"[{name}]",
+            got=found,
+            expected=", ".join(LAYERS) + ", and note or page_mm if you like",
+        )
+    pens: dict[Layer, Pen] = {
+        layer: _pen(f"[{name}] {layer}", table[layer])
+        for layer in LAYERS
+        if table[layer] is not False
+    }
+    page = table.get("page_mm")
+    if page is not None:
+        page = _size(f"[{name}] page_mm", page, 1e6)
+    return Palette(name, str(table.get("note", "")), pens, page)
+
+
+def _pen(where: str, value: Any) -> Pen:
+    if not isinstance(value, dict) or set(value) != _KEYS:
+        raise InputError(
+            "a layer has a colour, an aci and a width_mm, or is false", where=where, got=repr(value)
+        )
+    colour, aci, width = value["colour"], value["aci"], value["width_mm"]
+    if not isinstance(colour, str) or not _COLOUR.fullmatch(colour.lower()):
+        raise InputError(
+            "no colour", where=f"{where} colour", got=repr(colour), expected='as in "#ff0000"'
+        )
+    if type(aci) is not int or not 1 <= aci <= 255:
+        raise InputError(
+            "no AutoCAD colour", where=f"{where} aci", got=repr(aci), expected="1 to 255"
+        )
+    return Pen(colour.lower(), aci, _size(f"{where} width_mm", width, 10.0))
+
+
+def _size(where: str, value: Any, most: float) -> float:
+    if type(value) not in (int, float) or not 0 < value <= most:
+        raise InputError(
+            "no length", where=where, got=repr(value), expected=f"above 0, at most {most:g} mm"
+        )
+    return float(value)

@@ -1,0 +1,106 @@
+"""The flat sheet as a paper model: to scale, on pages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.units import conversion
+from orishell.workshop.draw import part_lines
+from orishell.workshop.drawing import Layer, Line, Text
+from orishell.workshop.outline import whole_sheet
+from orishell.workshop.palettes import load_palette
+from orishell.workshop.settings import Workshop
+from orishell.workshop.tiling import Tiling, tile_sheet
+from orishell.workshop.title_block import round_length
+
+Array = NDArray[np.float64]
+
+BAR_MM = 62.0
+"""Length of the scale bar at most (mm on paper)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PaperModel:
+    """The sheet to be printed and folded; coordinates in mm on paper.
+
+    Parameters
+    ----------
+    title, unit
+        Of the document.
+    lines, texts
+        The sheet's drawing, from its lower left corner.
+    lows, highs
+        Corners (L, 2) of the boxes around the lines.
+    colours
+        Colour of every layer.
+    size
+        Width and height (2,).
+    tiling
+        Scale and pages.
+    bar, bar_mm
+        Length of the scale bar in the unit, and on paper.
+    """
+
+    title: str
+    unit: str
+    lines: tuple[Line, ...]
+    texts: tuple[Text, ...]
+    lows: Array
+    highs: Array
+    colours: dict[Layer, str]
+    size: Array
+    tiling: Tiling
+    bar: float
+    bar_mm: float
+
+    @property
+    def says(self) -> str:
+        """The scale in words."""
+        return f"Scale {self.tiling.scale_words()}"
+
+    @property
+    def bar_says(self) -> str:
+        """What the scale bar is long."""
+        return f"{self.bar:g} {self.unit} = {self.bar_mm:.4g} mm on paper"
+
+
+def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
+    """The paper model of a sheet; ``paper``, ``paper_scale``, palette and labels count.
+
+    Raises
+    ------
+    InputError
+        If there is no flat sheet or unit, or it takes too many pages.
+    """
+    workshop = replace(workshop, creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
+    part = whole_sheet(document)
+    lines, _, texts = part_lines(document, part, workshop)
+    low = np.concatenate(part.outlines).min(axis=0)
+    true = conversion(document.unit, "mm")
+    outlines = tuple((outline - low) * true for outline in part.outlines)
+    tiling = tile_sheet(outlines, workshop.paper_scale, workshop.paper)
+    scale = true * tiling.scale
+    drawn = tuple(replace(line, points=(line.points - low) * scale) for line in lines)
+    x, y = low.tolist()
+    placed = tuple(
+        replace(t, x=(t.x - x) * scale, y=(t.y - y) * scale, height=t.height * scale) for t in texts
+    )
+    pens = dict(load_palette("plain").pens) | dict(load_palette(workshop.palette).pens)
+    bar = round_length(BAR_MM / scale)
+    return PaperModel(
+        title=document.title.encode("cp1252", "replace").decode("cp1252"),
+        unit=document.unit,
+        lines=drawn,
+        texts=placed,
+        lows=np.array([line.points.min(axis=0) for line in drawn]),
+        highs=np.array([line.points.max(axis=0) for line in drawn]),
+        colours={layer: pen.colour for layer, pen in pens.items()},
+        size=np.max(np.concatenate(outlines), axis=0) * tiling.scale,
+        tiling=tiling,
+        bar=bar,
+        bar_mm=bar * scale,
+    )

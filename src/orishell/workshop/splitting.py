@@ -1,0 +1,175 @@
+"""A sheet larger than the machine's, split along creases into as few parts as reasonable."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.workshop.bisecting import bisect_sheet
+from orishell.workshop.fitting import CutSheet, require_panels_fit
+
+Integers = NDArray[np.int64]
+
+LINES = 24
+"""Grids with more lines are first cut along some of them only, if that leaves a choice."""
+
+Block = tuple[int, int, int, int]
+Cost = tuple[int, float]
+
+
+def split_sheet(
+    document: Document, stock_width: float, stock_height: float, allowance: float
+) -> tuple[Integers, ...]:
+    """Split the flat sheet along creases into parts that fit the stock, turned as they need be.
+
+    A grid is cut into bands along whole lines, rows or columns, and every band across, with the
+    fewest parts that this allows, of areas as even as can be. Other sheets are cut in two
+    across their longer side until the pieces fit, and pieces that fit together are joined.
+
+    Parameters
+    ----------
+    document
+        The sheet.
+    stock_width, stock_height
+        What can be used of the sheets that are cut.
+    allowance
+        Width of the tabs along cut creases; 0 for none.
+
+    Returns
+    -------
+    parts
+        Numbers of the panels of every part, ascending; parts by their first panel.
+
+    Raises
+    ------
+    InputError
+        If a panel does not fit, or if there is no flat sheet.
+    """
+    sheet = CutSheet.of(document, stock_width, stock_height, allowance)
+    require_panels_fit(document, sheet)
+    if document.grid_shape is not None and not document.mesh.pieces.any():
+        rows, columns = document.grid_shape
+        parts = _split_grid(sheet, rows - 1, columns - 1)
+    else:
+        parts = bisect_sheet(sheet, document.mesh.pieces)
+    return tuple(sorted((np.sort(part) for part in parts), key=lambda part: int(part[0])))
+
+
+def _split_grid(sheet: CutSheet, rows: int, columns: int) -> list[Integers]:
+    """The better of bands of rows and bands of columns."""
+    number = np.arange(rows * columns).reshape(rows, columns)
+    if max(rows, columns) > LINES:
+        coarse = _lines(rows), _lines(columns)
+        found = _split_bands(sheet, number, *coarse)
+        if found is not None:
+            return found
+    found = _split_bands(sheet, number, list(range(rows + 1)), list(range(columns + 1)))
+    if found is None:
+        raise AssertionError("every panel fits, so there is a split into panels")
+    return found
+
+
+def _lines(count: int) -> list[int]:
+    return sorted({round(count * k / LINES) for k in range(LINES + 1)})
+
+
+def _split_bands(
+    sheet: CutSheet, number: Integers, rows: list[int], columns: list[int]
+) -> list[Integers] | None:
+    """The fewest blocks with bands one way and pieces of bands the other; None if none fit."""
+
+    def block(i: int, k: int, j: int, m: int) -> Integers:
+        return number[rows[i] : rows[k], columns[j] : columns[m]].ravel()
+
+    @cache
+    def fits(i: int, k: int, j: int, m: int) -> bool:
+        panels = number[rows[i] : rows[k], columns[j] : columns[m]]
+        rim = np.concatenate([panels[0], panels[-1], panels[:, 0], panels[:, -1]])
+        return sheet.fits(panels.ravel(), rim)
+
+    area = np.zeros((len(rows), len(columns)))
+    sums = sheet.areas[number].cumsum(axis=0).cumsum(axis=1)
+    area[1:, 1:] = sums[np.ix_(np.array(rows[1:]) - 1, np.array(columns[1:]) - 1)]
+    stock = sheet.width * sheet.height
+
+    def share(i: int, k: int, j: int, m: int) -> float:
+        return float(area[k, m] - area[i, m] - area[k, j] + area[i, j]) / stock
+
+    down = _cut_bands(len(rows) - 1, len(columns) - 1, fits, share)
+    across = _cut_bands(
+        len(columns) - 1,
+        len(rows) - 1,
+        lambda i, k, j, m: fits(j, m, i, k),
+        lambda i, k, j, m: share(j, m, i, k),
+    )
+    choices = [down, None if across is None else (across[0], [b[2:] + b[:2] for b in across[1]])]
+    found = [choice for choice in choices if choice is not None]
+    if not found:
+        return None
+    return [block(*b) for b in min(found, key=lambda choice: choice[0])[1]]
+
+
+def _cut_bands(
+    bands: int,
+    pieces: int,
+    fits: Callable[[int, int, int, int], bool],
+    share: Callable[[int, int, int, int], float],
+) -> tuple[Cost, list[Block]] | None:
+    """Cut lines 0 ... ``bands`` into bands and every band across, for the lowest cost.
+
+    A block inside one that fits fits as well, so that from every line and for every width of
+    band the farthest line that fits is found going one way only.
+    """
+    reach = np.zeros((bands + 1, bands + 1, pieces + 1), dtype=np.int64)
+    for i in range(bands):
+        for j in range(pieces):
+            end = pieces
+            for k in range(i + 1, bands + 1):
+                least = max(j, int(reach[i - 1, k, j]) if i else j)
+                while end > least and not fits(i, k, j, end):
+                    end -= 1
+                reach[i, k, j] = end
+                if end == j:
+                    break
+
+    def band(i: int, k: int) -> tuple[Cost, list[int]] | None:
+        return _cut_line(pieces, lambda j: int(reach[i, k, j]), lambda j, m: share(i, k, j, m))
+
+    best: list[tuple[Cost, list[Block]] | None] = [((0, 0.0), [])] + [None] * bands
+    for i in range(bands):
+        before = best[i]
+        if before is None:
+            continue
+        for k in range(i + 1, bands + 1):
+            found = band(i, k)
+            if found is None:
+                break
+            cost = (before[0][0] + found[0][0], before[0][1] + found[0][1])
+            now = best[k]
+            if now is None or cost < now[0]:
+                cuts = found[1]
+                blocks = [(i, k, j, m) for j, m in pairwise(cuts)]
+                best[k] = (cost, before[1] + blocks)
+    return best[bands]
+
+
+def _cut_line(
+    count: int, reach: Callable[[int], int], share: Callable[[int, int], float]
+) -> tuple[Cost, list[int]] | None:
+    """Cut 0 ... ``count`` into the fewest pieces, of these the most even; None if impossible."""
+    best: list[tuple[Cost, list[int]] | None] = [((0, 0.0), [0])] + [None] * count
+    for j in range(count):
+        before = best[j]
+        if before is None:
+            continue
+        for m in range(j + 1, reach(j) + 1):
+            cost = (before[0][0] + 1, before[0][1] + share(j, m) ** 2)
+            now = best[m]
+            if now is None or cost < now[0]:
+                best[m] = (cost, [*before[1], m])
+    return best[count]

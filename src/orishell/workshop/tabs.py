@@ -1,0 +1,152 @@
+"""Tabs along creases that are cut: where they lie in the flat sheet, and how wide they are.
+
+A tab is a trapezium on the far side of the crease, under the neighbouring panel, in the region of
+that panel nearer to this crease than to its other sides. So tabs never overlap each other, nor
+the panels of their own part.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.document import Document
+from orishell.workshop.outline import signed_areas
+from orishell.workshop.settings import Workshop
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+AUTO_SHARE = 0.25
+"""Width of joints that follow the panels, as a share of the median height of panels."""
+SLANT = np.pi / 4
+"""The ends of tabs rise from the crease at this angle, or half the sector angle if it is less."""
+TOP_SHARE = 1 / 3
+"""The far side of a tab is at least this share of its root."""
+REACH = 0.9
+"""How far a tab may come towards where it would be as near to the opposite side."""
+
+
+def choose_joint_width(document: Document, workshop: Workshop) -> float:
+    """The width that tabs have where panels leave room for it.
+
+    "auto" is a quarter of the median height of panels, measured from their creases.
+    """
+    if workshop.joint_width != "auto":
+        return workshop.joint_width
+    flat, mesh = document.require_flat(), document.mesh
+    ends = flat[mesh.edges[mesh.crease]]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    heights = document.areas()[mesh.edge_faces[mesh.crease]] / length[:, None]
+    return AUTO_SHARE * float(np.median(heights)) if len(heights) else 0.0
+
+
+def tab_shapes(document: Document, width: float) -> Array:
+    """Tabs on both sides of every crease, where they lie in the flat sheet.
+
+    Parameters
+    ----------
+    document
+        The sheet.
+    width
+        Their width; less where a panel has no room for it.
+
+    Returns
+    -------
+    shapes
+        Corners (E, 2, 4, 2): for every edge, in the panel to its left and to its right as
+        ``edge_faces`` lists them, the two ends of the crease, then the far side, in the order
+        of the panel counter-clockwise. NaN at edges that are no creases.
+    """
+    flat, mesh = document.require_flat(), document.mesh
+    shapes = np.full((len(mesh.edges), 2, 4, 2), np.nan)
+    edges = np.flatnonzero(mesh.crease)
+    panels = mesh.edge_faces[edges]
+    corners = _panels_from(flat, mesh.faces[panels], mesh.edges[edges][:, None])
+    height = np.minimum(width, _room(corners))
+    tabs = _tabs_of_height(corners, height)
+    for _ in range(12):
+        outside = _outside(tabs, corners)
+        if not outside.any():
+            break
+        height = np.where(outside, height / 2, height)
+        tabs = _tabs_of_height(corners, height)
+    shapes[edges] = tabs
+    return shapes
+
+
+def find_owners(document: Document) -> tuple[Integers, Integers]:
+    """Panels (E,) whose part gets the tab of an edge, and those (E,) that it is glued to.
+
+    -1 at edges that are no creases.
+    """
+    mesh = document.mesh
+    low, high = np.sort(mesh.edge_faces, axis=1).T
+    return np.where(mesh.crease, low, -1), np.where(mesh.crease, high, -1)
+
+
+def _panels_from(flat: Array, faces: Integers, edges: Integers) -> Array:
+    """Corners (..., 4, 2) of panels, counter-clockwise, their side along the given edge first."""
+    corners = flat[faces]
+    clockwise = signed_areas(corners) < 0
+    faces = np.where(clockwise[..., None], faces[..., ::-1], faces)
+    ends = (faces[..., None] == edges[..., None, :]).any(axis=-1)
+    start = np.argmax(ends & np.roll(ends, -1, axis=-1), axis=-1)
+    turned = (start[..., None] + np.arange(4)) % 4
+    return flat[np.take_along_axis(faces, turned, axis=-1)]
+
+
+def _slopes(corners: Array) -> tuple[Array, Array, Array, Array]:
+    """Unit vectors along and square to the first side, and how far both ends lean per height."""
+    run = corners[..., 1, :] - corners[..., 0, :]
+    length = np.linalg.norm(run, axis=-1, keepdims=True)
+    along = run / length
+    square = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+
+    def lean(corner: int, before: int, after: int) -> Array:
+        p = corners[..., after, :] - corners[..., corner, :]
+        q = corners[..., before, :] - corners[..., corner, :]
+        sector = np.arctan2(_cross(p, q), (p * q).sum(axis=-1)) % (2 * np.pi)
+        return np.asarray(1 / np.tan(np.minimum(SLANT, sector / 2)))
+
+    return along, square, lean(0, 3, 1), lean(1, 0, 2)
+
+
+def _tabs_of_height(corners: Array, height: Array) -> Array:
+    along, square, lean_a, lean_b = _slopes(corners)
+    a, b, h = corners[..., 0, :], corners[..., 1, :], height[..., None]
+    far_a = a + h * (square + lean_a[..., None] * along)
+    far_b = b + h * (square - lean_b[..., None] * along)
+    return np.stack([a, b, far_b, far_a], axis=-2)
+
+
+def _room(corners: Array) -> Array:
+    """Height (...) at which a tab is too short at its far side or comes near the side opposite."""
+    along, square, lean_a, lean_b = _slopes(corners)
+    length = np.linalg.norm(corners[..., 1, :] - corners[..., 0, :], axis=-1)
+    room = (1 - TOP_SHARE) * length / (lean_a + lean_b)
+    across = corners[..., 3, :] - corners[..., 2, :]
+    inward = np.stack([-across[..., 1], across[..., 0]], axis=-1)
+    inward /= np.linalg.norm(across, axis=-1, keepdims=True)
+    for end, way in (
+        (0, square + lean_a[..., None] * along),
+        (1, square - lean_b[..., None] * along),
+    ):
+        distance = ((corners[..., end, :] - corners[..., 2, :]) * inward).sum(axis=-1)
+        closing = 1 - (way * inward).sum(axis=-1)
+        limit = np.where(closing > 0, distance / np.where(closing > 0, closing, 1), np.inf)
+        room = np.minimum(room, REACH * np.where(limit > 0, limit, np.inf))
+    return np.asarray(room)
+
+
+def _cross(p: Array, q: Array) -> Array:
+    return np.asarray(p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0])
+
+
+def _outside(tabs: Array, corners: Array) -> NDArray[np.bool_]:
+    """Which tabs (...) leave their panel: only possible where a corner points inwards."""
+    import shapely
+
+    shapes, panels = shapely.polygons(tabs), shapely.polygons(corners)
+    over = shapely.area(shapely.difference(shapes, panels))
+    return np.asarray(over > 1e-9 * shapely.area(shapes))

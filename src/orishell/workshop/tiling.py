@@ -1,0 +1,186 @@
+"""A sheet spread over pages of paper that overlap: scale, pages and register marks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.errors import InputError
+from orishell.workshop.settings import Paper
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+Array = NDArray[np.float64]
+Auto = Literal["auto"]
+
+PAPERS_MM: dict[Paper, tuple[float, float]] = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
+"""Width and height of upright pages."""
+BORDER_MM = 10.0
+"""What printers leave white along the edges."""
+FOOT_MM = 12.0
+"""Height of the words below the sheet."""
+OVERLAP_MM = 10.0
+"""How far neighbouring pages show the same."""
+LONGEST = 3
+"""Pages along the longer side of the model, if the scale is chosen."""
+MOST = 400
+"""More pages are refused."""
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """One page of the model.
+
+    Parameters
+    ----------
+    row, column
+        Where it lies, from 1, the first row at the top.
+    left, bottom
+        Lower left corner of its frame on the model (mm on paper).
+    """
+
+    row: int
+    column: int
+    left: float
+    bottom: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tiling:
+    """The model on its pages; lengths in mm on paper, from the lower left corner of the model.
+
+    Parameters
+    ----------
+    scale
+        Size of the model relative to the sheet.
+    page_width, page_height
+        Size of the paper.
+    frame_width, frame_height
+        Part of the page that shows the model.
+    rows, columns
+        Of pages; those that would be empty are left out.
+    pages
+        Pages row by row.
+    """
+
+    scale: float
+    page_width: float
+    page_height: float
+    frame_width: float
+    frame_height: float
+    rows: int
+    columns: int
+    pages: tuple[Page, ...]
+
+    def marks(self, page: Page) -> Array:
+        """Register marks (k, 2) of a page: the corners of what it shares with each neighbour."""
+        others = {(other.row, other.column): other for other in self.pages}
+        found: list[tuple[float, float]] = []
+        for row, column in ((0, -1), (-1, 0), (0, 1), (1, 0)):
+            other = others.get((page.row + row, page.column + column))
+            if other is None:
+                continue
+            left, right = sorted((page.left, other.left))
+            bottom, top = sorted((page.bottom, other.bottom))
+            found += [
+                (x, y)
+                for x in (right, left + self.frame_width)
+                for y in (top, bottom + self.frame_height)
+            ]
+        return np.array(sorted(set(found))).reshape(-1, 2)
+
+    def scale_words(self) -> str:
+        """The scale as it is spoken: "1:20"."""
+        if self.scale > 1:
+            return f"{self.scale:.6g}:1"
+        return f"1:{1 / self.scale:.6g}"
+
+
+def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -> Tiling:
+    """Choose the scale and spread the model over pages, upright or lying, whichever needs fewer.
+
+    Parameters
+    ----------
+    outlines
+        Closed polylines (k, 2) around the sheet and its holes at its true size (mm), from
+        (0, 0).
+    scale
+        Size of the model relative to the sheet. "auto" takes the largest of 1:1, 1:2, 1:2.5,
+        1:5, 1:10, ... that takes no more than three pages either way.
+    paper
+        Size of the pages.
+
+    Raises
+    ------
+    InputError
+        If a given scale needs more than 400 pages.
+    """
+    size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
+    upright = PAPERS_MM[paper]
+    if scale == "auto":
+        tried = (1 / (10.0**power * step) for power in range(12) for step in (1, 2, 2.5, 5))
+        size_of = next(s for s in tried if any(_fits(size * s, page) for page in _ways(upright)))
+    else:
+        size_of = float(scale)
+    ways = _ways(upright)
+    counts = [_count(size * size_of, page) for page in ways]
+    if min(rows * columns for columns, rows in counts) > MOST:
+        raise InputError(
+            f"the paper model needs more than {MOST} pages",
+            where="[workshop] paper_scale",
+            got=f"{size_of:g}, {min(rows * columns for columns, rows in counts)} pages",
+            expected='a smaller number, or "auto"',
+        )
+    shape = _shape(tuple(outline * size_of for outline in outlines))
+    tilings = [_tile(size * size_of, shape, size_of, page) for page in ways]
+    return min(tilings, key=lambda tiling: len(tiling.pages))
+
+
+def _ways(page: tuple[float, float]) -> tuple[tuple[float, float], tuple[float, float]]:
+    return page, (page[1], page[0])
+
+
+def _frame(page: tuple[float, float]) -> Array:
+    return np.array([page[0] - 2 * BORDER_MM, page[1] - 2 * BORDER_MM - FOOT_MM])
+
+
+def _count(size: Array, page: tuple[float, float]) -> tuple[int, int]:
+    """Columns and rows of pages."""
+    counts = np.ceil((size - OVERLAP_MM) / (_frame(page) - OVERLAP_MM) - 1e-9)
+    columns, rows = np.maximum(counts, 1).astype(int).tolist()
+    return columns, rows
+
+
+def _fits(size: Array, page: tuple[float, float]) -> bool:
+    return max(_count(size, page)) <= LONGEST
+
+
+def _shape(outlines: tuple[Array, ...]) -> BaseGeometry:
+    import shapely
+
+    shape: BaseGeometry = shapely.Polygon(outlines[0])
+    for outline in outlines[1:]:
+        shape = shapely.symmetric_difference(shape, shapely.Polygon(outline))
+    return shape
+
+
+def _tile(size: Array, shape: BaseGeometry, scale: float, page: tuple[float, float]) -> Tiling:
+    import shapely
+
+    frame = _frame(page)
+    columns, rows = _count(size, page)
+    step = frame - OVERLAP_MM
+    begin = 0.5 * (size - (np.array([columns, rows]) * step + OVERLAP_MM))
+    pages = []
+    for row in range(rows):
+        for column in range(columns):
+            left, bottom = (begin + step * np.array([column, rows - 1 - row])).tolist()
+            box = shapely.box(left, bottom, left + frame[0], bottom + frame[1])
+            if shapely.intersects(shape, box):
+                pages.append(Page(row + 1, column + 1, left, bottom))
+    wide, high = frame.tolist()
+    return Tiling(scale, *page, wide, high, rows, columns, tuple(pages))

@@ -1,0 +1,221 @@
+"""What stands below a drawing: what it is, to what scale, and which layer means what."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+from orishell.document import Document
+from orishell.units import MILLIMETRES
+from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
+from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text
+from orishell.workshop.palettes import Palette, load_palette
+from orishell.workshop.part import Part
+from orishell.workshop.settings import Workshop
+
+SMALLEST_MM = 2.0
+"""Height of the smallest letters (mm)."""
+
+LETTERS = 130
+"""Heights of letters that make up the width of a wide sheet."""
+
+TITLE, SCALE, LEGEND = 50.0, 30.0, 36.0
+"""Least widths of the three cells, in letters."""
+
+_WIDTH, _ROW, _PADDING = 0.9, 2.0, 1.5
+"""Width of a character, from line to line, from a cell's frame to what is in it (in letters)."""
+
+_DECIMALS = {"mm": 1, "cm": 2, "m": 3, "in": 2, "ft": 3}
+
+
+def letter_height(width: float, unit: str) -> float:
+    """Height of the letters below a sheet of a width (both in the unit)."""
+    return max(SMALLEST_MM / MILLIMETRES[unit], width / LETTERS)
+
+
+def draw_title_block(
+    document: Document, part: Part, workshop: Workshop, *, drawn: Drawing, letter: float
+) -> Drawing:
+    """The title block, with its lower left corner at (0, 0).
+
+    Its cells stand side by side where the sheet is wide enough, otherwise the title above.
+
+    Parameters
+    ----------
+    document, part, workshop
+        What is drawn and how.
+    drawn
+        The part's lines and holes, its size and its title.
+    letter
+        Height of letters.
+    """
+    rows = _legend_rows(drawn, load_palette(workshop.palette))
+    facts = _facts(document, part, drawn, workshop)
+    high = 2 * _PADDING + len(rows) * _ROW - 1.0
+    width = max(drawn.width / letter, SCALE + LEGEND)
+    if width >= TITLE + SCALE + LEGEND:
+        top = high
+        first = _Cell(letter, 0.0, 0.0, width - SCALE - LEGEND, high)
+    else:
+        top = high + 2 * _PADDING + (len(facts) + 1) * _ROW + 0.5
+        first = _Cell(letter, 0.0, high, width, top - high)
+    left = width - LEGEND
+    scale = _Cell(letter, first.width % width, 0.0, left - first.width % width, high)
+    cells = [first, scale, _Cell(letter, left, 0.0, LEGEND, high)]
+    for cell in cells:
+        cell.frame()
+    _title(cells[0], drawn.title, facts)
+    _scale(cells[1], drawn.unit)
+    _legend(cells[2], rows)
+    return Drawing(
+        drawn.title,
+        drawn.unit,
+        width * letter,
+        top * letter,
+        tuple(line for cell in cells for line in cell.lines),
+        (),
+        tuple(text for cell in cells for text in cell.texts),
+    )
+
+
+def round_length(most: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is no more than ``most``."""
+    power = 10.0 ** math.floor(math.log10(most))
+    digit = max(d for d in (1, 2, 5) if d * power <= most * (1 + 1e-9))
+    return float(f"{digit * power:.3g}")
+
+
+@dataclass(slots=True)
+class _Cell:
+    """Draws in the layer LABEL, from a cell's lower left corner, with letters' height as unit."""
+
+    letter: float
+    x: float
+    y: float
+    width: float
+    height: float
+    lines: list[Line] = field(default_factory=list)
+    texts: list[Text] = field(default_factory=list)
+
+    def line(self, *points: tuple[float, float], closed: bool = False) -> None:
+        placed = self.letter * (np.array(points) + np.array([self.x, self.y]))
+        self.lines.append(Line("LABEL", placed, closed))
+
+    def frame(self) -> None:
+        self.box(0.0, 0.0, self.width, self.height)
+
+    def box(self, x: float, y: float, width: float, height: float) -> None:
+        right, top = x + width, y + height
+        self.line((x, y), (right, y), (right, top), (x, top), closed=True)
+
+    def write(
+        self, x: float, y: float, words: str, *, anchor: Anchor = "start", height: float = 1.0
+    ) -> None:
+        place = (x + self.x) * self.letter, (y + self.y) * self.letter
+        self.texts.append(Text("LABEL", *place, height * self.letter, words, 0.0, anchor))
+
+
+def _title(cell: _Cell, title: str, facts: list[str]) -> None:
+    room = cell.width - 2 * _PADDING
+    size = min(1.8, room / (_WIDTH * max(len(title), 1)))
+    cell.write(_PADDING, cell.height - _PADDING - 0.9, title, height=size)
+    for number, fact in enumerate(reversed(facts)):
+        size = min(1.0, room / (_WIDTH * len(fact)))
+        cell.write(_PADDING, _PADDING + 0.5 + number * _ROW, fact, height=size)
+
+
+def _scale(cell: _Cell, unit: str) -> None:
+    top, right = cell.height - _PADDING - 0.5, cell.width - _PADDING
+    cell.write(_PADDING, top, "SCALE 1:1")
+    cell.write(right, top, f"UNIT {unit}", anchor="end")
+    length = round_length(cell.letter * (SCALE - 4 * _PADDING))
+    parts = 4 if f"{length:e}"[0] == "2" else 5
+    bar, low, thick = length / cell.letter, 0.4 * cell.height, 1.0
+    left, step = 0.5 * (cell.width - bar), bar / parts
+    cell.box(left, low, bar, thick)
+    for number in range(parts):
+        at = left + number * step
+        if number:
+            cell.line((at, low - 0.4), (at, low + thick))
+        if number % 2 == 0:
+            cell.line((at, low + 0.5 * thick), (at + step, low + 0.5 * thick))
+    for at, words in ((left, "0"), (left + bar, f"{length:g} {unit}")):
+        cell.line((at, low - 0.8), (at, low))
+        cell.write(at, low - 2.0, words, anchor="middle")
+
+
+def _legend(cell: _Cell, rows: list[tuple[str, str, str]]) -> None:
+    right = cell.width - _PADDING
+    columns: tuple[tuple[float, Anchor], ...] = (
+        (_PADDING, "start"),
+        (_PADDING + 10.5, "start"),
+        (right, "end"),
+    )
+    for number, row in enumerate(rows):
+        y = cell.height - _PADDING - 0.5 - number * _ROW
+        for (x, anchor), words in zip(columns, row, strict=True):
+            cell.write(x, y, words, anchor=anchor)
+
+
+def _legend_rows(drawn: Drawing, palette: Palette) -> list[tuple[str, str, str]]:
+    """Headings; then name, colour and length of every layer."""
+    rows = [("LAYER", "COLOUR", "LENGTH")]
+    for layer in LAYERS:
+        pen = palette.pens.get(layer)
+        length = _quoted(_drawn_length(drawn, layer), drawn.unit)
+        rows.append(
+            (
+                layer,
+                pen.colour if pen else "left out",
+                "not on the work" if layer == "LABEL" else length,
+            )
+        )
+    return rows
+
+
+def _drawn_length(drawn: Drawing, layer: Layer) -> float:
+    total = sum(2 * math.pi * circle.radius for circle in drawn.circles if circle.layer == layer)
+    for line in drawn.lines:
+        if line.layer == layer:
+            points = np.concatenate([line.points, line.points[: int(line.closed)]])
+            total += float(np.hypot(*np.diff(points, axis=0).T).sum())
+    return total
+
+
+def _facts(document: Document, part: Part, drawn: Drawing, workshop: Workshop) -> list[str]:
+    unit = drawn.unit
+    folding = sum(document.assignment[edge] in "MV" for edge in part.creases.tolist())
+    area = drawn.width, drawn.height
+    made = {
+        "score": "scored",
+        "dashes": f"cut in dashes of {_dash(document, workshop, DASHES_PER_PANEL)}",
+        "perforation": f"perforated every {_dash(document, workshop, CUTS_PER_PANEL)}",
+    }[workshop.creases]
+    if workshop.creases != "score":
+        made += f", {workshop.duty:.0%} cut"
+    if workshop.relief_hole:
+        made += f"; holes of {workshop.relief_hole:g} {unit}"
+    return [
+        f"{len(part.panels)} panels, {folding} creases that fold, "
+        f"{_decimal(area[0], unit)} × {_quoted(area[1], unit)}",
+        f"Creases {made}",
+        "Mountains rise towards this side of the sheet",
+        f"orishell {version('orishell')}, palette {Path(workshop.palette).stem}",
+    ]
+
+
+def _dash(document: Document, workshop: Workshop, per_panel: int) -> str:
+    dash = mean_edge(document) / per_panel if workshop.dash == "auto" else workshop.dash
+    return f"{dash:.3g} {document.unit}"
+
+
+def _decimal(length: float, unit: str) -> str:
+    return f"{length:.{_DECIMALS[unit]}f}"
+
+
+def _quoted(length: float, unit: str) -> str:
+    return f"{_decimal(length, unit)} {unit}"

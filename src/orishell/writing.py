@@ -1,0 +1,114 @@
+"""From a designed shell, or a FOLD file, to files in any format."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.io import OutputDirectory, document_of_fold, read_fold
+from orishell.io.registry import FOLD, Format, format_of
+from orishell.io.settings import DEFAULT_SETTINGS, Settings
+from orishell.overlays import lay_surface
+from orishell.pictures import draw_pictures
+from orishell.report import Clock, Shell, Watched, unwatched
+from orishell.shell_document import states_of
+
+
+def write_shell(
+    shell: Shell,
+    directory: Path,
+    formats: Sequence[Format] = (),
+    settings: Settings | None = None,
+    watched: Watched = unwatched,
+) -> list[Path]:
+    """Write ``shell.fold``, ``report.json``, the pictures and more formats: all of them or none.
+
+    Parameters
+    ----------
+    shell
+        The shell.
+    directory
+        Where to; made if needed, its other files stay.
+    formats
+        What to write beside ``shell.fold``.
+    settings
+        Choices for the formats; None for those of the design file.
+    watched
+        Shows progress over the states.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to, or a setting does not fit the sheet.
+    """
+    clock = Clock()
+    if settings is None:
+        settings = Settings(workshop=shell.file.workshop)
+    with OutputDirectory(directory).writing() as draft:
+        (draft / "report.json").write_text(
+            json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
+        )
+        draw_pictures(
+            draft,
+            shell.file,
+            shell.design,
+            shell.motion,
+            lock=shell.lock,
+            deviation=shell.deviation,
+            choice=shell.choice,
+        )
+        for format_ in dict.fromkeys((FOLD, *formats)):
+            states = states_of(shell.motion, partial(watched, what=f"writing {format_.file}"))
+            document = replace(shell.document, states=states, report=shell.report)
+            if format_.lays_surface:
+                document = lay_surface(document, shell.design)
+            _write(format_, draft / format_.file, document, settings, str(shell.file.path))
+        names = sorted(file.name for file in draft.iterdir())
+    clock.lap("write")
+    shell.seconds.update(clock.seconds)
+    return [directory / name for name in names]
+
+
+def convert_fold(
+    source: Path, target: Path, settings: Settings = DEFAULT_SETTINGS, unit: str | None = None
+) -> list[Path]:
+    """Write a FOLD file in another format, which the ending of ``target`` names.
+
+    Parameters
+    ----------
+    source
+        The FOLD file, by any program, of quadrilateral panels.
+    target
+        The file to write; a format may write others beside it, whose names begin like its own.
+    settings
+        Choices for the format.
+    unit
+        Unit of length, where the source names none or a wrong one.
+
+    Raises
+    ------
+    InputError
+        If the source cannot be read, the ending is unknown, or the target cannot be written.
+    """
+    format_ = format_of(target)
+    output = OutputDirectory(target.parent)
+    output.require_usable()
+    document = document_of_fold(read_fold(source), unit)
+    with output.writing() as draft:
+        _write(format_, draft / target.name, document, settings, str(source))
+        names = sorted(file.name for file in draft.iterdir())
+    return [target.parent / name for name in names]
+
+
+def _write(
+    format_: Format, path: Path, document: Document, settings: Settings, source: str
+) -> None:
+    try:
+        format_.write(path, document, settings)
+    except InputError as error:
+        raise error.located(f"{source}: {format_.name}:") from None

@@ -1,0 +1,39 @@
+"""Documents as formats get them: the three figures' shells, smaller, and parts of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+from orishell.document import Document
+from orishell.motion import FoldingMotion
+from orishell.shell_document import document_of_motion
+from orishell.spec import read_design_file
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+FAMILIES = {
+    "parallel-repeating": "figure1",
+    "orthodiagonal": "figure2",
+    "longitudinal-linear-repeating": "figure3",
+}
+
+
+@cache
+def demo_document(family: str = "parallel-repeating", frames: int = 7) -> Document:
+    """The shell of a figure of the paper in metres, with its flat sheet, states and curves."""
+    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
+    design = file.pattern.designed(file.f, file.g, file.pattern.flap)
+    return document_of_motion(
+        FoldingMotion(design.mechanism, frames), "m", title=family, curves=design.targets
+    )
+
+
+def flat_only(document: Document) -> Document:
+    """The crease pattern alone, as other programs write it."""
+    return replace(document, states=(), curves={})
+
+
+def folded_only(document: Document) -> Document:
+    """States in space alone."""
+    return replace(document, flat=None, curves={}, states=tuple(document.states)[1:])

@@ -1,0 +1,143 @@
+"""All formats by one test: what is written is what is read back, in any unit."""
+
+import hashlib
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from documents import FAMILIES, demo_document
+from io_readers import READERS
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.io import Settings, document_of_fold, read_fold, write_fold
+from orishell.io.registry import ALL, FORMATS, Format, find_formats, format_of
+
+Array = NDArray[np.float64]
+
+METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048}
+SINGLE = {"glb", "stl", "3dm"}
+"""Formats whose coordinates are single precision."""
+
+
+def in_unit(document: Document, unit: str) -> Document:
+    """The same numbers, of another unit."""
+    return replace(document, unit=unit)
+
+
+def farthest(points: Array, others: Array) -> float:
+    """Largest distance of a point from the nearest of the others."""
+    away = np.linalg.norm(points[:, None] - others[None], axis=-1)
+    return float(away.min(axis=1).max())
+
+
+@pytest.mark.parametrize("format_", FORMATS, ids=lambda each: each.name)
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("unit", ["m", "in"])
+def test_what_is_written_is_read_back(
+    format_: Format, family: str, unit: str, tmp_path: Path
+) -> None:
+    document = in_unit(demo_document(family), unit)
+    assert document.flat is not None
+    path = tmp_path / format_.file
+    format_.write(path, document, Settings())
+    content = READERS[format_.name](path)
+    scale = 1.0
+    if content.metres is not None:
+        scale = content.metres / METRES[unit]
+    size = float(np.linalg.norm(np.ptp(document.flat, axis=0)))
+    if content.space is not None:
+        precision = 1e-6 if format_.name in SINGLE else 1e-12
+        there, here = scale * content.space, document.last.positions
+        assert farthest(there, here) < precision * size
+        assert farthest(here, there) < precision * size
+    if content.plane is not None and format_.name != "origami-simulator":
+        shift = scale * content.plane.min(axis=0) - document.flat.min(axis=0)
+        # Not the other way: corners between two cuts, or two creases, in a line are left out.
+        assert farthest(scale * content.plane - shift, document.flat) < 1e-9 * size
+    if content.lengths is not None:
+        ends = document.flat[document.mesh.edges]
+        length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+        letters = np.array(document.assignment)
+        expected = {letter: float(length[letters == letter].sum()) for letter in "MV"}
+        if format_.name == "origami-simulator":  # its page has no unit
+            scale = sum(expected.values()) / sum(content.lengths.values())
+        for letter, total in expected.items():
+            assert scale * content.lengths[letter] == pytest.approx(total, rel=1e-6)
+    # Something of the shell is compared for every format but the paper model.
+    found = [content.space, content.plane, content.lengths]
+    assert format_.name == "pdf" or any(each is not None for each in found)
+
+
+def test_every_format_has_a_reader() -> None:
+    assert [each.name for each in FORMATS] == list(READERS)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_fold_is_lossless_to_the_bit(family: str, tmp_path: Path) -> None:
+    document = demo_document(family)
+    write_fold(tmp_path / "one.fold", document)
+    again = document_of_fold(read_fold(tmp_path / "one.fold"))
+    write_fold(tmp_path / "two.fold", again)
+    assert (tmp_path / "one.fold").read_bytes() == (tmp_path / "two.fold").read_bytes()
+    np.testing.assert_array_equal(again.flat, document.flat)
+    np.testing.assert_array_equal(again.fold_angles_deg, document.fold_angles_deg)
+    assert again.assignment == document.assignment
+    assert again.grid_shape == document.grid_shape
+    assert len(again.states) == len(document.states)
+    for ours, theirs in zip(document.states, again.states, strict=True):
+        np.testing.assert_array_equal(ours.positions, theirs.positions)
+        np.testing.assert_array_equal(ours.fold_angles_deg, theirs.fold_angles_deg)
+        assert ours.drive_deg == theirs.drive_deg
+
+
+WRITE_ALL = """
+import sys
+from pathlib import Path
+sys.path[:0] = [{tests!r}]
+from documents import demo_document
+from orishell.io import Settings
+from orishell.io.registry import FORMATS
+for each in FORMATS:
+    each.write(Path({out!r}) / each.file, demo_document(), Settings())
+"""
+
+
+def test_the_same_bytes_whatever_the_hash_seed(tmp_path: Path) -> None:
+    tests = str(Path(__file__).parents[1])
+    digests = []
+    for seed in ("1", "2"):
+        out = tmp_path / seed
+        out.mkdir()
+        subprocess.run(
+            [sys.executable, "-c", WRITE_ALL.format(tests=tests, out=str(out))],
+            env={"PYTHONHASHSEED": seed, "PATH": ""},
+            check=True,
+            timeout=120,
+        )
+        digests.append(
+            {
+                path.name: hashlib.sha256(path.read_bytes()).hexdigest()
+                for path in sorted(out.iterdir())
+            }
+        )
+    assert len(digests[0]) >= len(FORMATS)
+    assert digests[0] == digests[1]
+
+
+def test_names_and_endings() -> None:
+    assert find_formats([ALL]) == FORMATS
+    assert [each.name for each in find_formats([" SVG", "dxf", "svg"])] == ["dxf", "svg"]
+    assert find_formats([]) == ()
+    with pytest.raises(InputError, match="dwg"):
+        find_formats(["dxf", "dwg"])
+    assert format_of(Path("a/b.SVG")).name == "svg"
+    assert format_of(Path("b.origami-simulator.svg")).name == "origami-simulator"
+    assert format_of(Path("b.pvd")).name == "vtu"
+    for path in ("b.dwg", "b", ".svg"):
+        with pytest.raises(InputError, match="no format has this ending"):
+            format_of(Path(path))
