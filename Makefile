@@ -1,15 +1,20 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
+# make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
+# make studio  builds and starts the studio
+# make docs    the documentation, into build/docs/
 # make node    other people's software for the tests that ask it, into build/node (node, npm)
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 NODE := build/node
+PAGES := src/orishell/studio/static/index.html
+FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test node quick bench lint types contracts check format clean
+.PHONY: demo test docs pages studio node quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -17,6 +22,16 @@ demo: $(VENV)/.run
 
 test: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip
+
+pages: $(PAGES)
+
+studio: $(VENV)/.studio $(PAGES)
+	$(BIN)/orishell studio
+
+docs: $(VENV)/.docs
+	$(BIN)/python -m sphinx -q -W --keep-going -b html -d build/doctrees docs build/docs
+	$(BIN)/python -m sphinx -q -t doctest -b doctest -d build/doctrees-doctest docs build/doctest
+	@echo "build/docs/index.html"
 
 node: $(NODE)/.installed
 
@@ -56,9 +71,26 @@ $(VENV)/.run: $(VENV)/bin/python pyproject.toml constraints.txt
 	@$(PIP) --editable .
 	@touch $@
 
+$(VENV)/.studio: $(VENV)/.run
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable ".[studio,notebook]"
+	@touch $@
+
+$(PAGES): $(FRONTEND)
+	@command -v npm >/dev/null || { \
+	  echo "Node.js 18 or newer and npm are needed: on Debian, apt-get install nodejs npm." >&2; \
+	  exit 1; }
+	@echo "building the pages ..."
+	@cd frontend && npm ci --silent && npm run --silent build -- --logLevel warn && npm run --silent check
+
 $(VENV)/.test: $(VENV)/.run
 	@echo "installing into $(VENV) ..."
 	@$(PIP) --editable ".[test]"
+	@touch $@
+
+$(VENV)/.docs: $(VENV)/.studio
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable ".[docs]"
 	@touch $@
 
 $(VENV)/.quality: $(VENV)/.test

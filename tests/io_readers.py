@@ -6,6 +6,7 @@ creases by assignment; None where the format does not say it.
 
 from __future__ import annotations
 
+import base64
 import csv
 import json
 import re
@@ -211,6 +212,25 @@ def tables(path: Path) -> Content:
     return Content(METRES[unit], plane=plane, lengths=lengths)
 
 
+def html(path: Path) -> Content:
+    words = re.search(r'id="orishell-view">([^<]*)<', path.read_text())
+    assert words is not None
+    view = base64.b64decode(words[1])
+    length = int.from_bytes(view[:4], "little")
+    head = json.loads(view[4 : 4 + length])
+
+    def array(name: str) -> Array:
+        place = head["arrays"][name]
+        count = int(np.prod(place["shape"]))
+        found = np.frombuffer(view, place["type"], count, 4 + length + place["offset"])
+        return found.reshape(place["shape"]).astype(float)
+
+    space = array("positions")[-1] + head["origin"]
+    lengths = _along(array("flat")[array("edges").astype(int)])
+    letters = [" MV  "[int(code)] for code in array("assignment")]
+    return Content(METRES[head["unit"]], space, lengths=_by_letter(lengths, letters))
+
+
 READERS: dict[str, Callable[[Path], Content]] = {
     "fold": fold,
     "dxf": dxf,
@@ -224,6 +244,7 @@ READERS: dict[str, Callable[[Path], Content]] = {
     "3dm": rhino,
     "vtu": vtu,
     "csv": tables,
+    "html": html,
 }
 
 

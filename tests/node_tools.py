@@ -50,10 +50,10 @@ def _find_node() -> str:
     """The node program; the test ends here if it or a package is missing."""
     node = shutil.which("node")
     if node is None:
-        _lacking("node is not installed: on Debian, apt-get install nodejs npm; then make node")
+        lacking("node is not installed: on Debian, apt-get install nodejs npm; then make node")
     stale = [name for name, pinned in _pinned().items() if _installed(name) != pinned]
     if stale:
-        _lacking(f"{', '.join(stale)}: not installed as tests/node/package.json asks; make node")
+        lacking(f"{', '.join(stale)}: not installed as tests/node/package.json asks; make node")
     return node
 
 
@@ -67,7 +67,7 @@ def _installed(name: str) -> str | None:
     return json.loads(manifest.read_text())["version"] if manifest.is_file() else None
 
 
-def _lacking(what: str) -> NoReturn:
+def lacking(what: str) -> NoReturn:
     if os.environ.get(REQUIRED) == "1":
         pytest.fail(f"{REQUIRED}=1, but {what}", pytrace=False)
     pytest.skip(what)

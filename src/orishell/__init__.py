@@ -8,6 +8,7 @@ from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.metrics import measure_residuals
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
+from orishell.notebook import show
 from orishell.report import Shell, design_shell
 from orishell.writing import convert_fold, write_shell
 
@@ -32,5 +33,6 @@ __all__ = [
     "measure_fold_angles",
     "measure_residuals",
     "parse_formula",
+    "show",
     "write_shell",
 ]

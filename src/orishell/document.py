@@ -53,7 +53,7 @@ class Document:
     mesh
         Panels and edges.
     assignment
-        Letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut).
+        Letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut), J (joined).
     flat
         Vertices (V, 2) of the flat sheet, read-only; None where only folded states are known.
     fold_angles_deg

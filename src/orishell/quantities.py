@@ -65,7 +65,7 @@ def measure_quantities(document: Document, workshop: Workshop) -> Quantities:
         area=area,
         mountain=total("M"),
         valley=total("V"),
-        unfolded=total("F", "U"),
+        unfolded=total("F", "U", "J"),
         outline=total("B", "C"),
         waste=measure_waste(document, workshop),
         mass_kg=area * in_metres**2 * workshop.areal_density or None,

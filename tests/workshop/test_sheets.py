@@ -132,7 +132,7 @@ def test_any_stock(
     try:
         drawings = draw_sheets(document, workshop)
     except InputError as error:
-        if "does not fit the stock" not in str(error):
+        if "do not fit the stock" not in str(error):
             raise
         return
     for drawing in drawings[1:] or drawings:

@@ -15,12 +15,13 @@ import typer
 from orishell.cli.files import STATE_HELP, WRITE_HELP, shortened, state_number
 from orishell.errors import InputError
 from orishell.io import OutputDirectory, Settings
-from orishell.io.registry import Format, find_formats
+from orishell.io.registry import ALL, FORMATS, Format, find_formats
 from orishell.motion import FoldedState, FoldingMotion
 from orishell.quoting import in_degrees
 from orishell.report import ClashTest, Shell, design_shell
 from orishell.writing import write_shell
 
+BUILD = "make studio builds the viewer"
 QUIET_BELOW = 1_000_000
 """Vertices times states below which no progress bar is worth showing (less than a second)."""
 
@@ -46,6 +47,10 @@ def design(
     """Design a shell, verify its motion, write shell.fold, report.json and two pictures."""
     OutputDirectory(out).require_usable()
     formats, number = _formats(write), state_number(state)
+    if ALL in write.split(","):
+        for each in FORMATS:
+            if each not in formats:
+                typer.echo(f"orishell: warning: {each.file} is left out: {BUILD}", err=True)
     with _bar("choosing rows and columns") as searched, _bar("looking for contact") as advanced:
         clash_test = ClashTest(skipped=no_clash_test, allowed=allow_clash, advanced=advanced)
         shell = design_shell(file, _watched, clash_test, searched)

@@ -13,6 +13,7 @@ from orishell.cli.convert import convert
 from orishell.cli.design import design
 from orishell.cli.new import new
 from orishell.cli.solve import solve
+from orishell.cli.studio import studio
 from orishell.errors import OrishellError
 
 app = typer.Typer(
@@ -26,6 +27,7 @@ app.command()(design)
 app.command()(solve)
 app.command()(check)
 app.command()(convert)
+app.command()(studio)
 
 
 def run() -> None:

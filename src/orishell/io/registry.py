@@ -11,6 +11,7 @@ from orishell.errors import InputError
 from orishell.io.fold import write_fold
 from orishell.io.formats.dxf import write_dxf
 from orishell.io.formats.gltf import write_gltf
+from orishell.io.formats.html import viewer_is_built, write_html
 from orishell.io.formats.obj import write_obj
 from orishell.io.formats.origami_simulator import write_origami_simulator
 from orishell.io.formats.pdf import write_pdf
@@ -44,6 +45,8 @@ class Format:
         Writes a document to a path, and whatever belongs to it beside the path.
     lays_surface
         Whether it shows the surface that the shell follows, if the document has it.
+    ready
+        Whether what it needs is there.
     """
 
     name: str
@@ -52,6 +55,7 @@ class Format:
     what: str
     write: Callable[[Path, Document, Settings], None]
     lays_surface: bool = False
+    ready: Callable[[], bool] = lambda: True
 
 
 FOLD = Format("fold", "shell.fold", (".fold",), "pattern and motion (FOLD 1.2)", write_fold)
@@ -75,11 +79,20 @@ FORMATS: tuple[Format, ...] = (
     Format("3dm", "shell.3dm", (".3dm",), "pattern, shell and curves (Rhino)", write_rhino),
     Format("vtu", "shell.vtu", (".vtu", ".pvd"), "states for ParaView", write_vtk),
     Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables),
+    Format(
+        "html",
+        "viewer.html",
+        (".html",),
+        "a page that shows the motion, in one file",
+        write_html,
+        lays_surface=True,
+        ready=viewer_is_built,
+    ),
 )
 
 
 def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
-    """Formats by their names, in the order of the list, each once; "all" stands for every one.
+    """Formats by their names, in the order of the list, each once; "all" stands for all ready ones.
 
     Raises
     ------
@@ -94,7 +107,11 @@ def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
             got=", ".join(map(repr, unknown)),
             expected="some of " + ", ".join(format_.name for format_ in FORMATS) + f"; or {ALL}",
         )
-    return tuple(format_ for format_ in FORMATS if ALL in asked or format_.name in asked)
+    return tuple(
+        format_
+        for format_ in FORMATS
+        if format_.name in asked or (ALL in asked and format_.ready())
+    )
 
 
 def format_of(path: Path) -> Format:

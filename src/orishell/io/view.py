@@ -19,9 +19,9 @@ from orishell.document import Document, DocumentState
 Array = NDArray[np.float64]
 
 VERSION = 1
-CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "U": 3, "C": 4}
+CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "J": 3, "U": 3, "C": 4}
 """Numbers of the assignments."""
-MOST = 16_000_000
+MOST = 4_000_000
 """Coordinates of states in a view, at most: of longer motions every k-th state is taken."""
 
 
@@ -97,7 +97,7 @@ def _arrays(
     positions = [placed(state.positions) for state in states]
     arrays: dict[str, NDArray[Any]] = {
         "flat": flat.astype("<f4"),
-        "positions": np.array(positions, "<f4").reshape(len(states), -1, 3),
+        "positions": np.array(positions, "<f4").reshape(len(states), mesh.vertex_count, 3),
         "edges": mesh.edges.astype("<u4"),
         "assignment": np.array([CODES.get(each, 3) for each in document.assignment], dtype="u1"),
         "fold_angles_deg": document.fold_angles_deg.astype("<f4"),

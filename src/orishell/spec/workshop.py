@@ -15,8 +15,10 @@ from orishell.workshop import Workshop
 from orishell.workshop.palettes import load_palette, palette_names
 
 Auto = Literal["auto"]
-Length = Annotated[Number, Field(gt=0)]
-NoLength = Annotated[Number, Field(ge=0)]
+LEAST, MOST = 1e-12, 1e12
+"""Numbers beyond these are refused: what is computed from them would overflow in the end."""
+Length = Annotated[Number, Field(ge=LEAST, le=MOST)]
+NoLength = Annotated[Number, Field(ge=0, le=MOST)]
 
 
 class WorkshopTable(Table):

@@ -96,7 +96,7 @@ def draw_map(
     ]
     stock = workshop.stock or (0.0, 0.0)
     words = [
-        f"Assembly map: {len(numbered)} parts, {len(joints)} joints",
+        f"Assembly map, not to be cut: {len(numbered)} parts, {len(joints)} joints",
         f"{sheets} sheets of {stock[0]:g} x {stock[1]:g} {document.unit}. " + _HOW[workshop.joint],
     ]
     size = min(letter, (high[0] - low[0]) / (0.8 * max(map(len, words))))
@@ -109,7 +109,7 @@ def draw_map(
     return Drawing(title, document.unit, width, height, tuple(lines), (), tuple(placed))
 
 
-_LAYERS: tuple[tuple[Layer, str], ...] = (("ENGRAVE", "FU"), ("MOUNTAIN", "M"), ("VALLEY", "V"))
+_LAYERS: tuple[tuple[Layer, str], ...] = (("ENGRAVE", "FJU"), ("MOUNTAIN", "M"), ("VALLEY", "V"))
 
 _HOW = {
     "tabs": "Glue each tab to the back of the panel of the same name.",

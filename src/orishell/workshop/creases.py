@@ -29,7 +29,7 @@ DASHES_PER_PANEL, CUTS_PER_PANEL = 4, 20
 MOST_CUTS = 1_000_000
 """Finer dashes are refused: no machine would read the file."""
 
-_MARKS: dict[Layer, str] = {"ENGRAVE": "FU", "MOUNTAIN": "M", "VALLEY": "V"}
+_MARKS: dict[Layer, str] = {"ENGRAVE": "FJU", "MOUNTAIN": "M", "VALLEY": "V"}
 """Assignments of the creases in each layer, in the order in which they are drawn."""
 
 
@@ -47,8 +47,8 @@ class _Creases:
 def crease_lines(document: Document, part: Part, workshop: Workshop) -> tuple[Line, ...]:
     """The creases of a part, in the sheet's own coordinates.
 
-    Mountains and valleys are scored, cut in dashes or perforated. Creases that do not fold (F) or
-    are not assigned (U) are engraved, as continuous lines. Scores without gaps and holes run
+    Mountains and valleys are scored, cut in dashes or perforated. Creases that do not fold (F, J)
+    or are not assigned (U) are engraved, as continuous lines. Scores without gaps and holes run
     through vertices where the crease goes on straight in the same layer.
 
     Of a dash with its bridge the share ``duty`` is cut. Dashes are as long as ``dash`` but for the

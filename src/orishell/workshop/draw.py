@@ -49,8 +49,8 @@ def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
     Raises
     ------
     InputError
-        If there is no flat sheet or no unit, a panel of it is a line, or holes or gaps are too
-        large.
+        If there is no flat sheet or no unit, a panel of it is a line, an edge between panels is
+        neither crease nor cut, or holes or gaps are too large.
     """
     if document.unit not in MILLIMETRES:
         raise InputError(
@@ -61,6 +61,7 @@ def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
         )
     flat, mesh = document.require_flat(), document.mesh
     _require_areas(document)
+    _require_borders(document)
     inside = np.isin(mesh.edge_faces, part.panels).all(axis=1) & ~mesh.crease
     lines = (
         *(mark for mark in part.marks if isinstance(mark, Line)),
@@ -141,6 +142,19 @@ def _require_areas(document: Document) -> None:
     if lines.any():
         raise InputError(
             f"panel {document.panel_name(int(np.argmax(lines)))} has no area in the flat sheet"
+        )
+
+
+def _require_borders(document: Document) -> None:
+    """Refuse creases that are called border: they would neither be scored nor cut."""
+    wrong = np.flatnonzero(document.mesh.crease & (np.array(document.assignment) == "B"))
+    if len(wrong):
+        first, second = document.mesh.edge_faces[wrong[0]].tolist()
+        raise InputError(
+            f"edge {wrong[0]} is no border: it lies between panels "
+            f"{document.panel_name(first)} and {document.panel_name(second)}",
+            got='the assignment "B"',
+            expected="M, V, F, U or J for a crease, C for a cut",
         )
 
 

@@ -153,25 +153,26 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     Raises
     ------
     InputError
-        With the size that such a panel needs.
+        With a size that every panel fits.
     """
-    for panel in range(len(sheet.corners)):
-        if sheet.fits(np.array([panel])):
-            continue
-        import shapely
+    import shapely
 
-        points = sheet.points(np.array([panel]))
-        box = shapely.minimum_rotated_rectangle(shapely.multipoints(points))
-        corners = shapely.get_coordinates(box)
-        long, short = sorted(np.hypot(*np.diff(corners[:3], axis=0).T).tolist(), reverse=True)
-        raise InputError(
-            "a panel does not fit the stock",
-            where="[workshop] stock",
-            got=f"{sheet.width:.6g} x {sheet.height:.6g} without its margins",
-            expected=f"at least {_above(long)} x {_above(short)}, the size of panel "
-            f"{document.panel_name(panel)} with its tabs",
-            remedy="larger stock, or more rows or columns",
-        )
+    wrong = [k for k in range(len(sheet.corners)) if not sheet.fits(np.array([k]))]
+    if not wrong:
+        return
+    points = [shapely.multipoints(sheet.points(np.array([k]))) for k in wrong]
+    boxes = [shapely.get_coordinates(shapely.minimum_rotated_rectangle(each)) for each in points]
+    sides = np.sort([np.hypot(*np.diff(box[:3], axis=0).T) for box in boxes], axis=1)
+    short, long = sides.max(axis=0).tolist()
+    largest = document.panel_name(wrong[int(np.argmax(sides[:, 1]))])
+    raise InputError(
+        f"{len(wrong)} of {len(sheet.corners)} panels do not fit the stock",
+        where="[workshop] stock",
+        got=f"{sheet.width:.6g} x {sheet.height:.6g} without its margins",
+        expected=f"at least {_above(long)} x {_above(short)}, in which each of them fits; "
+        f"the longest is panel {largest}, with its tabs if it has any",
+        remedy="larger stock, or more rows or columns",
+    )
 
 
 def _above(length: float) -> str:

@@ -8,7 +8,9 @@ tabs or strips (:mod:`~orishell.workshop.joints`) and are laid on the stock
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +19,7 @@ from orishell.document import Document
 from orishell.errors import InputError
 from orishell.workshop.assembly import draw_map, number_text
 from orishell.workshop.draw import draw_part, part_lines
-from orishell.workshop.drawing import Anchor, Circle, Drawing, Layer, Line, Text
+from orishell.workshop.drawing import ORDER, Anchor, Circle, Drawing, Line, Text
 from orishell.workshop.fitting import find_turns
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import Placement, nest_parts
@@ -32,8 +34,6 @@ Array = NDArray[np.float64]
 LETTERS = 0.4
 """Height of the words in the margin, as a share of its width."""
 
-ORDER: tuple[Layer, ...] = ("ENGRAVE", "LABEL", "MOUNTAIN", "VALLEY", "CUT")
-"""Layers in the order of work."""
 TURNED: dict[Anchor, Anchor] = {"start": "end", "middle": "middle", "end": "start"}
 """Anchors of texts that are turned half round."""
 
@@ -145,6 +145,14 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     return (draw_map(document, layout.parts, layout.joints, workshop, layout.sheets), *drawings)
 
 
+def name_sheets(
+    path: Path, document: Document, workshop: Workshop
+) -> Iterator[tuple[Path, Drawing]]:
+    """The drawings of :func:`draw_sheets` and their files: ``path``, then ``-1``, ``-2``, ..."""
+    for number, drawing in enumerate(draw_sheets(document, workshop)):
+        yield (path.with_stem(f"{path.stem}-{number}") if number else path), drawing
+
+
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
     """How much stock the sheet needs, and how far the machine goes.
 
@@ -209,7 +217,9 @@ def _draw_sheet(document: Document, workshop: Workshop, layout: Layout, number: 
     if layout.sheets > 1:
         title += f", sheet {number + 1} of {layout.sheets}"
     if workshop.title_block and workshop.margin > 0:
-        texts.append(_margin_words(title, workshop.stock[0], workshop.margin))
+        wide, high = workshop.stock
+        says = f"{title}, 1:1 on {wide:g} x {high:g} {document.unit}"
+        texts.append(_margin_words(says, wide, workshop.margin))
     lines.sort(key=lambda line: ORDER.index(line.layer))
     return Drawing(
         title, document.unit, *workshop.stock, tuple(lines), tuple(circles), tuple(texts)

@@ -26,6 +26,7 @@ from orishell.units import MILLIMETRES
 from orishell.workshop import DEFAULT, LAYERS, Workshop
 from orishell.workshop.outline import signed_areas
 from orishell.workshop.palettes import load_palette
+from orishell.workshop.settings import CreaseStyle
 from orishell.workshop.sheets import draw_sheets
 
 TESTS = Path(__file__).parent.parent.parent
@@ -113,6 +114,23 @@ def test_holes_and_labels_are_circles_and_words(tmp_path: Path) -> None:
     assert any(word.endswith("°") for word in engraved)
     titles = [decode_dxf_unicode(text.plain_text()) for text in words if "roof" in text.dxf.text]
     assert titles == ["50% %c ^J roof Ω"]
+
+
+@pytest.mark.parametrize("creases", ["score", "dashes"])
+def test_entities_are_what_ezdxf_writes(creases: CreaseStyle, tmp_path: Path) -> None:
+    """ezdxf reads the entities and writes the same text again."""
+    document = replace(demo_document("orthodiagonal"), title="Dach 'Süd' ^ Ω")
+    workshop = Workshop(relief_hole=0.01, labels="both", creases=creases)
+    file = written(tmp_path / "pattern.dxf", document, workshop)
+    kinds = Counter(entity.dxftype() for entity in file.modelspace())
+    assert set(kinds) == {"LINE", "LWPOLYLINE", "CIRCLE", "TEXT"}
+    file.saveas(tmp_path / "again.dxf")
+    first, second = (
+        path.read_text("cp1252").partition("ENTITIES")[2].partition("ENDSEC")[0].splitlines()
+        for path in (tmp_path / "pattern.dxf", tmp_path / "again.dxf")
+    )
+    assert len(first) > 10_000
+    assert first == second
 
 
 def test_a_sheet_larger_than_the_stock_is_a_map_and_numbered_sheets(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ STROKES: Final[dict[str, str]] = {
     "V": "#0000ff",
     "C": "#00ff00",
     "F": "#ffff00",
+    "J": "#ffff00",
     "U": "#ff00ff",
 }
 """Stroke of every assignment."""

@@ -114,11 +114,8 @@ def _draw_page(canvas: Canvas, model: PaperModel, page: Page, number: int) -> No
 def _draw_sheet(
     canvas: Canvas, model: PaperModel, origin: Array, size: float, shown: Box | None = None
 ) -> None:
-    """All lines that come near a box of the model (mm), enlarged by ``size`` about its corner."""
-    near: NDArray[np.bool_] = np.ones(len(model.lines), dtype=np.bool_)
-    if shown is not None:
-        beside = (model.highs < shown[0] - 1) | (model.lows > shown[1] + 1)
-        near = np.asarray(~beside.any(axis=1))
+    """What comes near a box of the model (mm), enlarged by ``size`` about its corner."""
+    near = _near(model.lows, model.highs, shown)
     for layer, (width, dashes) in STYLES.items():
         _pen(canvas, model.colours[layer], width, dashes if size == 1 else ())
         path = canvas.beginPath()
@@ -132,15 +129,25 @@ def _draw_sheet(
                 if line.closed:
                     path.close()
         canvas.drawPath(path)
-    if size == 1:
-        for text in model.texts:
-            _draw_text(canvas, text, origin, model.colours["ENGRAVE"])
+    if size == 1 and model.texts:
+        canvas.setFillColor(model.colours["ENGRAVE"])
+        # No letter is wider than it is high, or its descender deeper.
+        reach = np.array([(len(text.words) + 1) * text.height for text in model.texts])[:, None]
+        middles = np.array([(text.x, text.y) for text in model.texts])
+        for k in np.flatnonzero(_near(middles - reach, middles + reach, shown)):
+            _draw_text(canvas, model.texts[k], origin)
 
 
-def _draw_text(canvas: Canvas, text: Text, origin: Array, colour: str) -> None:
+def _near(lows: Array, highs: Array, shown: Box | None) -> NDArray[np.bool_]:
+    """Which boxes (N,) come within a millimetre of a box; all if there is none."""
+    if shown is None:
+        return np.ones(len(lows), dtype=np.bool_)
+    return np.asarray(((highs >= shown[0] - 1) & (lows <= shown[1] + 1)).all(axis=1))
+
+
+def _draw_text(canvas: Canvas, text: Text, origin: Array) -> None:
     words = text.words.encode("cp1252", "replace").decode("cp1252")
     canvas.saveState()
-    canvas.setFillColor(colour)
     canvas.setFont("Helvetica", text.height / CAPITALS * MM)
     canvas.translate((text.x + origin[0]) * MM, (text.y + origin[1]) * MM)
     canvas.rotate(float(np.rad2deg(text.angle)))

@@ -40,7 +40,14 @@ _COLOURS = {
     "f": (0, 140, 70, 255),
     "g": (230, 140, 0, 255),
 }
-_LETTERS = {"C": "CUT", "M": "MOUNTAIN", "V": "VALLEY", "F": "ENGRAVE", "U": "ENGRAVE"}
+_LETTERS = {
+    "C": "CUT",
+    "M": "MOUNTAIN",
+    "V": "VALLEY",
+    "F": "ENGRAVE",
+    "J": "ENGRAVE",
+    "U": "ENGRAVE",
+}
 _FIRST_ID = UUID("6f1c2c1e-3d55-8c7e-9c38-0e1a00000000")
 _FIRST_CHUNK, _CHUNK_HEAD = 32, 12
 _PROPERTIES, _HISTORY, _SHORT = 0x10000014, 0x20008021, 0x80000000

@@ -13,7 +13,7 @@ from orishell.io.settings import Settings
 from orishell.units import MILLIMETRES
 from orishell.workshop.drawing import ORDER, Circle, Drawing, Layer, Line, Text
 from orishell.workshop.palettes import Palette, load_palette
-from orishell.workshop.sheets import draw_sheets
+from orishell.workshop.sheets import name_sheets
 
 EXACT_MM = 1e-6
 """Coordinates are rounded to this or less (mm)."""
@@ -45,8 +45,7 @@ def write_svg(path: Path, document: Document, settings: Settings) -> None:
         If there is no flat sheet or unit, or the sheet cannot be drawn as asked.
     """
     palette = load_palette(settings.workshop.palette)
-    for number, drawing in enumerate(draw_sheets(document, settings.workshop)):
-        place = path.with_stem(f"{path.stem}-{number}") if number else path
+    for place, drawing in name_sheets(path, document, settings.workshop):
         dump_svg(place, drawing, palette)
 
 

@@ -1,0 +1,117 @@
+// The figures of a shell, from its report; what a report does not say is measured on the view.
+
+import { length, threeDigits } from "./colours.ts";
+import { panelCount, vertexCount, type View } from "./view.ts";
+
+interface Size { width: number; height: number; depth?: number; area?: number; drive_deg?: number }
+interface Report {
+  sheet?: Size;
+  deployed?: Size;
+  packed?: Size | null;
+  deviation?: { surface?: { max: number; mean: number } | null; approached?: { what: string } | null };
+  lock?: { drive_deg: number | null; cause: string | null; target_drive_deg: number | null };
+  warnings?: string[];
+}
+
+const UNKNOWN = "not yet known";
+const CAUSES: Record<string, string> = { flaps: "by its flaps", clash: "panels meet", crease: "a crease is folded flat" };
+
+/** A list of names and figures; `container` is emptied first. */
+export function renderFigures(container: HTMLElement, view: View): void {
+  const report = view.header.report as Report;
+  const known = Object.keys(report).length > 0;
+  const unit = view.header.unit;
+  const grid = view.header.grid;
+  const list = document.createElement("dl");
+  list.className = "orishell-figures";
+
+  const sheet = report.sheet ?? measured(view, "flat");
+  const shell = report.deployed ?? measured(view, "last");
+  const panels = panelCount(view).toLocaleString("en").replaceAll(",", "\u202f");
+  add(list, "Panels", panels, grid ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "");
+  if (sheet) {
+    add(list, "Flat sheet", `${threeDigits(sheet.width)} \u00d7 ${length(sheet.height, unit)}`, "", "sheet");
+    if (sheet.area) add(list, "Area", area(sheet.area, unit), "");
+  }
+  if (shell) {
+    add(list, "Span", `${threeDigits(shell.width)} \u00d7 ${length(shell.depth ?? 0, unit)}`, "in plan");
+    add(list, "Height", length(shell.height, unit), "");
+  }
+  if (known) {
+    const surface = report.deviation?.surface;
+    const mean = surface && `mean ${length(surface.mean, unit)}`;
+    add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
+    add(list, "Lock", lockOf(report), lockNote(report));
+    const packed = report.packed;
+    add(list, "Packed", packed ? [packed.width, packed.depth!, packed.height].map(threeDigits).join(" \u00d7 ") + (unit === "unit" ? "" : ` ${unit}`) : UNKNOWN,
+      packed?.drive_deg == null ? "" : `at ${threeDigits(packed.drive_deg)}\u00b0`);
+  }
+  container.replaceChildren(list);
+  for (const warning of report.warnings ?? []) {
+    const line = document.createElement("p");
+    line.className = "orishell-warning";
+    line.textContent = warning;
+    container.append(line);
+  }
+}
+
+function lockOf(report: Report): string {
+  const lock = report.lock;
+  if (!lock) return UNKNOWN;
+  if (lock.drive_deg === null) return "nothing ends the motion";
+  return `${threeDigits(lock.drive_deg)}\u00b0`;
+}
+
+function lockNote(report: Report): string {
+  const lock = report.lock;
+  if (!lock?.cause) return "";
+  const beyond = lock.target_drive_deg !== null && lock.drive_deg !== null && Math.abs(lock.target_drive_deg - lock.drive_deg) > 1e-6;
+  const cause = CAUSES[lock.cause] ?? lock.cause;
+  return beyond ? `${cause}; target at ${threeDigits(lock.target_drive_deg!)}\u00b0` : cause;
+}
+
+function area(value: number, unit: string): string {
+  return unit === "unit" ? threeDigits(value) : `${threeDigits(value)} ${unit}\u00b2`;
+}
+
+function add(list: HTMLElement, name: string, value: string, note: string, key = name.toLowerCase()): void {
+  const row = document.createElement("div");
+  row.dataset["figure"] = key;
+  const term = document.createElement("dt");
+  term.textContent = name;
+  const figure = document.createElement("dd");
+  const number = document.createElement("span");
+  number.className = value === UNKNOWN ? "orishell-pending" : "orishell-number";
+  number.textContent = value;
+  figure.append(number);
+  if (note) {
+    const small = document.createElement("small");
+    small.textContent = note;
+    figure.append(small);
+  }
+  row.append(term, figure);
+  list.append(row);
+}
+
+/** Box of the flat sheet, or of the last state. */
+function measured(view: View, what: "flat" | "last"): Size | null {
+  const size = what === "flat" ? 2 : 3;
+  const all = what === "flat" ? view.flat : view.positions;
+  const points = all.subarray(Math.max(0, all.length - size * vertexCount(view)));
+  if (!points.length) return null;
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; i++) {
+    low[i % size] = Math.min(low[i % size]!, points[i]!);
+    high[i % size] = Math.max(high[i % size]!, points[i]!);
+  }
+  const [x, y, z] = high.map((end, axis) => end - low[axis]!) as [number, number, number];
+  if (what === "last") return { width: x, depth: y, height: z };
+  let area = 0;
+  for (let f = 0; f < view.faces.length; f += 4) {
+    const [a, b, c, d] = [0, 1, 2, 3].map((k) => 2 * view.faces[f + k]!) as [number, number, number, number];
+    area += 0.5 * Math.abs(
+      (points[c]! - points[a]!) * (points[d + 1]! - points[b + 1]!) - (points[c + 1]! - points[a + 1]!) * (points[d]! - points[b]!),
+    );
+  }
+  return { width: x, height: y, area };
+}

@@ -1,0 +1,57 @@
+// What the colours mean, in a corner of the view in space.
+
+import { ANGLE_MAP, DISTANCE_MAP, length, threeDigits, type Colouring } from "./colours.ts";
+
+export interface LegendFacts {
+  colouring: Colouring;
+  unit: string;
+  /** Largest distance, 0 if none is known. */
+  range: number;
+  /** Numbers of edges by assignment. */
+  counts: number[];
+}
+
+const SIGNS: [string, string, number][] = [
+  ["mountain", "--mountain", 1],
+  ["valley", "--valley", 2],
+  ["unfolded", "--unfolded", 3],
+  ["cut", "--border-crease", 4],
+];
+
+export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
+  container.replaceChildren();
+  container.hidden = facts.colouring === "plain";
+  if (facts.colouring === "signs") {
+    for (const [name, colour, code] of SIGNS) {
+      if (!facts.counts[code]) continue;
+      const item = part(container, "orishell-key");
+      part(item, "orishell-stroke").style.background = `var(${colour})`;
+      item.append(name);
+    }
+  } else if (facts.colouring === "angle") {
+    bar(container, "fold angle, largest of the panel's creases", ANGLE_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
+  } else if (facts.colouring === "distance") {
+    if (!facts.range) {
+      container.append("distance to the target: not yet known");
+      return;
+    }
+    const end = threeDigits(facts.range);
+    bar(container, "distance to the target, at lock", DISTANCE_MAP, [
+      `\u2212${length(facts.range, facts.unit)}`, "0", `+${end}`,
+    ]);
+  }
+}
+
+function bar(container: HTMLElement, title: string, map: string[], ticks: string[]): void {
+  part(container, "orishell-legend-title").textContent = title;
+  part(container, "orishell-ramp").style.background = `linear-gradient(to right, ${map.join(", ")})`;
+  const row = part(container, "orishell-ticks");
+  for (const tick of ticks) row.append(Object.assign(document.createElement("span"), { textContent: tick }));
+}
+
+function part(container: HTMLElement, name: string): HTMLElement {
+  const element = document.createElement("div");
+  element.className = name;
+  container.append(element);
+  return element;
+}

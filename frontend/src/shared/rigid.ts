@@ -1,0 +1,278 @@
+// Panels as rigid bodies: a pose (turn and place) in every state, and between two states the turn
+// in between (slerp) about the panel's centre. Vertices are never interpolated: panels keep shape.
+
+import { drives, panelCount, vertexCount, type View } from "./view.ts";
+
+/** Poses are kept for all states up to so many numbers, otherwise for the latest three. */
+const KEPT = 12_000_000;
+
+/** Numbers of a pose as drawn: quaternion x y z w, centre x y z, 0. */
+export const POSE = 8;
+
+/** Turn as a quaternion of the frame with the columns (ax ay az), (bx by bz), (cx cy cz). */
+function writeQuaternion(
+  out: Float32Array, at: number,
+  ax: number, ay: number, az: number,
+  bx: number, by: number, bz: number,
+  cx: number, cy: number, cz: number,
+): void {
+  const trace = ax + by + cz;
+  let x: number, y: number, z: number, w: number;
+  if (trace > 0) {
+    const s = 2 * Math.sqrt(1 + trace);
+    w = s / 4; x = (bz - cy) / s; y = (cx - az) / s; z = (ay - bx) / s;
+  } else if (ax > by && ax > cz) {
+    const s = 2 * Math.sqrt(1 + ax - by - cz);
+    w = (bz - cy) / s; x = s / 4; y = (bx + ay) / s; z = (cx + az) / s;
+  } else if (by > cz) {
+    const s = 2 * Math.sqrt(1 + by - ax - cz);
+    w = (cx - az) / s; x = (bx + ay) / s; y = s / 4; z = (cy + bz) / s;
+  } else {
+    const s = 2 * Math.sqrt(1 + cz - ax - by);
+    w = (ay - bx) / s; x = (cx + az) / s; y = (cy + bz) / s; z = s / 4;
+  }
+  out[at] = x; out[at + 1] = y; out[at + 2] = z; out[at + 3] = w;
+}
+
+export class Motion {
+  readonly panels: number;
+  readonly states: number;
+  /** First and last drive; states between are found by their drive. */
+  readonly drives: Float64Array;
+  /** Corners (F, 4, 3) in the frame of their panel, about its centre. */
+  readonly corners: Float32Array;
+  /** Corners are listed so that the diagonal from the first to the third lies in the panel. */
+  readonly faces: Uint32Array;
+  /** Distance of the farthest corner from the centre (F,). */
+  readonly radius: Float32Array;
+  /** Poses of the state drawn, see POSE. */
+  readonly pose: Float32Array;
+
+  private readonly cache = new Map<number, Float32Array>();
+  private readonly kept: number;
+  private readonly vertices: number;
+  private readonly reference: Float32Array;
+
+  constructor(private readonly view: View) {
+    this.panels = panelCount(view);
+    this.vertices = vertexCount(view);
+    this.states = view.positions.length / (3 * this.vertices) || 0;
+    this.drives = this.states > 1 ? drives(view) : new Float64Array([0]);
+    this.reference = view.flat.length ? raised(view.flat) : view.positions.subarray(0, 3 * this.vertices);
+    this.faces = withInnerDiagonal(view.faces, this.reference);
+    this.corners = new Float32Array(12 * this.panels);
+    this.radius = new Float32Array(this.panels);
+    this.pose = new Float32Array(POSE * this.panels);
+    this.kept = Math.max(3, Math.floor(KEPT / (POSE * Math.max(1, this.panels))));
+    this.measureCorners();
+    this.setFold(0);
+  }
+
+  /** Share of the way from the first drive to the last. */
+  shareOf(drive: number): number {
+    const first = this.drives[0]!, last = this.drives[this.drives.length - 1]!;
+    return last === first ? 1 : (drive - first) / (last - first);
+  }
+
+  driveAt(share: number): number {
+    const first = this.drives[0]!, last = this.drives[this.drives.length - 1]!;
+    return first + share * (last - first);
+  }
+
+  /** Pose every panel at a share of the way: 0 flat, 1 locked. */
+  setFold(share: number): void {
+    if (this.states < 2) {
+      this.pose.set(this.posesOf(0));
+      return;
+    }
+    const drive = this.driveAt(Math.min(1, Math.max(0, share)));
+    const rising = this.drives[this.states - 1]! > this.drives[0]!;
+    let k = 0;
+    while (k < this.states - 2 && (rising ? this.drives[k + 1]! <= drive : this.drives[k + 1]! >= drive)) k++;
+    const t = (drive - this.drives[k]!) / (this.drives[k + 1]! - this.drives[k]!);
+    // A slider's number lies a rounding off a state: the state itself is drawn then.
+    if (t < 1e-9) this.pose.set(this.posesOf(k));
+    else if (t > 1 - 1e-9) this.pose.set(this.posesOf(k + 1));
+    else blend(this.posesOf(k), this.posesOf(k + 1), t, this.pose);
+  }
+
+  /** Corners (4, 3) of a panel as drawn. */
+  place(panel: number, out: Float32Array | Float64Array): void {
+    const { pose, corners } = this;
+    const p = POSE * panel;
+    const x = pose[p]!, y = pose[p + 1]!, z = pose[p + 2]!, w = pose[p + 3]!;
+    for (let corner = 0; corner < 4; corner++) {
+      const at = 12 * panel + 3 * corner;
+      const a = corners[at]!, b = corners[at + 1]!, c = corners[at + 2]!;
+      const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
+      out[3 * corner] = pose[p + 4]! + a + w * tx + y * tz - z * ty;
+      out[3 * corner + 1] = pose[p + 5]! + b + w * ty + z * tx - x * tz;
+      out[3 * corner + 2] = pose[p + 6]! + c + w * tz + x * ty - y * tx;
+    }
+  }
+
+  /** Largest relative change of the six distances between a panel's corners as drawn. */
+  maxStrain(): number {
+    const at = new Float64Array(12);
+    let largest = 0;
+    for (let panel = 0; panel < this.panels; panel++) {
+      this.place(panel, at);
+      for (let i = 0; i < 4; i++) {
+        for (let j = i + 1; j < 4; j++) {
+          const u = 3 * this.faces[4 * panel + i]!, v = 3 * this.faces[4 * panel + j]!;
+          const before = distance(this.reference, u, v);
+          const now = Math.hypot(
+            at[3 * i]! - at[3 * j]!, at[3 * i + 1]! - at[3 * j + 1]!, at[3 * i + 2]! - at[3 * j + 2]!,
+          );
+          largest = Math.max(largest, Math.abs(now - before) / before);
+        }
+      }
+    }
+    return largest;
+  }
+
+  /** Nearest panel that a ray meets in the state drawn, -1 if none. */
+  pick(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number): number {
+    const { pose, corners, radius } = this;
+    let nearest = Infinity, found = -1;
+    for (let panel = 0; panel < this.panels; panel++) {
+      const p = POSE * panel;
+      const px = ox - pose[p + 4]!, py = oy - pose[p + 5]!, pz = oz - pose[p + 6]!;
+      const along = px * dx + py * dy + pz * dz;
+      const apart = px * px + py * py + pz * pz - along * along;
+      if (apart > radius[panel]! * radius[panel]!) continue;
+      // The ray in the panel's frame: turned by the conjugate.
+      const x = -pose[p]!, y = -pose[p + 1]!, z = -pose[p + 2]!, w = pose[p + 3]!;
+      let tx = 2 * (y * pz - z * py), ty = 2 * (z * px - x * pz), tz = 2 * (x * py - y * px);
+      const lx = px + w * tx + y * tz - z * ty, ly = py + w * ty + z * tx - x * tz, lz = pz + w * tz + x * ty - y * tx;
+      tx = 2 * (y * dz - z * dy); ty = 2 * (z * dx - x * dz); tz = 2 * (x * dy - y * dx);
+      const mx = dx + w * tx + y * tz - z * ty, my = dy + w * ty + z * tx - x * tz, mz = dz + w * tz + x * ty - y * tx;
+      if (Math.abs(mz) < 1e-12) continue;
+      const t = -lz / mz;
+      if (t <= 0 || t >= nearest) continue;
+      const hx = lx + t * mx, hy = ly + t * my;
+      const c = 12 * panel;
+      if (inTriangle(corners, c, c + 3, c + 6, hx, hy) || inTriangle(corners, c, c + 6, c + 9, hx, hy)) {
+        nearest = t;
+        found = panel;
+      }
+    }
+    return found;
+  }
+
+  /** Poses of a given state. */
+  private posesOf(state: number): Float32Array {
+    const known = this.cache.get(state);
+    if (known) return known;
+    if (this.cache.size >= this.kept) this.cache.delete(this.cache.keys().next().value!);
+    const poses = new Float32Array(POSE * this.panels);
+    const size = 3 * this.vertices;
+    const points = this.states ? this.view.positions.subarray(state * size, (state + 1) * size) : this.reference;
+    for (let panel = 0; panel < this.panels; panel++) writePose(points, this.faces, panel, poses);
+    this.cache.set(state, poses);
+    return poses;
+  }
+
+  private measureCorners(): void {
+    const own = new Float32Array(POSE * this.panels);
+    const { faces, reference, corners, radius } = this;
+    for (let panel = 0; panel < this.panels; panel++) {
+      writePose(reference, faces, panel, own);
+      const p = POSE * panel;
+      const x = -own[p]!, y = -own[p + 1]!, z = -own[p + 2]!, w = own[p + 3]!;
+      for (let corner = 0; corner < 4; corner++) {
+        const v = 3 * faces[4 * panel + corner]!;
+        const a = reference[v]! - own[p + 4]!, b = reference[v + 1]! - own[p + 5]!, c = reference[v + 2]! - own[p + 6]!;
+        const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
+        const at = 12 * panel + 3 * corner;
+        corners[at] = a + w * tx + y * tz - z * ty;
+        corners[at + 1] = b + w * ty + z * tx - x * tz;
+        corners[at + 2] = c + w * tz + x * ty - y * tx;
+        radius[panel] = Math.max(radius[panel]!, Math.hypot(a, b, c) * 1.001);
+      }
+    }
+  }
+}
+
+function raised(flat: Float32Array): Float32Array {
+  const points = new Float32Array((flat.length / 2) * 3);
+  for (let v = 0; v < flat.length / 2; v++) {
+    points[3 * v] = flat[2 * v]!;
+    points[3 * v + 1] = flat[2 * v + 1]!;
+  }
+  return points;
+}
+
+function distance(points: Float32Array, u: number, v: number): number {
+  return Math.hypot(points[u]! - points[v]!, points[u + 1]! - points[v + 1]!, points[u + 2]! - points[v + 2]!);
+}
+
+/** A quad that is notched at its second or fourth corner is listed from the next corner on. */
+function withInnerDiagonal(faces: Uint32Array, points: Float32Array): Uint32Array {
+  const turned = new Uint32Array(faces);
+  for (let f = 0; f < faces.length; f += 4) {
+    const [a, b, c, d] = [faces[f]!, faces[f + 1]!, faces[f + 2]!, faces[f + 3]!];
+    const n = cross(points, a, c, b, d);
+    const first = cross(points, a, b, a, c), second = cross(points, a, c, a, d);
+    const inside = dot(first, n) >= 0 && dot(second, n) >= 0;
+    if (!inside) turned.set([b, c, d, a], f);
+  }
+  return turned;
+}
+
+function cross(p: Float32Array, a: number, b: number, c: number, d: number): [number, number, number] {
+  const x = p[3 * b]! - p[3 * a]!, y = p[3 * b + 1]! - p[3 * a + 1]!, z = p[3 * b + 2]! - p[3 * a + 2]!;
+  const u = p[3 * d]! - p[3 * c]!, v = p[3 * d + 1]! - p[3 * c + 1]!, w = p[3 * d + 2]! - p[3 * c + 2]!;
+  return [y * w - z * v, z * u - x * w, x * v - y * u];
+}
+
+function dot(a: [number, number, number], b: [number, number, number]): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** Frame of a panel: first axis along its diagonal, third its normal. */
+function writePose(points: Float32Array, faces: Uint32Array, panel: number, out: Float32Array): void {
+  const a = 3 * faces[4 * panel]!, b = 3 * faces[4 * panel + 1]!;
+  const c = 3 * faces[4 * panel + 2]!, d = 3 * faces[4 * panel + 3]!;
+  let ux = points[c]! - points[a]!, uy = points[c + 1]! - points[a + 1]!, uz = points[c + 2]! - points[a + 2]!;
+  const vx = points[d]! - points[b]!, vy = points[d + 1]! - points[b + 1]!, vz = points[d + 2]! - points[b + 2]!;
+  let nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+  const u = Math.hypot(ux, uy, uz) || 1, n = Math.hypot(nx, ny, nz) || 1;
+  ux /= u; uy /= u; uz /= u;
+  nx /= n; ny /= n; nz /= n;
+  const p = POSE * panel;
+  writeQuaternion(out, p, ux, uy, uz, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux, nx, ny, nz);
+  for (let axis = 0; axis < 3; axis++) {
+    out[p + 4 + axis] = (points[a + axis]! + points[b + axis]! + points[c + axis]! + points[d + axis]!) / 4;
+  }
+}
+
+/** Poses between two states: the shorter turn, evenly (slerp), and centres straight. */
+function blend(from: Float32Array, to: Float32Array, t: number, out: Float32Array): void {
+  for (let p = 0; p < out.length; p += POSE) {
+    let cosine = from[p]! * to[p]! + from[p + 1]! * to[p + 1]! + from[p + 2]! * to[p + 2]! + from[p + 3]! * to[p + 3]!;
+    const sign = cosine < 0 ? -1 : 1;
+    cosine *= sign;
+    let a = 1 - t, b = t;
+    if (cosine < 0.99999) {
+      const angle = Math.acos(cosine), sine = Math.sqrt(1 - cosine * cosine);
+      a = Math.sin(a * angle) / sine;
+      b = Math.sin(b * angle) / sine;
+    }
+    b *= sign;
+    const x = a * from[p]! + b * to[p]!, y = a * from[p + 1]! + b * to[p + 1]!;
+    const z = a * from[p + 2]! + b * to[p + 2]!, w = a * from[p + 3]! + b * to[p + 3]!;
+    const size = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+    out[p] = x * size; out[p + 1] = y * size; out[p + 2] = z * size; out[p + 3] = w * size;
+    out[p + 4] = (1 - t) * from[p + 4]! + t * to[p + 4]!;
+    out[p + 5] = (1 - t) * from[p + 5]! + t * to[p + 5]!;
+    out[p + 6] = (1 - t) * from[p + 6]! + t * to[p + 6]!;
+  }
+}
+
+function inTriangle(c: Float32Array, i: number, j: number, k: number, x: number, y: number): boolean {
+  const a = (c[j]! - c[i]!) * (y - c[i + 1]!) - (c[j + 1]! - c[i + 1]!) * (x - c[i]!);
+  const b = (c[k]! - c[j]!) * (y - c[j + 1]!) - (c[k + 1]! - c[j + 1]!) * (x - c[j]!);
+  const d = (c[i]! - c[k]!) * (y - c[k + 1]!) - (c[i + 1]! - c[k + 1]!) * (x - c[k]!);
+  return (a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0);
+}

@@ -1,0 +1,362 @@
+// The shell in space: orbit, fold, colours, overlays, hover. Drawn only when something changed.
+
+import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { extentOf, goodDirection, placeCamera, type Extent } from "./camera.ts";
+import { largest, length, themeOf, type Colouring } from "./colours.ts";
+import { armAfter } from "./keys.ts";
+import { renderLegend } from "./legend.ts";
+import { Look } from "./look.ts";
+import { Overlays, type Overlay } from "./overlays.ts";
+import { Pace, type Quality } from "./pace.ts";
+import { Pointing } from "./pointing.ts";
+import { Sheet3D } from "./sheet3d.ts";
+import { Sun } from "./sun.ts";
+import { assignmentCounts, type View } from "./view.ts";
+
+export type { Colouring, Overlay };
+
+export class Shell3D {
+  onHover: ((panel: number | null) => void) | null = null;
+
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(28, 1, 0.1, 100);
+  private readonly controls: OrbitControls;
+  private readonly legend: HTMLElement;
+  private readonly scale: HTMLElement;
+  private readonly observer: ResizeObserver;
+  private readonly look = new Look();
+  private readonly sun = new Sun();
+  private readonly u = {
+    ...this.sun.uniforms,
+    ...this.look.uniforms,
+    screen: { value: new Vector2(1, 1) },
+    density: { value: 1 },
+    near: { value: 0.1 },
+  };
+  private readonly sheet = new Sheet3D(this.u);
+  private readonly overlays: Overlays;
+  private readonly pace: Pace;
+
+  private view: View | null = null;
+  private extent: Extent | null = null;
+  private origin = new Vector3();
+  private share = 0;
+  private contact: { panels: [number, number]; share: number } | null = null;
+  private distances: Float32Array | null = null;
+  private readonly pointing: Pointing;
+  private readonly ray = new Raycaster();
+  private request = 0;
+  private quality: Quality = { density: 1, taps: 12 };
+  /** The poses are those of `share`; the card has them; so has the shadow. */
+  private posed = false;
+  private sent = false;
+  private shaded = false;
+  private fitted = false;
+
+  constructor(private readonly container: HTMLElement, options: { label?: string } = {}) {
+    container.classList.add("orishell-scene");
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer.autoClear = false;
+    const canvas = this.renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.setAttribute("aria-label", `${options.label ?? "Shell in space"}. Arrow keys turn it, plus and minus zoom, 0 shows all.`);
+    container.append(canvas);
+    this.legend = overlay(container, "orishell-legend");
+    this.scale = overlay(container, "orishell-scale");
+
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.09;
+    this.controls.rotateSpeed = 0.75;
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener("change", this.invalidate);
+
+    this.scene.add(this.sheet.panels, this.sheet.creases, this.sheet.threads, this.sheet.marks);
+    this.sun.add(this.sheet.depth);
+    this.overlays = new Overlays(this.scene, this.u);
+    this.pace = new Pace((quality) => this.setQuality(quality), () => this.draw());
+
+    this.pointing = new Pointing(canvas, this.invalidate, () => this.hover(null));
+    canvas.addEventListener("dblclick", () => this.fitState());
+    canvas.addEventListener("keydown", this.onKey);
+    canvas.addEventListener("webglcontextrestored", this.onRestored);
+    document.addEventListener("themechange", this.onTheme);
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(container);
+    this.onTheme();
+    this.resize();
+  }
+
+  get fold(): number {
+    return this.share;
+  }
+
+  /** Drive of the state drawn, in degrees where states have drives. */
+  get drive(): number {
+    return this.sheet.motion?.driveAt(this.share) ?? 0;
+  }
+
+  /** Times between the latest frames of a motion (ms), for measuring. */
+  get frameTimes(): readonly number[] {
+    return this.pace.times;
+  }
+
+  show(view: View, keepCamera = false): void {
+    this.view = view;
+    this.sheet.show(view);
+    this.extent = extentOf([this.allPoints()]);
+    this.overlays.show(view);
+    this.setDistance(view.distance ?? null);
+    const contact = view.header.contact;
+    this.setContact(contact && contact.panels, contact?.drive_deg);
+    const origin = new Vector3(...view.header.origin);
+    const kept = keepCamera && this.fitted;
+    if (kept) {
+      // The origin moves with the shell; the camera stays where it is in the world.
+      const by = this.origin.clone().sub(origin);
+      this.camera.position.add(by);
+      this.controls.target.add(by);
+    }
+    this.origin = origin;
+    this.sun.place(this.extent);
+    this.scale.textContent = `grid ${length(this.overlays.placeGround(this.extent, origin), view.header.unit)}`;
+    this.posed = false;
+    this.highlight(null);
+    if (!kept) this.fit(true);
+    this.invalidate();
+  }
+
+  setFold(share: number): void {
+    this.share = Math.min(1, Math.max(0, share));
+    this.posed = false;
+    this.markContact();
+    this.invalidate();
+  }
+
+  setColouring(mode: Colouring): void {
+    this.look.setColouring(mode, themeOf(this.container));
+    this.explain();
+    this.invalidate();
+  }
+
+  /** Signed distance of each vertex from the target; null if not known. */
+  setDistance(values: Float32Array | null): void {
+    this.distances = values;
+    this.sheet.setValues(values);
+    this.u.range.value = (values && largest(values)) || 1;
+    this.explain();
+    this.invalidate();
+  }
+
+  /** Panels that touch; marked from the drive on at which they do, at lock if none is given. */
+  setContact(panels: [number, number] | null, driveDeg?: number): void {
+    const motion = this.sheet.motion;
+    const share = driveDeg === undefined || !motion ? 1 : motion.shareOf(driveDeg);
+    this.contact = panels && { panels, share };
+    this.markContact();
+    this.invalidate();
+  }
+
+  setOverlay(name: Overlay, visible: boolean): void {
+    this.overlays.setVisible(name, visible);
+    this.invalidate();
+  }
+
+  highlight(panel: number | null): void {
+    if ((panel ?? -1) === this.u.hovered.value) return;
+    this.u.hovered.value = panel ?? -1;
+    this.sheet.mark(this.look.marked);
+    this.invalidate();
+  }
+
+  /** Show the whole motion, from where one looks, or from a good direction. */
+  fit(turn = false): void {
+    if (!this.view) return;
+    const all = this.allPoints();
+    const states = this.sheet.motion!.states;
+    const last = all.subarray(all.length - all.length / Math.max(1, states));
+    this.aim(all, turn ? goodDirection(last) : this.arm());
+    this.fitted = this.container.clientWidth > 0;
+  }
+
+  /** Show the state drawn. */
+  fitState(): void {
+    if (this.view) this.aim(this.drawnPoints(), this.arm());
+  }
+
+  maxPanelStrain(): number {
+    this.pose();
+    return this.sheet.motion?.maxStrain() ?? 0;
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request);
+    this.pace.stop();
+    this.observer.disconnect();
+    document.removeEventListener("themechange", this.onTheme);
+    this.controls.dispose();
+    this.sheet.dispose();
+    this.overlays.dispose();
+    this.sun.dispose();
+    this.look.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.container.replaceChildren();
+  }
+
+  private allPoints(): Float32Array {
+    return this.view?.positions.length ? this.view.positions : this.drawnPoints();
+  }
+
+  private drawnPoints(): Float32Array {
+    this.pose();
+    const motion = this.sheet.motion!;
+    const points = new Float32Array(12 * motion.panels);
+    for (let panel = 0; panel < motion.panels; panel++) {
+      motion.place(panel, points.subarray(12 * panel, 12 * panel + 12));
+    }
+    return points;
+  }
+
+  private arm(): Vector3 {
+    return this.camera.position.clone().sub(this.controls.target);
+  }
+
+  private aim(points: Float32Array, direction: Vector3): void {
+    this.controls.target.copy(placeCamera(this.camera, [points], direction));
+    this.controls.minDistance = 0.02 * this.extent!.radius;
+    this.controls.maxDistance = 14 * this.extent!.radius;
+    this.controls.update();
+    this.invalidate();
+  }
+
+  private markContact(): void {
+    const marked = this.contact !== null && this.share >= this.contact.share - 1e-6;
+    const [first, second] = marked ? this.contact!.panels : ([-1, -1] as const);
+    if (this.u.touching.value.x === first && this.u.touching.value.y === second) return;
+    this.u.touching.value.set(first, second);
+    this.sheet.mark(this.look.marked);
+  }
+
+  private readonly onTheme = (): void => {
+    const theme = themeOf(this.container);
+    this.look.paint(theme);
+    this.overlays.paint(theme);
+    this.invalidate();
+  };
+
+  private explain(): void {
+    if (!this.view) return;
+    renderLegend(this.legend, {
+      colouring: this.look.colouring,
+      unit: this.view.header.unit,
+      range: this.distances ? largest(this.distances) : 0,
+      counts: assignmentCounts(this.view),
+    });
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.container;
+    if (!width || !height) return;
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.setQuality(this.quality);
+    if (this.view && !this.fitted) this.fit(true);
+    this.draw();
+  }
+
+  private setQuality(quality: Quality): void {
+    this.quality = quality;
+    const ratio = Math.min(2, window.devicePixelRatio || 1) * quality.density;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.container.clientWidth, this.container.clientHeight, false);
+    this.renderer.getDrawingBufferSize(this.u.screen.value);
+    this.u.density.value = ratio;
+    this.u.shadowTaps.value = quality.taps;
+  }
+
+  private pose(): void {
+    if (this.posed || !this.sheet.motion) return;
+    this.sheet.motion.setFold(this.share);
+    this.posed = true;
+    this.sent = this.shaded = false;
+  }
+
+  private readonly invalidate = (): void => {
+    this.request ||= requestAnimationFrame(this.frame);
+  };
+
+  private readonly frame = (now: number): void => {
+    this.request = 0;
+    this.pace.step(now);
+    this.controls.update();
+    this.pick();
+    this.draw();
+  };
+
+  private draw(): void {
+    if (!this.view) return;
+    const { renderer, camera } = this;
+    this.pose();
+    if (!this.sent) this.sheet.upload();
+    this.sent = true;
+    if (!this.shaded && this.quality.taps) {
+      this.sun.draw(renderer);
+      this.shaded = true;
+    }
+    const { centre, radius } = this.extent!;
+    const away = camera.position.distanceTo(centre);
+    camera.near = Math.max(0.01 * radius, away - 4.7 * radius);
+    camera.far = away + 4.7 * radius;
+    camera.updateProjectionMatrix();
+    this.u.near.value = camera.near;
+    const slope = Math.tan((camera.fov * Math.PI) / 360);
+    this.sheet.setScale(this.container.clientHeight / 2 / (slope * camera.position.distanceTo(this.controls.target)));
+    renderer.clear();
+    renderer.render(this.scene, camera);
+  }
+
+  private pick(): void {
+    const at = this.pointing.take();
+    if (!at) return;
+    this.ray.setFromCamera(at, this.camera);
+    this.pose();
+    const { origin: o, direction: d } = this.ray.ray;
+    const found = this.sheet.motion?.pick(o.x, o.y, o.z, d.x, d.y, d.z) ?? -1;
+    this.hover(found < 0 ? null : found);
+  }
+
+  private hover(panel: number | null): void {
+    if ((panel ?? -1) === this.u.hovered.value) return;
+    this.highlight(panel);
+    this.onHover?.(panel);
+  }
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "0" || event.key === "Home") this.fit();
+    else {
+      const arm = armAfter(event.key, this.arm());
+      if (!arm) return;
+      this.camera.position.copy(this.controls.target).add(arm);
+    }
+    event.preventDefault();
+    this.invalidate();
+  };
+
+  private readonly onRestored = (): void => {
+    this.sent = this.shaded = false;
+    this.invalidate();
+  };
+}
+
+function overlay(container: HTMLElement, name: string): HTMLElement {
+  const element = document.createElement("div");
+  element.className = name;
+  container.append(element);
+  return element;
+}

@@ -1,0 +1,190 @@
+// The binary view of a shell, as orishell.io.view writes it: little endian, a JSON header, arrays.
+
+export interface Contact {
+  drive_deg: number;
+  panels: [number, number];
+}
+
+interface ArrayPlace {
+  type: "float32" | "uint32" | "uint8";
+  shape: number[];
+  offset: number;
+}
+
+export interface Header {
+  version: number;
+  title: string;
+  unit: string;
+  /** Rows and columns of vertices; panel p lies in row p div (C-1), column p mod (C-1). */
+  grid: [number, number] | null;
+  /** Was subtracted from all coordinates in space before they were rounded. */
+  origin: [number, number, number];
+  /** Drive of every state, flat first. */
+  drives_deg: (number | null)[];
+  // The report is printed, never computed with; what may be absent is asked for in figures.ts.
+  report: Record<string, unknown>;
+  contact: Contact | null;
+  arrays: Record<string, ArrayPlace>;
+  [more: string]: unknown;
+}
+
+export interface Lattice {
+  rows: number;
+  columns: number;
+  points: Float32Array;
+}
+
+export interface View {
+  header: Header;
+  /** (V, 2); empty if only folded states are known. */
+  flat: Float32Array;
+  /** (K, V, 3); empty if only the flat sheet is known. */
+  positions: Float32Array;
+  /** (E, 2) */
+  edges: Uint32Array;
+  /** (E,), see Assignment */
+  assignment: Uint8Array;
+  /** (E,) at the last state, valley positive, NaN unknown */
+  foldAngles: Float32Array;
+  /** (F, 4), counter-clockwise seen from +z of the flat sheet */
+  faces: Uint32Array;
+  /** (V,) signed distance of each vertex from the target surface, NaN not compared */
+  distance?: Float32Array;
+  /** (k, 3) beside the locked state */
+  curveF?: Float32Array;
+  curveG?: Float32Array;
+  surface?: Lattice;
+}
+
+export const Assignment = { border: 0, mountain: 1, valley: 2, unfolded: 3, cut: 4 } as const;
+
+const KINDS = { float32: Float32Array, uint32: Uint32Array, uint8: Uint8Array } as const;
+
+/** Arrays of the view lie in the buffer itself; nothing is copied. */
+export function decodeView(buffer: ArrayBuffer): View {
+  const length = new DataView(buffer).getUint32(0, true);
+  const text = new TextDecoder().decode(new Uint8Array(buffer, 4, length));
+  const header = JSON.parse(text) as Header;
+  if (header.version !== 1) {
+    throw new Error(`this view has version ${header.version}; the viewer reads version 1`);
+  }
+
+  function find<T extends Float32Array | Uint32Array | Uint8Array>(name: string): T | undefined {
+    const place = header.arrays[name];
+    if (!place) return undefined;
+    const size = place.shape.reduce((product, side) => product * side, 1);
+    return new KINDS[place.type](buffer, 4 + length + place.offset, size) as T;
+  }
+  function array<T extends Float32Array | Uint32Array | Uint8Array>(name: string): T {
+    const found = find<T>(name);
+    if (!found) throw new Error(`the view has no array "${name}"`);
+    return found;
+  }
+
+  const view: View = {
+    header,
+    flat: array("flat"),
+    positions: array("positions"),
+    edges: array("edges"),
+    assignment: array("assignment"),
+    foldAngles: array("fold_angles_deg"),
+    faces: array("faces"),
+  };
+  const distance = find<Float32Array>("distance");
+  const curveF = find<Float32Array>("curve_f");
+  const curveG = find<Float32Array>("curve_g");
+  const points = find<Float32Array>("surface");
+  if (distance) view.distance = distance;
+  if (curveF) view.curveF = curveF;
+  if (curveG) view.curveG = curveG;
+  if (points) {
+    const [rows = 0, columns = 0] = header.arrays["surface"]!.shape;
+    view.surface = { rows, columns, points };
+  }
+  return view;
+}
+
+export function panelCount(view: View): number {
+  return view.faces.length / 4;
+}
+
+export function vertexCount(view: View): number {
+  const { shape } = view.header.arrays["flat"]!;
+  return shape[0] || (view.header.arrays["positions"]?.shape[1] ?? 0);
+}
+
+export function stateCount(view: View): number {
+  return view.header.drives_deg.length;
+}
+
+/** Row and column of a panel, or its number where panels are not a grid's. */
+export function panelName(view: View, panel: number): string {
+  const grid = view.header.grid;
+  if (!grid) return `panel ${panel}`;
+  const columns = grid[1] - 1;
+  return `panel ${Math.floor(panel / columns)},${panel % columns}`;
+}
+
+/** Drives as numbers, in order; evenly spread where states have none. */
+export function drives(view: View): Float64Array {
+  const given = view.header.drives_deg;
+  const known = given.every((drive) => drive !== null);
+  const falling = known && given.every((drive, k) => k === 0 || drive! < given[k - 1]!);
+  const rising = known && given.every((drive, k) => k === 0 || drive! > given[k - 1]!);
+  return Float64Array.from(given, (drive, k) => (rising || falling ? drive! : k));
+}
+
+/** Mountains and valleys that the design tells apart. */
+export function assignmentCounts(view: View): number[] {
+  const counts = [0, 0, 0, 0, 0];
+  for (const each of view.assignment) counts[each]!++;
+  return counts;
+}
+
+/** Adjacent panels (E, 2) of every edge: -1 where there is none. */
+export function edgePanels(view: View): Int32Array {
+  const { edges, faces } = view;
+  const vertices = vertexCount(view);
+  const numbers = new Map<number, number>();
+  const count = edges.length / 2;
+  for (let e = 0; e < count; e++) {
+    const a = edges[2 * e]!, b = edges[2 * e + 1]!;
+    numbers.set(a < b ? a * vertices + b : b * vertices + a, e);
+  }
+  const panels = new Int32Array(2 * count).fill(-1);
+  for (let i = 0; i < faces.length; i++) {
+    const a = faces[i]!, b = faces[(i & ~3) | ((i + 1) & 3)]!;
+    const e = numbers.get(a < b ? a * vertices + b : b * vertices + a);
+    if (e === undefined) continue;
+    const slot = panels[2 * e] === -1 ? 2 * e : 2 * e + 1;
+    panels[slot] = i >> 2;
+  }
+  return panels;
+}
+
+/** Loops of vertices around the sheet, and around its holes. */
+export function outlines(view: View): Uint32Array[] {
+  const { faces } = view;
+  const vertices = vertexCount(view);
+  const sides = new Set<number>();
+  const side = (i: number): [number, number] => [faces[i]!, faces[(i & ~3) | ((i + 1) & 3)]!];
+  for (let i = 0; i < faces.length; i++) {
+    const [a, b] = side(i);
+    // A side that a neighbour runs the other way lies inside.
+    if (!sides.delete(b * vertices + a)) sides.add(a * vertices + b);
+  }
+  const next = new Map<number, number>();
+  for (const code of sides) next.set(Math.floor(code / vertices), code % vertices);
+  const loops: Uint32Array[] = [];
+  while (next.size) {
+    const loop: number[] = [];
+    let vertex = next.keys().next().value!;
+    for (let after = next.get(vertex); after !== undefined; after = next.get(vertex)) {
+      loop.push(vertex);
+      next.delete(vertex);
+      vertex = after;
+    }
+    loops.push(Uint32Array.from(loop));
+  }
+  return loops;
+}

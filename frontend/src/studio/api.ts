@@ -1,0 +1,142 @@
+// The studio's server. Every function throws ServerFault, or AbortError if it was aborted.
+
+import { ServerFault, faultFrom, unreachable } from "./faults.ts";
+import type { Design, Fault, Info, Point, Ranges, Verified } from "./types.ts";
+
+/** Marks a refusal that is an answer like any other: browsers log an error for statuses above 400. */
+const REFUSED = "X-Orishell-Refused";
+
+async function ask(path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
+  const options: RequestInit = signal ? { signal } : {};
+  if (body !== undefined) {
+    options.method = "POST";
+    options.headers = { "Content-Type": "application/json" };
+    options.body = JSON.stringify(body);
+  }
+  let response: Response;
+  try {
+    response = await fetch(`api/${path}`, options);
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw new ServerFault(unreachable(), 0);
+  }
+  if (!response.ok || response.headers.has(REFUSED)) throw await faultOf(response);
+  return response;
+}
+
+async function faultOf(response: Response): Promise<ServerFault> {
+  let body: { error?: Partial<Fault> } | null = null;
+  try {
+    body = (await response.json()) as { error?: Partial<Fault> };
+  } catch {
+    // Not ours: a proxy, or a server that fell over. The status says what there is to say.
+  }
+  const message = `The studio answered with status ${response.status}`;
+  const fault = faultFrom(body?.error ?? { kind: "http", message, what: message });
+  return new ServerFault(fault, response.status, body);
+}
+
+async function json<T>(path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
+  return (await (await ask(path, body, signal)).json()) as T;
+}
+
+export function fetchInfo(): Promise<Info> {
+  return json("info");
+}
+
+/** The view of a design, in bytes; see shared/view.ts. */
+export async function fetchView(
+  design: Design,
+  states: number,
+  signal?: AbortSignal,
+): Promise<ArrayBuffer> {
+  return (await ask("design", { design, states }, signal)).arrayBuffer();
+}
+
+export async function fetchRanges(design: Design, signal: AbortSignal): Promise<Ranges> {
+  return (await json<{ ranges: Ranges }>("ranges", { design }, signal)).ranges;
+}
+
+export async function parseDesign(text: string): Promise<Design> {
+  return (await json<{ design: Design }>("parse", { text })).design;
+}
+
+export async function formatDesign(design: Design): Promise<string> {
+  return (await json<{ text: string }>("format", { design })).text;
+}
+
+export interface ReadCurve {
+  points: Point[];
+  smooth: boolean;
+  note: string;
+}
+
+export async function readCurve(file: File, unit: string): Promise<ReadCurve> {
+  return json("curve", { name: file.name, content: await base64(file), unit });
+}
+
+export interface Download {
+  name: string;
+  blob: Blob;
+}
+
+export async function exportDesign(
+  design: Design,
+  format: string,
+  state: string | number,
+  name: string,
+): Promise<Download> {
+  const response = await ask("export", { design, format, state, name });
+  const header = response.headers.get("Content-Disposition") ?? "";
+  const quoted = /filename\*=utf-8''([^;]+)/i.exec(header)?.[1];
+  const plain = /filename="?([^";]+)"?/i.exec(header)?.[1];
+  const file = quoted ? decodeURIComponent(quoted) : (plain ?? `${name}.${format}`);
+  return { name: file, blob: await response.blob() };
+}
+
+/** Prove how the motion ends; aborting stops the proof. */
+export async function verify(
+  design: Design,
+  signal: AbortSignal,
+  progressed: (share: number, what: string) => void,
+): Promise<Verified> {
+  const response = await ask("verify", { design }, signal);
+  const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
+  let rest = "";
+  for (;;) {
+    const { value, done } = await reader.read();
+    const lines = (rest + (value ?? "")).split("\n");
+    rest = done ? "" : lines.pop()!;
+    for (const line of lines) {
+      if (!line.trim()) continue;
+      const message = JSON.parse(line) as {
+        progress?: number;
+        what?: string;
+        result?: Verified;
+        error?: Partial<Fault>;
+      };
+      if (message.error) throw new ServerFault(faultFrom(message.error), 422, message);
+      if (message.result) return message.result;
+      progressed(message.progress ?? 0, message.what ?? "");
+    }
+    if (done) throw new ServerFault(unreachable(), 0);
+  }
+}
+
+async function base64(file: File): Promise<string> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 32768) {
+    text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+  }
+  return btoa(text);
+}
+
+export function decodeBytes(text: string): ArrayBuffer {
+  return Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
+}
+
+/** Float32 numbers, little endian, from base64. */
+export function decodeFloats(text: string): Float32Array {
+  return new Float32Array(decodeBytes(text));
+}

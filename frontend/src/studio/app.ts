@@ -1,0 +1,114 @@
+// Puts the studio together.
+
+import { Banner } from "./banner.ts";
+import { CurveEditor } from "./curve-editor.ts";
+import { h } from "./dom.ts";
+import { ExportMenu } from "./export-menu.ts";
+import { Families } from "./families.ts";
+import { Files } from "./files.ts";
+import { Help } from "./help.ts";
+import { Live } from "./live.ts";
+import { Parameters } from "./parameters.ts";
+import { publishProbe } from "./probe.ts";
+import { Results } from "./results.ts";
+import { listenForShortcuts } from "./shortcuts.ts";
+import { Stage } from "./stage.ts";
+import type { Store } from "./store.ts";
+import { announceTheme } from "./theme.ts";
+import { Toolbar } from "./toolbar.ts";
+
+export function buildStudio(root: HTMLElement, store: Store): void {
+  const files = new Files(store, () => {
+    stage.forgetCamera();
+    results.forgetView();
+    editors.forEach((editor) => editor.refit());
+  });
+  const example = (name: string): void => {
+    const found = store.info.examples.find((each) => each.name === name);
+    if (found) void files.take(found.text, found.name);
+  };
+  const banner = new Banner(store, {
+    goTo: (key) => parameters.focus(key),
+    example: (family) => {
+      // Examples of a family say so in their text.
+      const found = store.info.examples.find(({ text }) => text.includes(`"${family}"`));
+      if (found) void files.take(found.text, found.name);
+    },
+  });
+  const stage = new Stage(store, banner.element);
+  const results = new Results(store);
+  const live = new Live(store, async () => {
+    stage.draw();
+    results.draw();
+    await painted();
+  });
+  const editors = [new CurveEditor(store, "f"), new CurveEditor(store, "g")];
+  const parameters = new Parameters(store, live);
+  const help = new Help(store.info.version);
+  const exportMenu = new ExportMenu(store, () => stage.fold.share.value);
+  const toolbar = new Toolbar(store, exportMenu.element, {
+    open: () => void files.open(),
+    save: () => void files.save(),
+    help: () => help.open(),
+    example,
+  });
+  linkHover(stage, results);
+  listenForShortcuts({
+    undo: () => store.undo(),
+    redo: () => store.redo(),
+    open: () => void files.open(),
+    save: () => void files.save(),
+    help: () => help.open(),
+    play: () => stage.fold.toggle(),
+  });
+  root.replaceChildren(
+    toolbar.element,
+    h(
+      "main",
+      { class: "rooms" },
+      h(
+        "div",
+        { class: "inputs", role: "region", "aria-label": "Design" },
+        h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
+        h("section", { "aria-labelledby": "curves-title" }, h("h2", { id: "curves-title" }, "Curves"), ...editors.map((editor) => editor.element)),
+        parameters.element,
+      ),
+      stage.element,
+      results.element,
+    ),
+    help.element,
+  );
+  // Only now are the drawings in the page, whose colours they take.
+  announceTheme();
+  publishProbe(store, live, stage);
+  live.changed();
+}
+
+function linkHover(stage: Stage, results: Results): void {
+  const highlight = (panel: number | null): void => {
+    stage.shell.highlight(panel);
+    results.pattern.highlight(panel);
+  };
+  stage.shell.onHover = highlight;
+  results.pattern.onHover = highlight;
+}
+
+/** Resolves when the next frame has been handed to the screen. */
+function painted(): Promise<void> {
+  return new Promise((resolve) => {
+    let done = false;
+    const once = (): void => {
+      if (!done) {
+        done = true;
+        resolve();
+      }
+    };
+    requestAnimationFrame(() => {
+      const channel = new MessageChannel();
+      channel.port1.onmessage = once;
+      channel.port2.postMessage(null);
+    });
+    // A page in the background draws nothing; it must not stand still for that.
+    setTimeout(once, 500);
+  });
+}

@@ -1,0 +1,95 @@
+// What is wrong with the design, in words, and the nearest value that works.
+
+import { button } from "./controls.ts";
+import { h } from "./dom.ts";
+import { placeOf, remedyOf, sentence } from "./faults.ts";
+import { icon } from "./icons.ts";
+import type { Store } from "./store.ts";
+import type { Fault } from "./types.ts";
+
+export interface BannerEvents {
+  /** Go to the control that a fault is about. */
+  goTo(key: string): void;
+  /** Show the family's own example. */
+  example(family: string): void;
+}
+
+const TITLES: Record<string, string> = {
+  input: "Not usable yet",
+  design: "This shell cannot be made",
+  limit: "Too large",
+  time: "Takes too long",
+  network: "No answer",
+  fault: "A fault of the program",
+};
+
+export class Banner {
+  readonly element: HTMLElement;
+
+  constructor(
+    private readonly store: Store,
+    private readonly events: BannerEvents,
+  ) {
+    this.element = h("div", { class: "banner", "data-testid": "banner", role: "status", "aria-live": "polite", hidden: true });
+    store.fault.bind((fault) => this.show(fault));
+  }
+
+  private show(fault: Fault | null): void {
+    this.element.hidden = !fault;
+    if (!fault) return this.element.replaceChildren();
+    this.element.dataset["kind"] = fault.kind;
+    const detail = fault.message.includes("\n") ? fault.message.slice(fault.message.indexOf("\n") + 1) : "";
+    this.element.replaceChildren(
+      h("div", { class: "banner-mark" }, icon("warning")),
+      h(
+        "div",
+        { class: "banner-body" },
+        h("p", { class: "banner-title" }, TITLES[fault.kind] ?? "Something went wrong"),
+        h("p", {}, sentence(fault.what)),
+        detail ? h("pre", {}, detail) : null,
+        facts(fault),
+        this.actions(fault),
+      ),
+    );
+  }
+
+  private actions(fault: Fault): HTMLElement {
+    const design = this.store.design.value;
+    const { family } = design.shell;
+    const parameters = this.store.info.families[family]?.parameters ?? [];
+    const keys = [...parameters.map(({ key }) => key), ...Object.keys(design.pattern)];
+    const remedy = remedyOf(fault, design, keys);
+    const place = placeOf(fault);
+    const key = place?.table === "pattern" ? place.keys.find((each) => keys.includes(each)) : undefined;
+    return h(
+      "div",
+      { class: "banner-actions" },
+      remedy &&
+        button({
+          label: `Use ${remedy.label}`,
+          text: `Use ${remedy.label}`,
+          class: "button primary",
+          testid: "use-nearest",
+          act: () => this.store.change(remedy.apply(this.store.design.value), remedy.label),
+        }),
+      key ? button({ label: `Go to ${key}`, text: `Go to ${key}`, act: () => this.events.goTo(key) }) : null,
+      fault.kind === "design"
+        ? button({ label: "Show an example of this family", text: "Example of this family", act: () => this.events.example(family) })
+        : null,
+    );
+  }
+}
+
+function facts(fault: Fault): HTMLElement | null {
+  const rows: [string, string][] = [
+    ["Where", fault.place],
+    ["Found", fault.got],
+    ["Expected", fault.expected],
+    ["By how much", fault.size],
+    ["Remedy", fault.remedy],
+    ["Nearest that works", fault.nearest],
+  ];
+  const known = rows.filter(([, text]) => text);
+  if (!known.length) return null;
+  return h("dl", {}, ...known.flatMap(([name, text]) => [h("dt", {}, name), h("dd", {}, text)]));
+}

@@ -1,0 +1,112 @@
+// Every format, of the locked shell, the flat sheet, or the state on the screen.
+
+import { exportDesign } from "./api.ts";
+import { button, segmented } from "./controls.ts";
+import { download, h, setAttribute } from "./dom.ts";
+import { ServerFault, faultFrom, sentence } from "./faults.ts";
+import type { Store } from "./store.ts";
+import type { Format } from "./types.ts";
+
+type State = "locked" | "flat" | "shown";
+
+export class ExportMenu {
+  readonly element: HTMLElement;
+  private readonly menu: HTMLElement;
+  private readonly opener: HTMLButtonElement;
+  private readonly note = h("p", { class: "note", role: "status" });
+  private readonly states = segmented<State>(
+    "State that is written",
+    [
+      { value: "locked", text: "Locked", testid: "state-locked" },
+      { value: "flat", text: "Flat", testid: "state-flat" },
+      { value: "shown", text: "As shown", testid: "state-shown" },
+    ],
+    (state) => {
+      this.state = state;
+      this.explain();
+    },
+  );
+  private state: State = "locked";
+
+  constructor(
+    private readonly store: Store,
+    private readonly fold: () => number,
+  ) {
+    this.opener = button({
+      label: "Export",
+      icon: "export",
+      text: "Export",
+      testid: "export",
+      act: () => this.menu.togglePopover(),
+    });
+    setAttribute(this.opener, "aria-expanded", "false");
+    setAttribute(this.opener, "aria-haspopup", "dialog");
+    this.menu = h(
+      "div",
+      { class: "menu", popover: "auto", role: "dialog", "aria-label": "Export" },
+      h("div", { class: "menu-head" }, h("span", { class: "quiet" }, "State"), this.states.element),
+      this.note,
+      h("div", { class: "formats" }, ...store.info.formats.map((format) => this.entry(format))),
+    );
+    this.menu.addEventListener("toggle", (event) => {
+      const open = (event as ToggleEvent).newState === "open";
+      setAttribute(this.opener, "aria-expanded", String(open));
+      if (open) this.opened();
+    });
+    this.states.set("locked");
+    this.element = h("div", { class: "menu-frame" }, this.opener, this.menu);
+    store.freshness.bind((freshness) => (this.opener.disabled = freshness === "outdated"));
+  }
+
+  private opened(): void {
+    const box = this.opener.getBoundingClientRect();
+    this.menu.style.top = `${box.bottom + 6}px`;
+    this.menu.style.right = `${document.documentElement.clientWidth - box.right}px`;
+    this.explain();
+    this.menu.querySelector<HTMLElement>(".format")?.focus();
+  }
+
+  private entry(format: Format): HTMLElement {
+    return h(
+      "button",
+      { type: "button", class: "format", "data-testid": `export-${format.name}`, onclick: () => void this.write(format) },
+      h("span", { class: "format-name" }, format.name),
+      h("span", { class: "format-what" }, format.what),
+    );
+  }
+
+  /** Number of the frame nearest to the fold on the screen. */
+  private frame(): number {
+    const frames = Number(this.store.design.value.motion?.["frames"] ?? 25);
+    return Math.round(this.fold() * (frames - 1));
+  }
+
+  private explain(): void {
+    const words: Record<State, string> = {
+      locked: "Formats with one state show the locked shell.",
+      flat: "Formats with one state show the flat sheet.",
+      shown: `Formats with one state show frame ${this.frame()}, the nearest to the screen.`,
+    };
+    this.note.textContent = words[this.state];
+    this.note.classList.remove("error");
+  }
+
+  private async write(format: Format): Promise<void> {
+    const { store } = this;
+    const state = this.state === "shown" ? this.frame() : this.state;
+    this.menu.classList.add("busy");
+    this.note.classList.remove("error");
+    this.note.textContent = `Writing ${format.name}…`;
+    try {
+      const file = await exportDesign(store.design.value, format.name, state, store.name.value);
+      download(file.blob, file.name);
+      this.note.textContent = `Written: ${file.name}`;
+    } catch (error) {
+      const fault = error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) });
+      this.note.textContent = sentence(fault.message);
+      this.note.classList.add("error");
+    } finally {
+      this.menu.classList.remove("busy");
+    }
+  }
+}

@@ -1,0 +1,260 @@
+// Keeps the shell on the screen up with the design: at most one request under way and the newest
+// one waiting; when the design rests, its ranges and its proof.
+
+import { type View, decodeView } from "../shared/view.ts";
+import { decodeBytes, decodeFloats, fetchRanges, fetchView, verify } from "./api.ts";
+import { ServerFault, faultFrom } from "./faults.ts";
+import { earlyContact } from "./lock.ts";
+import { sized } from "./sizing.ts";
+import type { Store } from "./store.ts";
+import type { Curves, Design, Report } from "./types.ts";
+
+/** Rest after which ranges and the proof are asked for, in milliseconds. */
+const REST = 400;
+const STATES = 25;
+/** Vertices up to which every answer has all states; larger sheets get fewer while they change. */
+const QUICK = 3000;
+const LARGE = 15000;
+
+interface Pending {
+  design: Design;
+  changedAt: number;
+  states: number;
+}
+
+export class Live {
+  /** From the input event to the frame that shows its shell, in milliseconds, newest last. */
+  readonly latencies: number[] = [];
+  private running = false;
+  private pending: Pending | null = null;
+  private sequence = 0;
+  private timer = 0;
+  private resting = false;
+  private design = new AbortController();
+  private rested = new AbortController();
+
+  constructor(
+    private readonly store: Store,
+    /** Draws the store's view; resolves when its frame has been drawn. */
+    private readonly draw: () => Promise<void>,
+  ) {
+    store.design.watch(() => this.changed());
+  }
+
+  /** Nothing is under way or waiting. */
+  get idle(): boolean {
+    return !this.running && !this.pending && !this.timer && !this.resting;
+  }
+
+  /** The design has changed, or is to be computed again. */
+  changed(): void {
+    this.sequence++;
+    this.design.abort();
+    this.stopResting();
+    const { store } = this;
+    store.proof.set({ state: "none" });
+    if (store.design.value.tolerance) {
+      // Sizes are chosen at the user's word: the search takes seconds.
+      this.pending = null;
+      store.fault.set(null);
+      store.freshness.set("outdated");
+      return;
+    }
+    const live = this.vertices() <= QUICK ? STATES : 7;
+    this.request({ design: store.design.value, changedAt: store.changedAt, states: live });
+  }
+
+  /** Choose rows and columns by the tolerance. */
+  choose(): void {
+    this.sequence++;
+    this.stopResting();
+    this.store.busy.set("Choosing rows and columns");
+    const { store } = this;
+    this.request({ design: store.design.value, changedAt: performance.now(), states: STATES });
+  }
+
+  /** Break off what is under way. */
+  cancel(): void {
+    this.sequence++;
+    this.pending = null;
+    this.design.abort();
+    this.store.busy.set(null);
+    this.store.freshness.set("outdated");
+  }
+
+  private vertices(): number {
+    const { rows, columns } = this.store.design.value.pattern;
+    return (Number(rows) + 2) * (Number(columns) + 2) || 0;
+  }
+
+  private request(pending: Pending): void {
+    this.pending = pending;
+    this.store.freshness.set("computing");
+    if (!this.running) void this.run();
+  }
+
+  private async run(): Promise<void> {
+    this.running = true;
+    while (this.pending) {
+      const next = this.pending;
+      this.pending = null;
+      await this.compute(next, this.sequence);
+    }
+    this.running = false;
+  }
+
+  private async compute(next: Pending, sequence: number): Promise<void> {
+    const { store } = this;
+    // A quick request runs to its end, so that a drag shows every answer that comes in time; the
+    // search for sizes is broken off by the next change.
+    this.design = new AbortController();
+    const signal = next.design.tolerance ? this.design.signal : undefined;
+    try {
+      const view = decodeView(await fetchView(next.design, next.states, signal));
+      if (this.overtaken(next, sequence)) return;
+      store.curves.set((view.header["curves"] as Curves | undefined) ?? store.curves.value);
+      leaveOpen(view);
+      store.report.set(view.header.report as Report);
+      store.view.set(view);
+      store.fault.set(null);
+      store.busy.set(null);
+      const newest = sequence === this.sequence;
+      if (newest) {
+        store.freshness.set("current");
+        this.restLater(next);
+      }
+      // Waited for: where painting is slow, requests keep its pace.
+      await this.draw();
+      this.latencies.push(performance.now() - next.changedAt);
+      if (this.latencies.length > 1000) this.latencies.shift();
+    } catch (error) {
+      if (signal?.aborted || sequence !== this.sequence) return;
+      this.failed(error);
+    }
+  }
+
+  /** An answer to an older design is still drawn during a drag, but not once things have moved on
+   * by other means (another family, an opened file), where it would flash up. */
+  private overtaken(next: Pending, sequence: number): boolean {
+    if (sequence === this.sequence) return false;
+    const now = this.store.design.value;
+    return (
+      now.shell !== next.design.shell ||
+      now.tolerance !== next.design.tolerance ||
+      this.store.design.value.pattern["rows"] !== next.design.pattern["rows"] ||
+      this.store.design.value.pattern["columns"] !== next.design.pattern["columns"]
+    );
+  }
+
+  private failed(error: unknown): void {
+    const { store } = this;
+    store.busy.set(null);
+    store.freshness.set("outdated");
+    if (error instanceof ServerFault) {
+      const curves = (error.body as { curves?: Curves } | null)?.curves;
+      if (curves) store.curves.set(curves);
+      store.fault.set(error.fault);
+      // What would be admissible is worth knowing just then.
+      if (error.fault.kind === "design") this.restLater(null);
+    } else {
+      store.fault.set(faultFrom({ kind: "page", message: String(error) }));
+    }
+  }
+
+  private restLater(shown: Pending | null): void {
+    if (shown) this.store.proof.set({ state: "waiting" });
+    this.stopResting();
+    this.timer = window.setTimeout(() => void this.rest(shown), REST);
+  }
+
+  private stopResting(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.rested.abort();
+    this.resting = false;
+  }
+
+  /** The design has rested: all states, the ranges, the proof. */
+  private async rest(shown: Pending | null): Promise<void> {
+    this.timer = 0;
+    this.resting = true;
+    this.rested = new AbortController();
+    const { signal } = this.rested;
+    const design = this.store.design.value;
+    const all = this.vertices() <= LARGE ? STATES : 13;
+    const refined = shown && !design.tolerance && shown.states < all ? this.refine(design, all, signal) : null;
+    await Promise.all([
+      design.tolerance ? null : this.findRanges(design, signal),
+      refined,
+      shown ? this.prove(sized(design, this.store.report.value), signal) : null,
+    ]);
+    if (!signal.aborted) this.resting = false;
+  }
+
+  private async refine(design: Design, states: number, signal: AbortSignal): Promise<void> {
+    try {
+      const view = decodeView(await fetchView(design, states, signal));
+      if (signal.aborted) return;
+      leaveOpen(view);
+      // The proof may have come first: what it found is kept.
+      if (this.store.proof.value.state === "done") {
+        view.header.report = this.store.report.value!;
+        view.header.contact = this.store.view.value!.header.contact;
+        const known = this.store.view.value!.distance;
+        if (known) view.distance = known;
+      }
+      this.store.view.set(view);
+      await this.draw();
+    } catch (error) {
+      if (!(error instanceof ServerFault) && !signal.aborted) throw error;
+      // The shell with fewer states stays: it is exact, only its motion is coarser.
+    }
+  }
+
+  private async findRanges(design: Design, signal: AbortSignal): Promise<void> {
+    try {
+      const ranges = await fetchRanges(design, signal);
+      if (!signal.aborted) this.store.ranges.set(ranges);
+    } catch (error) {
+      if (signal.aborted) return;
+      if (!(error instanceof ServerFault)) throw error;
+      this.store.ranges.set({});
+    }
+  }
+
+  private async prove(design: Design, signal: AbortSignal): Promise<void> {
+    const { store } = this;
+    store.proof.set({ state: "running", share: 0, what: "Verifying" });
+    try {
+      const result = await verify(design, signal, (share, what) => {
+        if (!signal.aborted) store.proof.set({ state: "running", share, what });
+      });
+      if (signal.aborted) return;
+      // Flaps that the program chooses may have become narrower: then there is another shell.
+      const other = result.view ? decodeView(decodeBytes(result.view)) : null;
+      const view = other ?? store.view.value!;
+      view.header.report = result.report;
+      view.header.contact = earlyContact(result);
+      if (result.distance) view.distance = decodeFloats(result.distance);
+      store.report.set(result.report);
+      if (other) {
+        store.view.set(other);
+        await this.draw();
+        if (signal.aborted) return;
+      }
+      store.proof.set({ state: "done" });
+    } catch (error) {
+      if (signal.aborted) return;
+      const fault = error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) });
+      store.proof.set({ state: "failed", fault });
+    }
+  }
+}
+
+/** Take from a view what only the proof can say: the figures then call it not yet known. */
+function leaveOpen(view: View): void {
+  const { lock: _, deviation, ...rest } = view.header.report as Report;
+  const { surface: _surface, ...known } = (deviation ?? {}) as Record<string, unknown>;
+  view.header.report = { ...rest, deviation: known };
+  view.header.contact = null;
+}

@@ -1,0 +1,34 @@
+// The studio begins here.
+
+import "../shared/theme.css";
+import "../shared/views.css";
+import "./studio.css";
+import "./controls.css";
+import "./curves.css";
+import "./parameters.css";
+import "./stage.css";
+import "./results.css";
+import "./overlays.css";
+import "./windows.css";
+import "./theme.ts";
+import { fetchInfo, parseDesign } from "./api.ts";
+import { buildStudio } from "./app.ts";
+import { h } from "./dom.ts";
+import { ServerFault } from "./faults.ts";
+import { Store } from "./store.ts";
+
+async function start(root: HTMLElement): Promise<void> {
+  const info = await fetchInfo();
+  const first = info.start ?? info.examples[0]!;
+  const design = "design" in first ? first.design : await parseDesign(first.text);
+  const store = new Store(info, design);
+  store.name.set(first.name);
+  buildStudio(root, store);
+}
+
+const root = document.getElementById("studio")!;
+start(root).catch((error: unknown) => {
+  const message = error instanceof ServerFault ? error.fault.message : String(error);
+  root.replaceChildren(h("p", { class: "no-start", role: "alert" }, `The studio could not start. ${message}`));
+  if (!(error instanceof ServerFault)) throw error;
+});

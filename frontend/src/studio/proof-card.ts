@@ -1,0 +1,56 @@
+// What is proved about the motion: that nothing touches before lock, or what does.
+
+import { h } from "./dom.ts";
+import { sentence } from "./faults.ts";
+import { icon } from "./icons.ts";
+import { type Tone, wordsOfLock } from "./lock.ts";
+import type { Proof, Store } from "./store.ts";
+
+export class ProofCard {
+  readonly element: HTMLElement;
+  private readonly text = h("span", { class: "proof-text" });
+  private readonly mark = h("span", { class: "proof-mark" });
+  private readonly bar = h("progress", { max: 1, "aria-label": "Verification" });
+
+  constructor(private readonly store: Store) {
+    this.element = h(
+      "div",
+      { class: "proof", "data-testid": "verify-status" },
+      this.mark,
+      h("div", { class: "proof-body" }, this.text, this.bar),
+    );
+    store.proof.bind((proof) => this.show(proof));
+    store.freshness.watch(() => this.show(store.proof.value));
+  }
+
+  private show(proof: Proof): void {
+    const [text, tone] = this.words(proof);
+    this.text.textContent = text;
+    this.element.dataset["state"] = proof.state;
+    this.element.dataset["tone"] = tone;
+    this.mark.replaceChildren(...(tone === "quiet" ? [] : [icon(tone === "good" ? "done" : "warning")]));
+    this.bar.hidden = proof.state !== "running";
+    if (proof.state === "running" && proof.share > 0) this.bar.value = proof.share;
+    else this.bar.removeAttribute("value");
+  }
+
+  private words(proof: Proof): [string, Tone] {
+    switch (proof.state) {
+      case "none":
+        return [
+          this.store.freshness.value === "outdated"
+            ? "Not verified. Pattern and figures are those of the last shell that worked."
+            : "Computing…",
+          "quiet",
+        ];
+      case "waiting":
+        return ["Verifying…", "quiet"];
+      case "running":
+        return [`Verifying… ${proof.what}, ${Math.round(100 * proof.share)} %`, "quiet"];
+      case "failed":
+        return [sentence(proof.fault.message || proof.fault.what), "bad"];
+      case "done":
+        return wordsOfLock(this.store.report.value?.lock);
+    }
+  }
+}

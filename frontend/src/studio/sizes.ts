@@ -1,0 +1,138 @@
+// Rows and columns, or the tolerance by which the program chooses them.
+
+import { button, numberBox, segmented, setNumber } from "./controls.ts";
+import { h } from "./dom.ts";
+import { short } from "./numbers.ts";
+import type { Live } from "./live.ts";
+import { sized } from "./sizing.ts";
+import type { Store } from "./store.ts";
+import type { Tolerance } from "./types.ts";
+
+type Mode = "sizes" | "tolerance";
+const BOXES: { key: keyof Tolerance; label: string; help: string }[] = [
+  { key: "surface", label: "Surface", help: "largest distance between shell and surface" },
+  { key: "panel_min", label: "Shortest edge", help: "of a panel in the flat sheet; empty: any" },
+  { key: "panel_max", label: "Longest edge", help: "of a panel in the flat sheet; empty: any" },
+];
+
+export class Sizes {
+  readonly element: HTMLElement;
+  private readonly mode = segmented<Mode>(
+    "How the number of panels is given",
+    [
+      { value: "sizes", text: "Rows and columns", testid: "mode-sizes" },
+      { value: "tolerance", text: "Tolerance", testid: "mode-tolerance", title: "the program chooses rows and columns" },
+    ],
+    (mode) => (mode === "tolerance" ? this.toTolerance() : this.toSizes()),
+  );
+  private readonly boxes = new Map<keyof Tolerance, HTMLInputElement>();
+  private readonly units: HTMLElement[] = [];
+  private readonly chosen = h("p", { class: "note" });
+  private readonly choose = button({
+    label: "Choose rows and columns",
+    text: "Choose",
+    class: "button primary",
+    testid: "choose",
+    act: () => (this.store.busy.value ? this.live.cancel() : this.live.choose()),
+  });
+  private readonly keep = button({
+    label: "Keep these rows and columns and go on by hand",
+    text: "Keep",
+    testid: "keep",
+    act: () => this.toSizes(),
+  });
+  private readonly fields: HTMLElement;
+  /** The tolerance that the design had last. */
+  private remembered: Tolerance | null = null;
+
+  constructor(
+    private readonly store: Store,
+    private readonly live: Live,
+    private readonly rows: HTMLElement,
+  ) {
+    this.fields = h(
+      "div",
+      { class: "tolerance" },
+      ...BOXES.map((each) => this.field(each)),
+      h("div", { class: "actions" }, this.choose, this.keep),
+      this.chosen,
+    );
+    this.element = h("div", { class: "sizes" }, this.mode.element, this.rows, this.fields);
+    store.design.bind(() => this.refresh());
+    store.report.bind(() => this.refresh());
+    store.busy.bind(() => this.refresh());
+    store.freshness.bind(() => this.refresh());
+  }
+
+  private field({ key, label, help }: (typeof BOXES)[number]): HTMLElement {
+    const box = numberBox({ step: "any", min: 0, "data-testid": `tolerance-${key}` }, (value) =>
+      this.set(key, value),
+    );
+    box.addEventListener("change", () => {
+      if (!box.value && key !== "surface") this.set(key, undefined);
+    });
+    this.boxes.set(key, box);
+    const unit = h("span", { class: "unit" });
+    this.units.push(unit);
+    return h("label", { class: "parameter-head", title: help }, h("span", {}, label), box, unit);
+  }
+
+  private set(key: keyof Tolerance, value: number | undefined): void {
+    const design = this.store.design.value;
+    if (!design.tolerance) return;
+    const tolerance: Tolerance = { ...design.tolerance };
+    if (value === undefined) delete tolerance[key];
+    else tolerance[key] = value;
+    this.store.change({ ...design, tolerance }, key, `type-${key}`);
+  }
+
+  private toTolerance(): void {
+    const design = this.store.design.value;
+    const { rows: _rows, columns: _columns, ...pattern } = design.pattern;
+    const tolerance = this.remembered ?? { surface: this.guess() };
+    this.store.change({ ...design, pattern, tolerance }, "tolerance");
+  }
+
+  /** A distance that the present shell about keeps, to begin with. */
+  private guess(): number {
+    const deviation = this.store.report.value?.["deviation"] as
+      | { surface?: { max?: number } }
+      | undefined;
+    const size = (this.store.report.value?.["deployed"] as { width?: number } | undefined)?.width;
+    return Number(short(deviation?.surface?.max ?? 0.01 * (size ?? 10), 2));
+  }
+
+  private toSizes(): void {
+    const { design, report, freshness } = this.store;
+    const chosen = freshness.value === "current" ? sized(design.value, report.value) : design.value;
+    const { tolerance: _, ...rest } = chosen;
+    const size = { rows: report.value?.rows ?? 9, columns: report.value?.columns ?? 11 };
+    this.store.change({ ...rest, pattern: { ...size, ...rest.pattern } }, "rows and columns");
+  }
+
+  private refresh(): void {
+    const { design, report, busy, freshness } = this.store;
+    const { tolerance } = design.value;
+    if (tolerance) this.remembered = tolerance;
+    this.mode.set(tolerance ? "tolerance" : "sizes");
+    this.rows.hidden = !!tolerance;
+    this.fields.hidden = !tolerance;
+    if (!tolerance) return;
+    for (const [key, box] of this.boxes) {
+      const value = tolerance[key];
+      setNumber(box, value === undefined ? "" : short(value, 8));
+    }
+    for (const unit of this.units) unit.textContent = design.value.shell.unit;
+    const current = freshness.value === "current";
+    this.choose.textContent = busy.value ? "Stop" : "Choose";
+    this.choose.title = busy.value ? "Stop the search" : "Choose rows and columns";
+    this.choose.setAttribute("aria-label", this.choose.title);
+    this.keep.hidden = !current;
+    const { rows, columns } = report.value ?? {};
+    this.chosen.textContent = busy.value
+      ? "Trying designs; this takes some seconds."
+      : current
+        ? `Chosen: ${rows} rows, ${columns} columns.`
+        : "Press Choose to find the fewest panels within the tolerance.";
+  }
+}

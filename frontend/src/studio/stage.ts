@@ -1,0 +1,108 @@
+// The middle: the shell in space, its colours and overlays, the fold.
+
+import { type Colouring, Shell3D } from "../shared/shell3d.ts";
+import { button, segmented } from "./controls.ts";
+import { h } from "./dom.ts";
+import { FoldBar } from "./fold-bar.ts";
+import type { Store } from "./store.ts";
+
+const COLOURS: { value: Colouring; text: string; title: string }[] = [
+  { value: "plain", text: "Paper", title: "the two sides of the sheet" },
+  { value: "signs", text: "Mountain, valley", title: "creases by their sign" },
+  { value: "angle", text: "Fold angle", title: "creases and panels by fold angle" },
+  { value: "distance", text: "Distance", title: "to the target surface, when locked" },
+];
+const OVERLAYS = [
+  { name: "surface", text: "Target" },
+  { name: "f", text: "f" },
+  { name: "g", text: "g" },
+] as const;
+
+export class Stage {
+  readonly element: HTMLElement;
+  readonly fold: FoldBar;
+  readonly shell: Shell3D;
+  private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
+  private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
+  private keepCamera = false;
+
+  constructor(
+    private readonly store: Store,
+    banner: HTMLElement,
+  ) {
+    this.fold = new FoldBar(store);
+    const colours = segmented<Colouring>(
+      "Colours of the panels",
+      COLOURS.map((each) => ({ ...each, testid: `colour-${each.value}` })),
+      (mode) => this.shell.setColouring(mode),
+    );
+    colours.set("plain");
+    const overlays = h(
+      "div",
+      { class: "overlays", role: "group", "aria-label": "Shown beside the shell" },
+      ...OVERLAYS.map(({ name, text }) => this.overlay(name, text)),
+    );
+    this.element = h(
+      "section",
+      { class: "stage", "aria-label": "Shell in space" },
+      h(
+        "div",
+        { class: "stage-tools" },
+        colours.element,
+        overlays,
+        h("span", { class: "spacer" }),
+        button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
+      ),
+      h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner),
+      this.fold.element,
+    );
+    this.shell = new Shell3D(this.scene, { label: "Shell in space" });
+    this.fold.share.bind((share) => this.shell.setFold(share));
+    store.freshness.bind(() => this.showState());
+    store.view.bind(() => this.showState());
+    store.busy.bind(() => this.showState());
+    store.fault.bind(() => this.showState());
+    store.proof.watch(() => this.showProof());
+  }
+
+  /** Draw the store's view; the camera stays unless another design has been opened. */
+  draw(): void {
+    const view = this.store.view.value;
+    if (!view) return;
+    this.shell.show(view, this.keepCamera);
+    this.shell.setFold(this.fold.share.value);
+    this.keepCamera = true;
+  }
+
+  /** Look anew at the next shell. */
+  forgetCamera(): void {
+    this.keepCamera = false;
+  }
+
+  private overlay(name: "surface" | "f" | "g", text: string): HTMLElement {
+    const input = h("input", {
+      type: "checkbox",
+      "data-testid": `overlay-${name}`,
+      onchange: () => this.shell.setOverlay(name, input.checked),
+    });
+    return h("label", { class: `check overlay-${name}` }, input, text);
+  }
+
+  private showProof(): void {
+    const view = this.store.view.value;
+    if (this.store.proof.value.state !== "done" || !view) return;
+    this.shell.setDistance(view.distance ?? null);
+    const { contact } = view.header;
+    this.shell.setContact(contact?.panels ?? null, contact?.drive_deg);
+  }
+
+  private showState(): void {
+    const { freshness, view, busy, fault } = this.store;
+    this.element.dataset["freshness"] = freshness.value;
+    this.element.dataset["empty"] = String(!view.value);
+    const outdated = freshness.value === "outdated" && view.value;
+    const why = this.store.design.value.tolerance && !fault.value ? "choose rows and columns" : "the last shell that worked";
+    this.state.textContent = busy.value ? `${busy.value}…` : outdated ? `Out of date: ${why}` : "";
+    this.state.hidden = !this.state.textContent;
+  }
+}

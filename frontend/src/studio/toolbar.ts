@@ -1,0 +1,99 @@
+// The top: examples, open, save, undo, redo, unit, export, theme, help.
+
+import { button } from "./controls.ts";
+import { h, setAttribute } from "./dom.ts";
+import { icon } from "./icons.ts";
+import type { Store } from "./store.ts";
+import { theme, toggleTheme } from "./theme.ts";
+
+export interface ToolbarEvents {
+  open(): void;
+  save(): void;
+  help(): void;
+  example(name: string): void;
+}
+
+export class Toolbar {
+  readonly element: HTMLElement;
+  private readonly examples: HTMLSelectElement;
+
+  constructor(
+    private readonly store: Store,
+    exportMenu: HTMLElement,
+    events: ToolbarEvents,
+  ) {
+    this.examples = h(
+      "select",
+      { "aria-label": "Examples", "data-testid": "example-select", onchange: () => events.example(this.examples.value) },
+      h("option", { value: "", disabled: true, hidden: true }, "Examples"),
+      ...store.info.examples.map(({ name, title }) => h("option", { value: name }, title)),
+    );
+    const name = h("span", { class: "design-name", "data-testid": "design-name" });
+    store.name.bind((text) => {
+      name.textContent = text;
+      document.title = `${text} – orishell studio`;
+      const example = store.info.examples.some((each) => each.name === text);
+      this.examples.value = example ? text : "";
+    });
+    const undo = button({ label: "Undo", icon: "undo", keys: "Ctrl+Z", testid: "undo", act: () => store.undo() });
+    const redo = button({ label: "Redo", icon: "redo", keys: "Ctrl+Shift+Z", testid: "redo", act: () => store.redo() });
+    store.steps.bind(() => {
+      this.describe(undo, "Undo", store.undoable);
+      this.describe(redo, "Redo", store.redoable);
+    });
+    this.element = h(
+      "header",
+      { class: "toolbar" },
+      h("h1", { class: "brand" }, h("span", { class: "brand-mark", "aria-hidden": "true" }), "orishell", h("span", { class: "brand-room" }, "studio")),
+      this.examples,
+      h(
+        "div",
+        { class: "group" },
+        button({ label: "Open a design file", icon: "open", text: "Open", keys: "Ctrl+O", testid: "open", act: events.open }),
+        button({ label: "Save the design file", icon: "save", text: "Save", keys: "Ctrl+S", testid: "save", act: events.save }),
+      ),
+      h("div", { class: "group" }, undo, redo),
+      h("span", { class: "spacer" }, name),
+      this.units(),
+      exportMenu,
+      this.themeButton(),
+      button({ label: "Keys and gestures", icon: "help", keys: "?", testid: "help", act: events.help }),
+    );
+  }
+
+  private describe(control: HTMLButtonElement, word: string, what: string | null): void {
+    // Not disabled: it would lose the focus in the middle of a run of undos.
+    setAttribute(control, "aria-disabled", what === null ? "true" : "false");
+    control.title = what === null ? `Nothing to ${word.toLowerCase()}` : `${word}: ${what}`;
+  }
+
+  private units(): HTMLElement {
+    const { store } = this;
+    const select = h(
+      "select",
+      {
+        "data-testid": "unit",
+        "aria-label": "Unit of length",
+        title: "Unit of length; numbers keep their values",
+        onchange: () => {
+          const design = store.design.value;
+          store.change({ ...design, shell: { ...design.shell, unit: select.value } }, "unit");
+        },
+      },
+      ...store.info.units.map((unit) => h("option", { value: unit }, unit)),
+    );
+    store.design.bind((design) => (select.value = design.shell.unit));
+    return h("label", { class: "unit-choice" }, h("span", { class: "quiet" }, "Unit"), select);
+  }
+
+  private themeButton(): HTMLElement {
+    const control = button({ label: "Dark colours", icon: "moon", testid: "theme", act: toggleTheme });
+    theme.bind((value) => {
+      const label = value === "dark" ? "Light colours" : "Dark colours";
+      control.replaceChildren(icon(value === "dark" ? "sun" : "moon"));
+      control.title = label;
+      setAttribute(control, "aria-label", label);
+    });
+    return control;
+  }
+}

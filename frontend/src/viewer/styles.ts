@@ -1,0 +1,12 @@
+// The style sheets, as text inside the bundle.
+
+import theme from "../shared/theme.css?inline";
+import views from "../shared/views.css?inline";
+import viewer from "./viewer.css?inline";
+
+/** Give a page or a shadow root the viewer's looks; nothing outside it is touched. */
+export function adoptStyles(root: DocumentOrShadowRoot): void {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(theme + views + viewer);
+  root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+}

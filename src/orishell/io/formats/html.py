@@ -1,0 +1,106 @@
+"""A page that shows the shell: one file that needs no network and no other file."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.io.settings import Settings
+from orishell.io.view import dump_view
+
+VIEWER = files("orishell").joinpath("studio", "static", "viewer.js")
+
+_STYLE = """
+html, body { margin: 0; height: 100%; background: #f5f3ee; }
+@media (prefers-color-scheme: dark) { html, body { background: #14171b; } }
+main { height: 100%; }
+noscript { display: block; padding: 3em; font: 16px/1.5 system-ui, sans-serif; }
+"""
+
+_PAGE = """\
+<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<noscript>{title}: this page draws the shell with JavaScript, which is turned off here.</noscript>
+<script type="application/octet-stream" id="orishell-view">{view}</script>
+<script type="module">{script}</script>
+</body>
+</html>
+"""
+
+
+def write_html(path: Path, document: Document, settings: Settings) -> None:
+    """Write the viewer with the shell in it: motion, pattern and figures.
+
+    Parameters
+    ----------
+    path
+        The file.
+    document
+        What is shown, with all its states.
+    settings
+        Not used: the page shows every state.
+
+    Raises
+    ------
+    InputError
+        If the viewer has not been built.
+    """
+    script = _inside_script(read_viewer())
+    # Only this script and this style run, and nothing is loaded: the page cannot send anything.
+    policy = (
+        f"default-src 'none'; script-src '{_digest(script)}'; style-src '{_digest(_STYLE)}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    page = _PAGE.format(
+        policy=policy,
+        title=escape(document.title),
+        style=_STYLE,
+        view=base64.b64encode(dump_view(document)).decode("ascii"),
+        script=script,
+    )
+    path.write_text(page, encoding="utf-8", newline="\n")
+
+
+def viewer_is_built() -> bool:
+    """Whether there is a viewer to write."""
+    return VIEWER.is_file()
+
+
+def read_viewer() -> str:
+    """The viewer's program, one JavaScript module without imports.
+
+    Raises
+    ------
+    InputError
+        If it has not been built.
+    """
+    if not viewer_is_built():
+        raise InputError(
+            "the viewer has not been built",
+            remedy="install Node.js 18 or newer and run `make studio`",
+        )
+    return VIEWER.read_text(encoding="utf-8")
+
+
+def _inside_script(program: str) -> str:
+    r"""A program as it may stand in a page: ``</`` and ``<!--`` occur in its strings only."""
+    return program.replace("</", "<\\/").replace("<!--", "<\\!--")
+
+
+def _digest(text: str) -> str:
+    """What a content security policy calls a text that may run."""
+    digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
+    return f"sha256-{digest.decode('ascii')}"

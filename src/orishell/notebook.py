@@ -1,0 +1,71 @@
+"""The viewer in a notebook: the same view, slider, pattern and figures as in ``viewer.html``."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import TYPE_CHECKING
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.io.formats.html import read_viewer
+from orishell.io.view import dump_view
+from orishell.overlays import lay_surface
+from orishell.report import Shell
+
+if TYPE_CHECKING:
+    from anywidget import AnyWidget
+
+HEIGHT = 560
+"""Height of the viewer in a notebook (pixels)."""
+
+
+def show(shell: Shell | Document, *, height: int = HEIGHT) -> AnyWidget:
+    """A widget that shows a shell and lets it fold.
+
+    Parameters
+    ----------
+    shell
+        A designed shell, or a document such as that of a FOLD file.
+    height
+        Height of the widget in pixels.
+
+    Returns
+    -------
+    AnyWidget
+        It displays itself at the end of a cell; its ``view`` is what it shows.
+
+    Raises
+    ------
+    InputError
+        If the viewer has not been built, or anywidget is not installed.
+    """
+    document = shell if isinstance(shell, Document) else _laid_out(shell)
+    # The widget's traits are made at run time.
+    widget: AnyWidget = _widget_class()(view=dump_view(document), height=height)
+    return widget
+
+
+def _laid_out(shell: Shell) -> Document:
+    return lay_surface(replace(shell.document, report=shell.report), shell.design)
+
+
+@cache
+def _widget_class() -> type[AnyWidget]:
+    try:
+        from anywidget import AnyWidget
+        from traitlets import Bytes, Int
+    except ImportError:
+        raise InputError(
+            "widgets need anywidget, which is not installed",
+            remedy='pip install "orishell[notebook]"',
+        ) from None
+
+    class Viewer(AnyWidget):
+        """The viewer; ``view`` holds the bytes of :func:`orishell.io.view.dump_view`."""
+
+        _esm = read_viewer()
+        view = Bytes().tag(sync=True)
+        height = Int(HEIGHT).tag(sync=True)
+
+    return Viewer

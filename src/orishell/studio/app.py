@@ -1,0 +1,186 @@
+"""The studio's server: pages and answers, on this machine, to this machine."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import AsyncIterator, Collection
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import HTMLResponse, JSONResponse, StreamingResponse
+from fastapi.staticfiles import StaticFiles
+
+from orishell.io.registry import FORMATS
+from orishell.studio.guard import Guard
+from orishell.studio.knobs import describe_examples, describe_families
+from orishell.studio.tasks import MAX_VERTICES
+from orishell.studio.workers import (
+    BusyError,
+    FaultError,
+    OutOfTimeError,
+    Pool,
+    RefusalError,
+)
+from orishell.units import MILLIMETRES
+
+PAGES = Path(__file__).parent / "static"
+"""Where the front end is, once it is built."""
+
+NOT_BUILT = """<!doctype html><html lang="en"><meta charset="utf-8"><title>orishell studio</title>
+<body style="font: 16px system-ui; max-width: 40em; margin: 4em auto">
+<h1>The studio is not built</h1>
+<p>Its pages are made from TypeScript, for which Node.js 18 or newer and npm are needed (on Debian:
+<code>apt-get install nodejs npm</code>). Then <code>make studio</code> builds and starts it.</p>"""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What the studio takes.
+
+    Parameters
+    ----------
+    bytes
+        Size of a request.
+    quick, slow
+        Seconds that a design, and that a proof or a file may take.
+    processes
+        Processes for each of both.
+    """
+
+    bytes: int = 5_000_000
+    quick: float = 20.0
+    slow: float = 120.0
+    processes: int = 2
+
+
+LIMITS = Limits()
+
+
+def make_app(
+    hosts: Collection[str] | None = None,
+    limits: Limits = LIMITS,
+    start: dict[str, Any] | None = None,
+) -> Guard:
+    """The server.
+
+    Parameters
+    ----------
+    hosts
+        Host headers that are taken; None takes all.
+    limits
+        What it takes.
+    start
+        Name and tables of the design to begin with.
+    """
+    quick = Pool(limits.processes, limits.quick)
+    slow = Pool(limits.processes, limits.slow)
+
+    @asynccontextmanager
+    async def life(_: FastAPI) -> AsyncIterator[None]:
+        yield
+        quick.close()
+        slow.close()
+
+    app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
+    _handle_errors(app)
+
+    @app.get("/api/info")
+    def info() -> dict[str, Any]:
+        return {
+            "version": version("orishell"),
+            "units": list(MILLIMETRES),
+            "families": describe_families(),
+            "examples": describe_examples(),
+            "formats": [
+                {"name": each.name, "file": each.file, "what": each.what} for each in FORMATS
+            ],
+            "limits": {"vertices": MAX_VERTICES, "bytes": limits.bytes, "seconds": limits.quick},
+            "start": start,
+        }
+
+    @app.post("/api/design")
+    async def design(request: Request) -> Response:
+        view = await quick.run("design", await _payload(request))
+        return Response(view, media_type="application/octet-stream")
+
+    @app.post("/api/export")
+    async def export(request: Request) -> Response:
+        name, content = await slow.run("export", await _payload(request))
+        headers = {"content-disposition": f'attachment; filename="{name}"'}
+        return Response(content, media_type="application/octet-stream", headers=headers)
+
+    @app.post("/api/verify")
+    async def verify(request: Request) -> Response:
+        payload = await _payload(request)
+        return StreamingResponse(_lines(slow, "verify", payload), media_type="application/x-ndjson")
+
+    for task, pool in (("ranges", slow), ("parse", quick), ("format", quick), ("curve", quick)):
+        _add_task(app, task, pool)
+
+    if (PAGES / "index.html").exists():
+        app.mount("/", StaticFiles(directory=PAGES, html=True))
+    else:
+        app.add_api_route("/", lambda: HTMLResponse(NOT_BUILT, status_code=503))
+    return Guard(app, hosts, limits.bytes)
+
+
+def _add_task(app: FastAPI, task: str, pool: Pool) -> None:
+    @app.post(f"/api/{task}")
+    async def answer(request: Request) -> Any:
+        return await pool.run(task, await _payload(request))
+
+
+async def _payload(request: Request) -> dict[str, Any]:
+    try:
+        payload = json.loads(await request.body())
+    except (ValueError, RecursionError) as error:
+        raise RequestValidationError([str(error)]) from None
+    if not isinstance(payload, dict):
+        raise RequestValidationError(["an object is expected"])
+    return payload
+
+
+async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterator[str]:
+    """Progress, then the result or what is wrong, a line of JSON each."""
+    try:
+        async for kind, value in pool.stream(task, payload):
+            if kind == "progress":
+                share, what = value
+                yield json.dumps({"progress": share, "what": what}) + "\n"
+            else:
+                yield json.dumps({"result": value}) + "\n"
+    except (RefusalError, OutOfTimeError, BusyError, FaultError) as error:
+        yield json.dumps(_describe(error)[1]) + "\n"
+
+
+def _describe(error: Exception) -> tuple[int, dict[str, Any]]:
+    """Status and body of the answer to a request that failed."""
+    match error:
+        case RefusalError():
+            return 422, error.error
+        case OutOfTimeError():
+            return 504, _body("time", "this takes longer than the studio waits: try fewer panels")
+        case BusyError():
+            return 503, _body("limit", "too many requests are waiting: try again in a moment")
+        case RequestValidationError():
+            return 400, _body("input", f"the request is not JSON as expected: {error.errors()[0]}")
+        case _:
+            return 500, _body("fault", f"a fault of the program, please report it: {error}")
+
+
+def _body(kind: str, message: str) -> dict[str, Any]:
+    return {"error": {"kind": kind, "what": message, "message": message}}
+
+
+def _handle_errors(app: FastAPI) -> None:
+    async def answer(_: Request, error: Exception) -> JSONResponse:
+        status, body = _describe(error)
+        return JSONResponse(body, status)
+
+    for kind in (RefusalError, OutOfTimeError, BusyError, FaultError, RequestValidationError):
+        app.add_exception_handler(kind, answer)

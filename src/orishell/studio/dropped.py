@@ -1,0 +1,82 @@
+"""Curves in files that are dropped onto the page: points that the page can show and drag."""
+
+from __future__ import annotations
+
+import base64
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.curves import Curve, read_dxf, read_points, read_svg, trace_curve
+from orishell.errors import InputError
+
+Array = NDArray[np.float64]
+
+CONTROLS = 41
+"""Points of a spline through a smooth drawing."""
+MOST = 400
+"""Points of a polyline along a drawing with corners."""
+CORNER = 1e-3
+"""A turn of the tangent at one point that counts as a corner (radians)."""
+
+
+def read_dropped(name: str, content: str, unit: str) -> dict[str, Any]:
+    """Points, whether a spline goes through them, and a note on what was made of the file.
+
+    Parameters
+    ----------
+    name
+        The file's name; its ending says what it is.
+    content
+        Its bytes in base64.
+    unit
+        Unit of length of the points.
+
+    Raises
+    ------
+    InputError
+        If it holds no curve.
+    """
+    try:
+        data = base64.b64decode(content, validate=True)
+    except ValueError:
+        raise InputError("the content is not base64", where=name) from None
+    ending = Path(name).suffix.lower()
+    if ending not in {".csv", ".txt", ".svg", ".dxf"}:
+        raise InputError(
+            "this is no file of a curve", where=name, got=ending, expected=".csv, .svg or .dxf"
+        )
+    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
+        path = Path(directory) / f"curve{ending}"
+        path.write_bytes(data)
+        try:
+            if ending in {".csv", ".txt"}:
+                points, smooth = read_points(path, into=unit), True
+                note = f"a spline through the {len(points)} points of {name}"
+            else:
+                read = read_svg if ending == ".svg" else read_dxf
+                points, smooth = points_along(read(path, into=unit).curve())
+                kind = "a spline through" if smooth else "the polyline of"
+                note = f"{kind} {len(points)} points along {name}"
+        except InputError as error:
+            error.where = error.where.replace(str(path), name)
+            raise
+    return {"points": points.tolist(), "smooth": smooth, "note": note}
+
+
+def points_along(curve: Curve) -> tuple[Array, bool]:
+    """Points (k, 2) along a drawing, and whether a spline through them follows it."""
+    trace = trace_curve(curve, "the drawing")
+    corners = np.flatnonzero(np.abs(trace.heading - trace.arriving)[1:-1] > CORNER) + 1
+    if not len(corners):
+        arc = np.linspace(0.0, trace.arc[-1], CONTROLS)
+        points = curve.position(trace.parameter_at(arc))
+        points[[0, -1]] = trace.points[[0, -1]]
+        return points, True
+    # Samples sit where the curve turns: on straight parts none but the corners are needed.
+    kept = np.flatnonzero(np.abs(trace.arriving[1:] - trace.heading[:-1]) > CORNER / 10)
+    kept = kept[:: max(1, -(-len(kept) // MOST))]
+    return trace.points[np.unique([0, *corners, *kept, len(trace.points) - 1])], False

@@ -1,0 +1,111 @@
+"""What a request must satisfy before anything looks at it: host, origin, size."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Awaitable, Callable, Collection, MutableMapping
+from typing import Any
+from urllib.parse import urlsplit
+
+Message = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[Message]]
+Send = Callable[[Message], Awaitable[None]]
+App = Callable[[Message, Receive, Send], Awaitable[None]]
+
+HEADERS = (
+    (
+        b"content-security-policy",
+        b"default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+        b"object-src 'none'; base-uri 'none'; frame-ancestors 'none'",
+    ),
+    (b"x-content-type-options", b"nosniff"),
+    (b"referrer-policy", b"no-referrer"),
+    (b"cross-origin-opener-policy", b"same-origin"),
+    (b"cross-origin-resource-policy", b"same-origin"),
+)
+
+
+class Guard:
+    """Lets requests through that this machine's own pages may make.
+
+    Parameters
+    ----------
+    app
+        What answers them.
+    hosts
+        Host headers that are taken, with their ports; None takes all.
+    most
+        Bytes of a body, at most.
+    """
+
+    def __init__(self, app: App, hosts: Collection[str] | None, most: int) -> None:
+        self.app = app
+        self.hosts = hosts
+        self.most = most
+
+    async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
+        """Answer a request, or refuse it."""
+        if scope["type"] != "http":
+            if scope["type"] == "lifespan":
+                await self.app(scope, receive, send)
+            return
+        headers = {name.lower(): value for name, value in scope["headers"]}
+        refusal = self._refusal(scope["method"], headers)
+        if refusal is not None:
+            await _answer(send, *refusal)
+            return
+        body = await self._body(receive)
+        if body is None:
+            await _answer(send, 413, f"the request is larger than {self.most} bytes")
+            return
+        given = False
+
+        async def whole() -> Message:
+            nonlocal given
+            if given:
+                return await receive()
+            given = True
+            return {"type": "http.request", "body": body, "more_body": False}
+
+        async def guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                message = {**message, "headers": [*message["headers"], *HEADERS]}
+            await send(message)
+
+        await self.app(scope, whole, guarded)
+
+    async def _body(self, receive: Receive) -> bytes | None:
+        """The whole body of a request; None if it is too large."""
+        pieces, taken = [], 0
+        while True:
+            message = await receive()
+            pieces.append(message.get("body", b""))
+            taken += len(pieces[-1])
+            if taken > self.most:
+                return None
+            if not message.get("more_body"):
+                return b"".join(pieces)
+
+    def _refusal(self, method: str, headers: dict[bytes, bytes]) -> tuple[int, str] | None:
+        """Status and reason, if a request is not taken."""
+        host = headers.get(b"host", b"").decode("latin-1").lower()
+        if self.hosts is not None and host not in self.hosts:
+            return 403, "this host is not served: open the address that the studio printed"
+        origin = headers.get(b"origin")
+        if origin is not None and urlsplit(origin.decode("latin-1")).netloc.lower() != host:
+            return 403, "pages from elsewhere are not answered"
+        if method == "POST" and not headers.get(b"content-type", b"").startswith(
+            b"application/json"
+        ):
+            return 415, "the body of a request is JSON (application/json)"
+        length = headers.get(b"content-length", b"0")
+        if not length.isdigit() or int(length) > self.most:
+            return 413, f"the request is larger than {self.most} bytes"
+        return None
+
+
+async def _answer(send: Send, status: int, message: str) -> None:
+    body = json.dumps({"error": {"kind": "limit", "what": message, "message": message}}).encode()
+    head = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+    await send({"type": "http.response.start", "status": status, "headers": [*head, *HEADERS]})
+    await send({"type": "http.response.body", "body": body})

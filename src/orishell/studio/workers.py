@@ -1,0 +1,210 @@
+"""Processes that do the studio's work, each request within its time, none in another's way."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import multiprocessing
+from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
+from typing import Any, Literal
+
+Payload = dict[str, Any]
+Progress = Callable[[float, str], None]
+Task = Callable[[Payload, Progress], Any]
+"""Takes a payload and a function to report progress with; raises OrishellError for bad input."""
+
+Kind = Literal["progress", "result", "refusal", "fault"]
+STEP = 0.01
+"""Progress is passed on when it grew by this share."""
+
+
+class OutOfTimeError(Exception):
+    """A request took longer than it may."""
+
+
+class BusyError(Exception):
+    """Too many requests wait already."""
+
+
+class FaultError(Exception):
+    """A task failed in a way that is a fault of the program."""
+
+
+class RefusalError(Exception):
+    """A task refused its payload; ``error`` says why, field by field."""
+
+    def __init__(self, error: dict[str, Any]) -> None:
+        super().__init__(error.get("message", ""))
+        self.error = error
+
+
+@dataclass(slots=True)
+class _Worker:
+    """One process and the pipe to it."""
+
+    process: SpawnProcess
+    pipe: Connection
+
+    def stop(self) -> None:
+        self.process.kill()
+        self.process.join()
+        self.pipe.close()
+
+
+@dataclass(slots=True)
+class Pool:
+    """A few processes; a request takes one, and the others wait in a line.
+
+    Parameters
+    ----------
+    size
+        Number of processes.
+    seconds
+        Time that a request may take, without waiting.
+    waiting
+        Requests that may wait for a process.
+    """
+
+    size: int
+    seconds: float
+    waiting: int = 200
+    _idle: asyncio.LifoQueue[_Worker | None] = field(init=False)
+    _in_line: int = field(init=False, default=0)
+    _workers: list[_Worker] = field(init=False, default_factory=list)
+
+    def __post_init__(self) -> None:
+        self._idle = asyncio.LifoQueue()
+        for _ in range(self.size):
+            self._idle.put_nowait(None)  # started when it is needed
+
+    async def run(self, name: str, payload: Payload) -> Any:
+        """The result of a task.
+
+        Raises
+        ------
+        RefusalError, OutOfTimeError, BusyError, FaultError
+            If there is none.
+        """
+        async for kind, value in self.stream(name, payload):
+            if kind == "result":
+                return value
+        raise FaultError("a task ended without a result")
+
+    async def stream(self, name: str, payload: Payload) -> AsyncIterator[tuple[Kind, Any]]:
+        """Progress, as (share, what), and at last the result of a task.
+
+        A task whose stream is closed before its end is stopped.
+        """
+        worker = await self._take()
+        try:
+            worker.pipe.send((name, payload))
+            end = asyncio.get_running_loop().time() + self.seconds
+            while True:
+                await _readable(worker.pipe, end)
+                kind, value = await asyncio.to_thread(worker.pipe.recv)
+                if kind != "progress":
+                    break
+                yield kind, value
+        except BaseException as error:
+            # Its process is in the middle of something, or gone.
+            self._replace(worker)
+            if isinstance(error, TimeoutError):
+                raise OutOfTimeError(name) from None
+            if isinstance(error, EOFError | OSError):
+                raise FaultError(f"the process of {name} ended") from None
+            raise
+        self._idle.put_nowait(worker)
+        if kind == "refusal":
+            raise RefusalError(value)
+        if kind == "fault":
+            raise FaultError(value)
+        yield kind, value
+
+    def close(self) -> None:
+        """Stop all processes."""
+        for worker in self._workers:
+            worker.stop()
+        self._workers.clear()
+
+    async def _take(self) -> _Worker:
+        if self._in_line >= self.waiting:
+            raise BusyError
+        self._in_line += 1
+        try:
+            worker = await self._idle.get()
+        finally:
+            self._in_line -= 1
+        if worker is None or not worker.process.is_alive():
+            try:
+                worker = await asyncio.to_thread(_start)
+            except BaseException:
+                self._idle.put_nowait(None)
+                raise
+            self._workers.append(worker)
+        return worker
+
+    def _replace(self, worker: _Worker) -> None:
+        worker.stop()
+        with contextlib.suppress(ValueError):
+            self._workers.remove(worker)
+        self._idle.put_nowait(None)
+
+
+def _start() -> _Worker:
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=_serve, args=(theirs,), daemon=True)
+    process.start()
+    theirs.close()
+    return _Worker(process, ours)
+
+
+async def _readable(pipe: Connection, end: float) -> None:
+    """Wait until there is something to read.
+
+    Raises
+    ------
+    TimeoutError
+        If there is nothing by ``end``.
+    """
+    loop = asyncio.get_running_loop()
+    ready = asyncio.Event()
+    loop.add_reader(pipe.fileno(), ready.set)
+    try:
+        async with asyncio.timeout_at(end):
+            await ready.wait()
+    finally:
+        loop.remove_reader(pipe.fileno())
+
+
+def _serve(pipe: Connection) -> None:
+    """Work through requests until the pipe closes: the life of a process."""
+    import signal
+
+    from orishell.errors import OrishellError
+    from orishell.studio.tasks import TASKS, describe_error
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server says when it is over
+    while True:
+        try:
+            name, payload = pipe.recv()
+        except EOFError:
+            return
+        last = -1.0
+
+        def advanced(share: float, what: str) -> None:
+            nonlocal last
+            if share >= last + STEP or share < last:
+                last = share
+                pipe.send(("progress", (share, what)))
+
+        try:
+            answer: tuple[Kind, Any] = ("result", TASKS[name](payload, advanced))
+        except OrishellError as error:
+            answer = ("refusal", describe_error(error))
+        except Exception as error:
+            answer = ("fault", f"{type(error).__name__}: {error}")
+        pipe.send(answer)

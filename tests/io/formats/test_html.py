@@ -1,0 +1,240 @@
+"""viewer.html: what stands in the file, and what a browser makes of it without a network."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from documents import FAMILIES, demo_document, flat_only, folded_only
+from orishell.errors import InputError
+from orishell.io.formats import html
+from orishell.io.formats.html import write_html
+from orishell.io.settings import DEFAULT_SETTINGS
+from orishell.io.view import dump_view
+from viewer_pages import pixels, require_viewer, running_browser, wait_until, watched_page
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+TESTS = Path(__file__).parents[2]
+HOSTILE = "</title></script><script>alert(1)</script><!-- \"'& \u03b1"
+STRAIN = 1e-6
+"""Single precision, 6e-8, over the twentieth of the sheet that panels here measure at least."""
+
+
+class Parts(HTMLParser):
+    """Text of every element that matters, and the attributes of meta elements."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.texts: list[tuple[str, str]] = []
+        self.metas: list[dict[str, str | None]] = []
+        self.inside: str | None = None
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag == "meta":
+            self.metas.append(dict(attrs))
+        elif tag in ("title", "script", "style"):
+            self.texts.append((tag, ""))
+            self.inside = tag
+
+    def handle_endtag(self, tag: str) -> None:
+        self.inside = None
+
+    def handle_data(self, data: str) -> None:
+        if self.inside:
+            tag, text = self.texts[-1]
+            self.texts[-1] = (tag, text + data)
+
+
+@pytest.fixture
+def stub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A small program in the viewer's place, with all that could end a script too early."""
+    place = tmp_path / "viewer.js"
+    place.write_text('const a = "</script><!--<script>"; export default a;')
+    monkeypatch.setattr(html, "VIEWER", place)
+    return place
+
+
+@pytest.mark.usefixtures("stub")
+def test_what_stands_in_the_page_stays_where_it_is(tmp_path: Path) -> None:
+    document = replace(demo_document(), title=HOSTILE)
+    write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
+    parts = Parts()
+    parts.feed((tmp_path / "viewer.html").read_text("utf-8"))
+    assert [tag for tag, _ in parts.texts] == ["title", "style", "script", "script"]
+    title, style, view, script = (text for _, text in parts.texts)
+    assert title == HOSTILE
+    assert base64.b64decode(view) == dump_view(document)
+    assert script.count("\\/script>") == 1
+    assert "<!--" not in script
+    (policy,) = (meta["content"] for meta in parts.metas if "http-equiv" in meta)
+    assert policy is not None
+    assert policy.startswith("default-src 'none';")
+    for text in (style, script):
+        digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+        assert f"'sha256-{digest}'" in policy
+    assert "unsafe" not in policy
+
+
+def test_says_what_to_do_where_the_viewer_is_not_built(tmp_path: Path, stub: Path) -> None:
+    stub.unlink()
+    with pytest.raises(InputError, match="make studio") as caught:
+        write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
+    assert caught.value.what == "the viewer has not been built"
+    assert not (tmp_path / "viewer.html").exists()
+
+
+def test_same_bytes_whatever_seed_hashes_have(tmp_path: Path) -> None:
+    require_viewer()
+    script = (
+        "import sys; from pathlib import Path; from documents import demo_document\n"
+        "from orishell.io.formats.html import write_html\n"
+        "from orishell.io.settings import DEFAULT_SETTINGS\n"
+        "write_html(Path(sys.argv[1]), demo_document(), DEFAULT_SETTINGS)"
+    )
+    for seed in "12":
+        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(TESTS)}
+        place = tmp_path / f"{seed}.html"
+        subprocess.run([sys.executable, "-c", script, place], check=True, env=environment)
+    assert (tmp_path / "1.html").read_bytes() == (tmp_path / "2.html").read_bytes()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with running_browser() as running:
+        yield running
+
+
+def opened(page: Page, path: Path) -> None:
+    page.goto(path.as_uri())
+    wait_until(page, "window.orishell !== undefined")
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_folds_from_flat_to_locked_without_bending_a_panel(
+    browser: Browser, tmp_path: Path, family: str
+) -> None:
+    """At a state the panels lie where the document has them, between states they stay rigid."""
+    document = demo_document(family)
+    write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
+    states = [state.positions for state in document.states]
+    origin = (states[-1].min(axis=0) + states[-1].max(axis=0)) / 2
+    size = float(np.linalg.norm(np.ptp(states[0], axis=0)))
+    with watched_page(browser) as page:
+        opened(page, tmp_path / "viewer.html")
+        assert page.title() == document.title
+        assert page.evaluate("orishell.shell.fold") == 1
+        for share in (0, 0.37, 0.5, 0.81, 1):
+            page.evaluate("share => orishell.player.set(share)", share)
+            strain = page.evaluate("orishell.shell.maxPanelStrain()")
+            assert 0 < strain < STRAIN
+        for number, positions in enumerate(states):
+            placed = page.evaluate(
+                """share => {
+                  orishell.player.set(share);
+                  return [...orishell.shell.drawnPoints()];
+                }""",
+                number / (len(states) - 1),
+            )
+            drawn = np.reshape(placed, (-1, 4, 3)) + origin
+            np.testing.assert_allclose(drawn, positions[document.mesh.faces], atol=1e-6 * size)
+
+
+def test_slider_keys_and_play_move_the_picture(browser: Browser, tmp_path: Path) -> None:
+    write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
+    with watched_page(browser) as page:
+        opened(page, tmp_path / "viewer.html")
+        slider = page.get_by_role("slider")
+        slider.focus()
+        page.keyboard.press("Home")
+        assert page.evaluate("orishell.shell.fold") == 0
+        assert page.locator("output").inner_text() == "0.0\u00b0"
+        flat = pixels(page, ".orishell-scene canvas")
+        page.keyboard.press("End")
+        assert page.locator("output").inner_text() == "180.0\u00b0"
+        locked = pixels(page, ".orishell-scene canvas")
+        assert (np.abs(flat - locked).max(axis=-1) > 0.1).mean() > 0.02
+        page.get_by_role("button", name="Play").click()
+        wait_until(page, "orishell.shell.fold < 0.98")
+        page.get_by_role("button", name="Pause").click()
+        stopped = page.evaluate("orishell.shell.fold")
+        page.wait_for_timeout(100)
+        assert page.evaluate("orishell.shell.fold") == stopped
+
+
+def test_colours_overlays_and_theme_are_seen(browser: Browser, tmp_path: Path) -> None:
+    write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
+
+    def share(red: float, green: float, blue: float) -> float:
+        """Share of the picture's pixels within a tenth of a colour."""
+        page.wait_for_timeout(100)
+        picture = pixels(page, ".orishell-scene canvas")
+        return float((np.abs(picture - [red, green, blue]).max(axis=-1) < 0.1).mean())
+
+    mountain, valley, curve_g = (0.81, 0.23, 0.17), (0.14, 0.39, 0.78), (0.24, 0.55, 0.12)
+    with watched_page(browser, color_scheme="light") as page:
+        opened(page, tmp_path / "viewer.html")
+        before = share(*mountain), share(*valley), share(*curve_g)
+        assert max(before) < 1e-4
+        page.get_by_text("Mountain, valley", exact=True).click()
+        assert share(*mountain) > 5e-4
+        assert share(*valley) > 5e-4
+        page.get_by_text("g", exact=True).click()
+        assert share(*curve_g) > 5e-4
+        assert not page.get_by_text("Distance", exact=True).is_visible()  # there is none here
+        light = pixels(page, ".orishell-scene canvas").mean()
+        page.get_by_role("button", name="Light or dark").click()
+        assert page.evaluate("document.documentElement.dataset.theme") == "dark"
+        page.wait_for_timeout(100)
+        assert pixels(page, ".orishell-scene canvas").mean() < light - 0.4
+
+
+def test_a_panel_pointed_at_is_marked_in_both_views(browser: Browser, tmp_path: Path) -> None:
+    write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
+    with watched_page(browser) as page:
+        opened(page, tmp_path / "viewer.html")
+        page.wait_for_timeout(200)
+        before = pixels(page, ".orishell-scene canvas")
+        page.get_by_role("application", name="Crease pattern").hover()
+        page.wait_for_timeout(200)
+        assert page.locator(".caption").inner_text().startswith("panel ")
+        marked = page.evaluate("[orishell.shell.u.hovered.value, orishell.pattern.chosen]")
+        assert marked[0] == marked[1] >= 0
+        changed = np.abs(pixels(page, ".orishell-scene canvas") - before).max(axis=-1) > 0.05
+        assert 1e-4 < changed.mean() < 0.2
+
+
+@pytest.mark.parametrize("part", [flat_only, folded_only])
+def test_parts_of_a_document_are_shown_as_well(browser: Browser, tmp_path: Path, part: Any) -> None:
+    write_html(tmp_path / "viewer.html", part(demo_document()), DEFAULT_SETTINGS)
+    with watched_page(browser) as page:
+        opened(page, tmp_path / "viewer.html")
+        assert page.evaluate("orishell.shell.maxPanelStrain()") < STRAIN
+        assert page.get_by_role("slider").is_visible() == (part is folded_only)
+        assert page.get_by_text("Folded states only").is_visible() == (part is folded_only)
+        picture = pixels(page, ".orishell-scene canvas")
+        assert np.ptp(picture.mean(axis=-1)) > 0.4
+
+
+def test_figures(browser: Browser, tmp_path: Path) -> None:
+    """Of a document without a report: measured on the sheet itself."""
+    document = demo_document("orthodiagonal")
+    write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
+    with watched_page(browser) as page:
+        opened(page, tmp_path / "viewer.html")
+        figures = page.locator("dl").inner_text()
+    assert f"{len(document.mesh.faces)}" in figures
+    assert f"{document.areas().sum():.3g} m\u00b2" in figures
+    assert f"{np.ptp(document.last.positions[:, 2]):.3g} m" in figures

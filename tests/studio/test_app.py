@@ -1,0 +1,261 @@
+"""The studio's answers over HTTP, as its pages get them."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import struct
+import subprocess
+import sys
+import tomllib
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from orishell.spec import FAMILIES, starter_file
+from studio_server import running_studio
+
+Design = dict[str, Any]
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[httpx.Client]:
+    with (
+        running_studio() as studio,
+        httpx.Client(base_url=studio.address, timeout=100) as session,
+    ):
+        yield session
+
+
+def starter(family: str = "parallel-repeating") -> Design:
+    return tomllib.loads(starter_file(family))
+
+
+def header(view: bytes) -> dict[str, Any]:
+    (length,) = struct.unpack("<I", view[:4])
+    content: dict[str, Any] = json.loads(view[4 : 4 + length])
+    return content
+
+
+def array(view: bytes, name: str) -> Any:
+    place = header(view)["arrays"][name]
+    (length,) = struct.unpack("<I", view[:4])
+    count = int(np.prod(place["shape"]))
+    begin = 4 + length + place["offset"]
+    return np.frombuffer(view, place["type"], count, begin).reshape(place["shape"])
+
+
+def test_info(client: httpx.Client) -> None:
+    info = client.get("/api/info").json()
+    assert set(info["families"]) == set(FAMILIES)
+    assert info["start"] is None
+    for family in info["families"].values():
+        keys = [each["key"] for each in family["parameters"]]
+        assert keys[:2] == ["rows", "columns"]
+        assert len(set(keys)) == len(keys)
+    for example in info["examples"]:
+        assert client.post("/api/parse", json={"text": example["text"]}).status_code == 200
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_design_is_a_view_of_the_states(client: httpx.Client, family: str) -> None:
+    answer = client.post("/api/design", json={"design": starter(family), "states": 9})
+    assert answer.status_code == 200
+    head = header(answer.content)
+    rows, columns = head["grid"]
+    assert len(head["drives_deg"]) == 9
+    positions, flat = array(answer.content, "positions"), array(answer.content, "flat")
+    assert positions.shape == (9, rows * columns, 3)
+    assert array(answer.content, "faces").shape == ((rows - 1) * (columns - 1), 4)
+    # The first state is the flat sheet: the distances in it are those of the crease pattern.
+    edges = array(answer.content, "edges")
+    for state in positions:
+        length = np.linalg.norm(state[edges[:, 1]] - state[edges[:, 0]], axis=1)
+        size = float(np.linalg.norm(np.ptp(flat, axis=0)))
+        expected = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
+        np.testing.assert_allclose(length, expected, atol=1e-6 * size)
+    for curve in head["curves"].values():
+        assert len(curve) > 50
+
+
+def test_verify_reports_progress_and_the_whole_report(client: httpx.Client) -> None:
+    with client.stream("POST", "/api/verify", json={"design": starter()}) as answer:
+        lines = [json.loads(line) for line in answer.iter_lines()]
+    assert all(set(line) == {"progress", "what"} for line in lines[:-1])
+    assert len(lines) > 2
+    result = lines[-1]["result"]
+    assert result["report"]["lock"]["cause"] == "flaps"
+    assert result["refusal"] is None
+    distance = np.frombuffer(base64.b64decode(result["distance"]), "<f4")
+    inner = np.abs(distance[~np.isnan(distance)])
+    assert 0 < inner.max() <= result["report"]["deviation"]["surface"]["max"] * (1 + 1e-6)
+
+
+def test_a_clash_is_named_and_shown(client: httpx.Client) -> None:
+    design = starter()  # a closed ring, whose ends meet (tests/planted.py)
+    design["target"] = {
+        "f": {"formula": "-0.3*x**2", "range": [-1, 1]},
+        "g": {"formula": ["4*cos(t)", "4*sin(t)"], "range": [0, 2 * np.pi]},
+    }
+    design["pattern"] |= {"columns": 30, "xi_deg": 90}
+    lines = client.post("/api/verify", json={"design": design}).text.splitlines()
+    result = json.loads(lines[-1])["result"]
+    assert "meet before" in result["refusal"]["what"]
+    assert len(result["contact"]["panels"]) == 2
+
+
+def test_ranges_hold_what_works_and_say_why_not_beyond(client: httpx.Client) -> None:
+    design = starter()
+    ranges = client.post("/api/ranges", json={"design": design}).json()["ranges"]
+    ((low, high),) = ranges["xi_deg"]["intervals"]
+    # geometry.md: xi below 180 degrees less the spread of f's tangents, 2 atan 2.
+    assert high == pytest.approx(180 - 2 * np.rad2deg(np.arctan(2)), abs=0.3)
+    assert low == 1.0
+    assert "too large" in ranges["xi_deg"]["above"]
+    for degrees, status in ((high - 0.5, 200), (high + 0.5, 422)):
+        design["pattern"]["xi_deg"] = degrees
+        assert client.post("/api/design", json={"design": design}).status_code == status
+
+
+def test_text_and_tables(client: httpx.Client) -> None:
+    design = starter("orthodiagonal")
+    text = client.post("/api/format", json={"design": design}).json()["text"]
+    assert tomllib.loads(text) == design
+    assert client.post("/api/parse", json={"text": text}).json()["design"] == design
+    wrong = client.post("/api/parse", json={"text": "[shell"})
+    assert wrong.status_code == 422
+    assert "not TOML" in wrong.json()["error"]["message"]
+
+
+def test_refusals_are_said_field_by_field_with_the_curves(client: httpx.Client) -> None:
+    design = starter()
+    design["pattern"]["xi_deg"] = 170
+    answer = client.post("/api/design", json={"design": design})
+    assert answer.status_code == 422
+    error = answer.json()["error"]
+    assert error["kind"] == "design"
+    assert "too large" in error["what"]
+    assert error["nearest"].startswith("xi_deg below")
+    assert len(answer.json()["curves"]["f"]) > 50
+    design["pattern"]["rows"] = 8
+    error = client.post("/api/design", json={"design": design}).json()["error"]
+    assert error["kind"] == "input"
+    assert "[pattern] rows" in error["where"]
+
+
+@pytest.mark.parametrize("key", ["points", "svg", "dxf"])
+def test_no_path_of_a_request_is_opened(client: httpx.Client, key: str) -> None:
+    design = starter()
+    design["target"]["f"] = {key: "/etc/passwd"}
+    answer = client.post("/api/design", json={"design": design})
+    assert answer.status_code == 422
+    assert "files are not opened" in answer.json()["error"]["message"]
+    palette = {**starter(), "workshop": {"palette": "/etc/passwd.toml"}}
+    answer = client.post("/api/design", json={"design": palette})
+    assert "files are not opened" in answer.json()["error"]["message"]
+
+
+def test_dropped_files(client: httpx.Client) -> None:
+    def drop(name: str, content: bytes) -> httpx.Response:
+        text = base64.b64encode(content).decode()
+        return client.post("/api/curve", json={"name": name, "content": text, "unit": "m"})
+
+    spline = drop("p.csv", b"x [mm], y [mm]\n0,0\n500,200\n1000,0\n").json()
+    assert spline["points"] == [[0, 0], [0.5, 0.2], [1.0, 0]]
+    assert spline["smooth"]
+    page = b'width="100mm" height="100mm" viewBox="0 0 100 100"'
+    svg = b'<svg xmlns="http://www.w3.org/2000/svg" ' + page + b">%s</svg>"
+    corner = drop("p.svg", svg % b'<path d="M0 50 L50 0 L100 50"/>').json()
+    np.testing.assert_allclose(corner["points"], [[0, -0.05], [0.05, 0], [0.1, -0.05]], atol=1e-12)
+    assert not corner["smooth"]
+    arc = drop("p.svg", svg % b'<path d="M0 50 A50 50 0 0 1 100 50"/>').json()
+    assert arc["smooth"]
+    centre = np.array([0.05, -0.05])
+    np.testing.assert_allclose(np.linalg.norm(arc["points"] - centre, axis=1), 0.05, rtol=1e-9)
+    for name, content in (("p.exe", b""), ("p.svg", b"<svg"), ("p.csv", b"1,2\n")):
+        answer = drop(name, content)
+        assert answer.status_code == 422
+        assert name in answer.json()["error"]["message"]
+
+
+@pytest.mark.parametrize("name", ["dxf", "glb", "csv"])
+def test_export_is_what_the_command_line_writes(
+    client: httpx.Client, name: str, tmp_path: Path
+) -> None:
+    (tmp_path / "mine.toml").write_text(starter_file("orthodiagonal"))
+    command = [sys.executable, "-m", "orishell", "design", "mine.toml", "--out", "out"]
+    subprocess.run([*command, "--write", name], cwd=tmp_path, check=True, capture_output=True)
+    design = starter("orthodiagonal")
+    answer = client.post("/api/export", json={"design": design, "format": name, "name": "mine"})
+    assert answer.status_code == 200
+    if answer.headers["content-disposition"].endswith('.zip"'):
+        with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+            found = {each: archive.read(each) for each in archive.namelist()}
+    else:
+        found = {answer.headers["content-disposition"].split('"')[1]: answer.content}
+    for each, content in found.items():
+        assert content == (tmp_path / "out" / each).read_bytes()
+    assert len(found) == (2 if name == "csv" else 1)
+
+
+@pytest.mark.parametrize(
+    ("headers", "status"),
+    [
+        ({"host": "evil.example"}, 403),
+        ({"origin": "http://evil.example"}, 403),
+        ({"origin": "null"}, 403),
+        ({"content-type": "text/plain"}, 415),
+        ({"content-type": "application/json"}, 400),
+    ],
+)
+def test_who_may_ask(client: httpx.Client, headers: dict[str, str], status: int) -> None:
+    answer = client.post("/api/design", content=b"x", headers=headers)
+    if "content-type" not in headers:
+        answer = client.post("/api/design", json={}, headers=headers)
+    assert answer.status_code == status
+    assert answer.json()["error"]["message"]
+
+
+def test_sizes_are_limited(client: httpx.Client) -> None:
+    design = starter()
+    design["pattern"] |= {"rows": 999, "columns": 999}
+    answer = client.post("/api/design", json={"design": design})
+    assert answer.status_code == 422
+    assert "too large for the studio" in answer.json()["error"]["message"]
+    body = b'{"design": "' + b"x" * 6_000_000 + b'"}'
+    headers = {"content-type": "application/json"}
+    assert client.post("/api/design", content=body, headers=headers).status_code == 413
+
+    def pieces() -> Iterator[bytes]:
+        yield from (body[k : k + 100_000] for k in range(0, len(body), 100_000))
+
+    assert client.post("/api/design", content=pieces(), headers=headers).status_code == 413
+
+
+@pytest.mark.parametrize(
+    "body", [b"[]", b"{}", b'{"design": 3}', b'{"design": {"shell": []}}', b"[" * 100_000]
+)
+def test_malformed_requests_are_answered(client: httpx.Client, body: bytes) -> None:
+    for task in ("design", "verify", "ranges", "parse", "format", "curve", "export"):
+        answer = client.post(
+            f"/api/{task}", content=body, headers={"content-type": "application/json"}
+        )
+        if task == "verify" and answer.status_code == 200:  # its errors come in the stream
+            assert "error" in json.loads(answer.text.splitlines()[-1])
+        else:
+            assert 400 <= answer.status_code < 500
+            assert answer.json()["error"]["message"]
+
+
+def test_formulas_are_parsed_never_evaluated(client: httpx.Client) -> None:
+    for formula in ("__import__('os').system('true')", "9**9**9**9", "x.__class__", "(" * 9000):
+        design = starter()
+        design["target"]["f"]["formula"] = formula
+        answer = client.post("/api/design", json={"design": design})
+        assert answer.status_code == 422

@@ -1,0 +1,73 @@
+"""Twenty people drag at once for half a minute: every answer comes, and memory stays flat."""
+
+from __future__ import annotations
+
+import asyncio
+import copy
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from orishell.spec import starter_file
+from studio_server import running_studio
+
+CLIENTS, SECONDS = 20, 30.0
+GROWTH = 1.15
+"""How much more memory the second half of the time may take than the first."""
+
+
+def memory(process: int) -> int:
+    """Resident memory of a process and its children (kB), as the kernel says."""
+    total = 0
+    for path in Path("/proc").glob("[0-9]*/status"):
+        try:
+            text = path.read_text()
+        except (FileNotFoundError, ProcessLookupError):
+            continue  # it ended meanwhile
+        found = dict(re.findall(r"^(Pid|PPid|VmRSS):\s+(\d+)", text, re.MULTILINE))
+        if str(process) in (found["Pid"], found["PPid"]):
+            total += int(found.get("VmRSS", 0))
+    return total
+
+
+async def drag(address: str, number: int, end: float) -> int:
+    """Move a curve again and again, and wait for every answer; returns how many there were."""
+    design: dict[str, Any] = tomllib.loads(starter_file("orthodiagonal"))
+    points = [[x / 2, -((x / 2) ** 2)] for x in range(-2, 3)]
+    design["target"]["f"] = {"points": points, "smooth": True}
+    answers = 0
+    loop = asyncio.get_running_loop()
+    async with httpx.AsyncClient(base_url=address, timeout=60) as client:
+        while loop.time() < end:
+            moved = copy.deepcopy(design)
+            moved["target"]["f"]["points"][2][1] += 0.01 * ((answers + number) % 20)
+            answer = await client.post("/api/design", json={"design": moved, "states": 13})
+            assert answer.status_code in (200, 422), answer.text
+            if answer.status_code == 422:
+                assert answer.json()["error"]["kind"] == "design"
+            answers += 1
+    return answers
+
+
+@pytest.mark.slow
+def test_twenty_clients_drag(capsys: pytest.CaptureFixture[str]) -> None:
+    async def scene(address: str, process: int) -> tuple[list[int], list[int]]:
+        end = asyncio.get_running_loop().time() + SECONDS
+        tasks = [asyncio.create_task(drag(address, k, end)) for k in range(CLIENTS)]
+        sizes = []
+        while not all(task.done() for task in tasks):
+            await asyncio.sleep(1.0)
+            sizes.append(memory(process))
+        return [await task for task in tasks], sizes
+
+    with running_studio() as studio:
+        answers, sizes = asyncio.run(scene(studio.address, studio.process))
+    half = len(sizes) // 2
+    with capsys.disabled():
+        print(f"\n{sum(answers)} answers, memory {sizes[half]} to {sizes[-1]} kB")  # noqa: T201
+    assert min(answers) >= 3
+    assert max(sizes[half:]) < GROWTH * max(sizes[: half + 1])

@@ -1,0 +1,70 @@
+"""Processes: one slow request is stopped in time and is in nobody's way."""
+
+import asyncio
+import tomllib
+from typing import Any
+
+import pytest
+
+from orishell.spec import starter_file
+from orishell.studio.workers import BusyError, OutOfTimeError, Pool, RefusalError
+
+
+def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
+    design = tomllib.loads(starter_file("parallel-repeating"))
+    design["pattern"] |= {"rows": rows, "columns": columns}
+    return {"design": design}
+
+
+def test_slow_requests_are_stopped_and_others_go_on() -> None:
+    async def scene() -> None:
+        pool = Pool(2, seconds=3.0)
+        started = (pool.run("parse", {"text": ""}) for _ in range(2))
+        await asyncio.gather(*started, return_exceptions=True)
+        loop = asyncio.get_running_loop()
+        slow = asyncio.create_task(pool.run("verify", payload(199, 199)))
+        await asyncio.sleep(0.2)
+        begin = loop.time()
+        view = await pool.run("design", payload())
+        assert loop.time() - begin < 2.5  # it did not wait for the other
+        assert len(view) > 10_000
+        with pytest.raises(OutOfTimeError):
+            await slow
+        # Its process is gone, another takes its place.
+        assert len(await pool.run("design", payload())) > 10_000
+        pool.close()
+
+    asyncio.run(scene())
+
+
+def test_a_stream_that_is_closed_stops_its_work() -> None:
+    async def scene() -> None:
+        pool = Pool(1, seconds=60.0)
+        stream = pool.stream("verify", payload(199, 199))
+        kind, _ = await anext(stream)
+        assert kind == "progress"
+        await stream.aclose()  # type: ignore[attr-defined]
+        begin = asyncio.get_running_loop().time()
+        assert len(await pool.run("design", payload())) > 10_000
+        assert asyncio.get_running_loop().time() - begin < 30
+        pool.close()
+
+    asyncio.run(scene())
+
+
+def test_refusals_and_lines_that_are_too_long() -> None:
+    async def scene() -> None:
+        pool = Pool(1, seconds=60.0, waiting=1)
+        with pytest.raises(RefusalError) as caught:
+            await pool.run("parse", {"text": "[shell"})
+        assert "TOML" in caught.value.error["error"]["message"]
+        first = asyncio.create_task(pool.run("design", payload()))
+        await asyncio.sleep(0)
+        second = asyncio.create_task(pool.run("design", payload()))
+        await asyncio.sleep(0)
+        with pytest.raises(BusyError):
+            await pool.run("design", payload())
+        await asyncio.gather(first, second)
+        pool.close()
+
+    asyncio.run(scene())

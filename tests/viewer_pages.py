@@ -1,0 +1,80 @@
+"""The viewer in a real browser, for the tests that ask it: Debian's chromium, driven by playwright.
+
+Without the built viewer or the browser a test is skipped, or fails if the environment has
+``ORISHELL_REQUIRE_NODE=1``, as in ``.ci/run``, so that nothing is skipped there unnoticed.
+"""
+
+from __future__ import annotations
+
+import io
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import matplotlib.image
+import numpy as np
+from numpy.typing import NDArray
+
+from node_tools import lacking
+from orishell.io.formats.html import viewer_is_built
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+"""WebGL without a graphics card."""
+
+
+def require_viewer() -> None:
+    """The test ends here if the viewer has not been built."""
+    if not viewer_is_built():
+        lacking("the viewer has not been built: make pages")
+
+
+@contextmanager
+def running_browser() -> Iterator[Browser]:
+    """A headless browser."""
+    require_viewer()
+    chromium = shutil.which("chromium")
+    if chromium is None:
+        lacking("chromium is not installed: on Debian, apt-get install chromium")
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        lacking("playwright is not installed")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=list(WEBGL))
+        yield browser
+        browser.close()
+
+
+@contextmanager
+def watched_page(browser: Browser, **options: Any) -> Iterator[Page]:
+    """A page; at the end it must have printed nothing and asked for nothing but its own address."""
+    page = browser.new_page(viewport={"width": 1280, "height": 720}, **options)
+    said: list[str] = []
+    asked: list[str] = []
+    page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+    yield page
+    own = page.url
+    page.close()
+    assert said == []
+    assert [url for url in asked if url != own and not url.startswith("http://viewer.test/")] == []
+
+
+def wait_until(page: Page, expression: str, seconds: float = 10.0) -> None:
+    """Wait for a condition; the page's own policy forbids playwright to wait inside it."""
+    for _ in range(int(20 * seconds)):
+        if page.evaluate(expression):
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(expression)
+
+
+def pixels(page: Page, selector: str) -> NDArray[np.float64]:
+    """What an element looks like: (height, width, 3), 0 to 1."""
+    picture = matplotlib.image.imread(io.BytesIO(page.locator(selector).first.screenshot()))
+    return np.asarray(picture[..., :3], dtype=np.float64)
