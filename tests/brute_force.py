@@ -60,3 +60,21 @@ def not_designed(grid: Grid) -> Callable[[np.ndarray], np.ndarray]:
         return np.asarray(~(flap & (np.diff(column, axis=1)[:, 0] <= 1)))
 
     return counts
+
+
+def distance_of_panels(one: np.ndarray, other: np.ndarray) -> float:
+    """Least distance of two plane convex quads (4, 3), by minimisation over both.
+
+    A convex quadratic program in the weights of the corners, solved by non-negative least squares
+    (the sums of weights are held to 1 by a heavy row): nothing of the program's own is used.
+    """
+    from scipy.optimize import nnls
+
+    size = max(np.ptp(one, axis=0).max(), np.ptp(other, axis=0).max())
+    shift = one.mean(axis=0)
+    a, b = (one - shift) / size, (other - shift) / size
+    heavy = 1e4
+    rows = np.concatenate([np.concatenate([a, -b]).T, heavy * np.repeat(np.eye(2), 4, axis=1)])
+    weights, _ = nnls(rows, np.array([0.0, 0.0, 0.0, heavy, heavy]))
+    first, second = weights[:4] / weights[:4].sum(), weights[4:] / weights[4:].sum()
+    return float(size * np.linalg.norm(first @ a - second @ b))

@@ -168,6 +168,9 @@ class OrthodiagonalRequest:
             remedy = text.removesuffix(' with flap = "auto"')
             if remedy != text:
                 options["flap"] = "auto"
+            if match := re.search(r" with depth = ([\d.e+-]+)$", remedy):
+                options["depth"] = float(match[1])
+                remedy = remedy[: match.start()]
             if match := re.search(r" with heading_deg = ([\d.]+)( and flap = .*)?$", remedy):
                 options["heading"] = np.deg2rad(float(match[1]))
                 options |= {"flap": "auto"} if match[2] else {}

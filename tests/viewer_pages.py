@@ -7,14 +7,17 @@ Without the built viewer or the browser a test is skipped, or fails if the envir
 from __future__ import annotations
 
 import io
+import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib.image
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from node_tools import lacking
 from orishell.io.formats.html import viewer_is_built
@@ -22,6 +25,11 @@ from orishell.io.formats.html import viewer_is_built
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
+ROOT = Path(__file__).parents[1]
+PICTURES, BUILT = ROOT / "docs" / "images", ROOT / "build" / "pictures"
+WRITE = "ORISHELL_WRITE_PICTURES"
+LARGEST = 400_000
+"""Bytes of a picture."""
 WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 """WebGL without a graphics card."""
 
@@ -65,7 +73,7 @@ def watched_page(browser: Browser, **options: Any) -> Iterator[Page]:
     assert [url for url in asked if url != own and not url.startswith("http://viewer.test/")] == []
 
 
-def wait_until(page: Page, expression: str, seconds: float = 10.0) -> None:
+def wait_until(page: Page, expression: str, seconds: float = 60.0) -> None:
     """Wait for a condition; the page's own policy forbids playwright to wait inside it."""
     for _ in range(int(20 * seconds)):
         if page.evaluate(expression):
@@ -78,3 +86,29 @@ def pixels(page: Page, selector: str) -> NDArray[np.float64]:
     """What an element looks like: (height, width, 3), 0 to 1."""
     picture = matplotlib.image.imread(io.BytesIO(page.locator(selector).first.screenshot()))
     return np.asarray(picture[..., :3], dtype=np.float64)
+
+
+def await_frames(page: Page) -> None:
+    """Wait until what has been asked for so far is drawn, however slow the machine is."""
+    page.evaluate(
+        "new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame("
+        "() => setTimeout(drawn, 0))))"
+    )
+
+
+def keep_picture(page: Page, name: str) -> None:
+    """Keep what a page looks like in ``build/pictures``.
+
+    With ``ORISHELL_WRITE_PICTURES=1`` it is written into the documentation, in
+    256 colours if it is large otherwise.
+    """
+    await_frames(page)
+    place = PICTURES if os.environ.get(WRITE) == "1" else BUILT
+    place.mkdir(parents=True, exist_ok=True)
+    with Image.open(io.BytesIO(page.screenshot())) as picture:
+        whole = picture.convert("RGB")
+    whole.save(place / f"{name}.png", optimize=True)
+    if (place / f"{name}.png").stat().st_size > LARGEST:
+        # This way of choosing colours keeps those of thin lines.
+        few = whole.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+        few.save(place / f"{name}.png", optimize=True)

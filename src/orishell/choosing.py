@@ -45,7 +45,15 @@ class Tolerance:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """Distance of a design from its surface, and its shortest and longest edge (length)."""
+    """Distance of a design from its surface, and its shortest and longest edge (length).
+
+    Parameters
+    ----------
+    error
+        Largest distance from the surface (length).
+    shortest, longest
+        Shortest and longest edge of a panel in the flat sheet (length).
+    """
 
     error: float
     shortest: float

@@ -75,7 +75,13 @@ class Design:
 
 
 def warn_of_no_lock(flap: float) -> tuple[str, ...]:
-    """Warn of a shell whose flaps have no width: nothing stops it at its target."""
+    """Warn of a shell whose flaps have no width: nothing stops it at its target.
+
+    Parameters
+    ----------
+    flap
+        Width of the flaps, in the unit of the curves; 0 if there are none.
+    """
     if flap:
         return ()
     return (

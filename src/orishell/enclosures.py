@@ -17,14 +17,20 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Interval:
-    """Arrays of lower and upper ends."""
+    """Arrays of lower and upper ends.
+
+    Parameters
+    ----------
+    low, high
+        Lower and upper ends (...).
+    """
 
     low: Array
     high: Array
 
     @classmethod
     def between(cls, first: ArrayLike, second: ArrayLike) -> Interval:
-        """From two ends in any order: what a monotone function takes between them."""
+        """From ends ``first`` and ``second`` (...) in any order, as of a monotone function."""
         return cls(np.minimum(first, second), np.maximum(first, second))
 
     def __add__(self, other: Interval) -> Interval:
@@ -46,15 +52,15 @@ class Interval:
         )
 
     def over(self, positive: Interval) -> Interval:
-        """Quotient by an interval above zero."""
+        """Quotient by a ``positive`` interval, one above zero."""
         return self * Interval(1 / positive.high, 1 / positive.low)
 
     def times(self, factor: Array | float) -> Interval:
-        """Product with a known number."""
+        """Product with a known ``factor`` (...)."""
         return Interval.between(self.low * factor, self.high * factor)
 
     def plus(self, shift: Array | float) -> Interval:
-        """Sum with a known number."""
+        """Sum with a known ``shift`` (...)."""
         return Interval(self.low + shift, self.high + shift)
 
     def squared(self) -> Interval:
@@ -64,13 +70,19 @@ class Interval:
         return Interval(np.where(within, 0.0, np.minimum(low, high)), np.maximum(low, high))
 
     def magnitude(self) -> Array:
-        """The largest absolute value."""
+        """The largest absolute values (...)."""
         return np.asarray(np.maximum(np.abs(self.low), np.abs(self.high)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Enclosure:
-    """Intervals for a function of the drive and its first and second derivative."""
+    """Intervals for a function of the drive and its first and second derivative.
+
+    Parameters
+    ----------
+    value, first, second
+        Intervals (...) of the function and of its first and second derivative by the drive.
+    """
 
     value: Interval
     first: Interval
@@ -78,14 +90,14 @@ class Enclosure:
 
     @classmethod
     def half_cosine(cls, start: Array, stop: Array) -> Enclosure:
-        """cos(drive/2) for drives from ``start`` to ``stop``, in [0, pi] (radians)."""
+        """cos(drive/2) for drives from ``start`` to ``stop`` (S,), in [0, pi] (radians)."""
         cosine = Interval(np.maximum(np.cos(stop / 2), 0.0), np.cos(start / 2))
         sine = Interval(np.sin(start / 2), np.sin(stop / 2))
         return cls(cosine, sine.times(-0.5), cosine.times(-0.25))
 
     @classmethod
     def half_sine(cls, start: Array, stop: Array) -> Enclosure:
-        """sin(drive/2) for drives from ``start`` to ``stop``, in [0, pi] (radians)."""
+        """sin(drive/2) for drives from ``start`` to ``stop`` (S,), in [0, pi] (radians)."""
         cosine = Interval(np.maximum(np.cos(stop / 2), 0.0), np.cos(start / 2))
         sine = Interval(np.sin(start / 2), np.sin(stop / 2))
         return cls(sine, cosine.times(0.5), sine.times(-0.25))
@@ -101,13 +113,13 @@ class Enclosure:
         )
 
     def times(self, factor: Array | float) -> Enclosure:
-        """Product with a known number."""
+        """Product with a known ``factor`` (...)."""
         return Enclosure(
             self.value.times(factor), self.first.times(factor), self.second.times(factor)
         )
 
     def hypot(self, side: Array) -> Enclosure:
-        """sqrt(side**2 + u**2) of this u, not negative."""
+        """sqrt(side**2 + u**2) of this u, not negative, and a known ``side`` (...)."""
         low, high = np.hypot(side, self.value.low), np.hypot(side, self.value.high)
         ones = np.ones_like(low)
         outer = Enclosure(
@@ -141,7 +153,7 @@ class Enclosure:
         return Enclosure(_running(self.value), _running(self.first), _running(self.second))
 
     def mean(self, weights: Array) -> Enclosure:
-        """Weighted sum (..., 1) over the last axis; no weight is negative."""
+        """Weighted sum (..., 1) over the last axis; none of the ``weights`` (K,) is negative."""
 
         def of(interval: Interval) -> Interval:
             return Interval(
@@ -152,7 +164,7 @@ class Enclosure:
         return Enclosure(of(self.value), of(self.first), of(self.second))
 
     def part(self, index: slice) -> Enclosure:
-        """Entries along the last axis."""
+        """Entries along the last axis, by their ``index``."""
 
         def of(interval: Interval) -> Interval:
             return Interval(interval.low[..., index], interval.high[..., index])
@@ -169,14 +181,26 @@ class Enclosure:
 
 
 def turning_acceleration(length: Enclosure, angle: Enclosure) -> Array:
-    """Bound of the second derivative of a planar vector of this length and direction angle."""
+    """Bounds (...) of the second derivative of a planar vector of this length and direction angle.
+
+    Parameters
+    ----------
+    length, angle
+        Its length, in any unit, and its direction angle (radians).
+    """
     along = length.second - length.value * angle.first.squared()
     across = (length.first * angle.first).times(2.0) + length.value * angle.second
     return np.asarray(np.hypot(along.magnitude(), across.magnitude()))
 
 
 def spinning_acceleration(angle: Enclosure) -> Array:
-    """Bound of the second derivative of a unit vector with this direction angle in a plane."""
+    """Bounds (...) of the second derivative of a unit vector with this direction angle in a plane.
+
+    Parameters
+    ----------
+    angle
+        The direction angle (radians).
+    """
     return np.asarray(np.hypot(angle.first.magnitude() ** 2, angle.second.magnitude()))
 
 

@@ -54,7 +54,13 @@ class InputError(OrishellError):
         self.detail = detail
 
     def located(self, where: str) -> Self:
-        """Put an outer place in front of the one known so far, and return the error."""
+        """Put an outer place in front of the one known so far, and return the error.
+
+        Parameters
+        ----------
+        where
+            The outer place.
+        """
         self.where = f"{where} {self.where}".strip()
         return self
 

@@ -129,6 +129,13 @@ def measure_mesh_folds(mesh: QuadMesh, positions: Array) -> Array:
     Signed angles between the normals of the two panels at each crease, positive where they turn
     towards each other (a valley seen from where the panels go counter-clockwise), in (-pi, pi]
     (radians). At pi the sign is undetermined.
+
+    Parameters
+    ----------
+    mesh
+        Panels and edges.
+    positions
+        Vertices (V, 3) in one state.
     """
     normals = unit_normals(positions[mesh.faces])
     edges, (left, right) = mesh.edges[mesh.crease], mesh.edge_faces[mesh.crease].T

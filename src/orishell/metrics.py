@@ -58,7 +58,15 @@ class AssignmentCheck:
 def measure_residuals(
     states: Iterable[FoldedState], flat: FoldedState
 ) -> tuple[Residuals, AssignmentCheck]:
-    """Measure every state against the flat sheet, one state in memory at a time."""
+    """Measure every state against the flat sheet, one state in memory at a time.
+
+    Parameters
+    ----------
+    states
+        The states, one after the other.
+    flat
+        The flat sheet.
+    """
     distances = corner_distances(_corners(flat.positions))
     size = diagonal(flat.positions)
     length = planarity = sector = fold = 0.0
@@ -90,23 +98,47 @@ def measure_residuals(
 
 
 def diagonal(flat: Array) -> float:
-    """Diagonal of the flat sheet's bounding box, the length that residuals are relative to."""
+    """Diagonal of the flat sheet's bounding box, the length that residuals are relative to.
+
+    Parameters
+    ----------
+    flat
+        Vertices (rows, columns, 3) of the flat sheet.
+    """
     return float(np.hypot(*extents(flat)[:2]))
 
 
 def extents(positions: Array) -> tuple[float, float, float]:
-    """Size of the bounding box along x, y and z."""
+    """Size of the bounding box along x, y and z.
+
+    Parameters
+    ----------
+    positions
+        Vertices (rows, columns, 3) in one state.
+    """
     size = np.ptp(positions.reshape(-1, 3), axis=0)
     return float(size[0]), float(size[1]), float(size[2])
 
 
 def sheet_area(positions: Array) -> float:
-    """Area of all panels."""
+    """Area of all panels.
+
+    Parameters
+    ----------
+    positions
+        Vertices (rows, columns, 3) in any state.
+    """
     return float(np.linalg.norm(area_vectors(_corners(positions)), axis=-1).sum())
 
 
 def corrugation_depth(positions: Array) -> float:
-    """Mean distance of inner vertices from the line between those above and below (length)."""
+    """Mean distance of inner vertices from the line between those above and below (length).
+
+    Parameters
+    ----------
+    positions
+        Vertices (rows, columns, 3) in one state.
+    """
     inner = positions[:, 1:-1] if positions.shape[1] > 2 else positions
     base = inner[2:] - inner[:-2]
     arm = inner[1:-1] - inner[:-2]

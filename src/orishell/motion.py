@@ -41,7 +41,7 @@ class Mechanism(Protocol):
         ...
 
     def positions(self, drive: ArrayLike) -> Array:
-        """Positions (..., rows, columns, 3) of all vertices at drive angles (...)."""
+        """Positions (..., rows, columns, 3) of all vertices at drive angles (...) (radians)."""
         ...
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
@@ -87,7 +87,7 @@ class FoldedState:
 
     @classmethod
     def of(cls, mechanism: Mechanism, drive: float) -> FoldedState:
-        """The state of a mechanism at one drive angle."""
+        """The state of a mechanism at one drive angle (radians)."""
         positions = mechanism.positions(drive)
         positions.flags.writeable = False
         return cls(drive, positions, mechanism.fold_angles(drive))
@@ -137,7 +137,13 @@ class FoldingMotion:
 
 
 def find_assignment(mechanism: Mechanism) -> CreaseValues:
-    """Signs of all creases at lock: +1 valley, -1 mountain, 0 unfolded."""
+    """Signs of all creases at lock: +1 valley, -1 mountain, 0 unfolded.
+
+    Parameters
+    ----------
+    mechanism
+        The sheet.
+    """
     return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
 
 
@@ -176,7 +182,13 @@ def require_resolution(mechanism: Mechanism, remedy: str) -> None:
 
 
 def panel_normals(positions: Array) -> Array:
-    """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet."""
+    """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet.
+
+    Parameters
+    ----------
+    positions
+        Vertices (..., rows, columns, 3).
+    """
     p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
     r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
     normal = np.cross(r - p, s - q)
@@ -189,6 +201,11 @@ def measure_fold_angles(positions: Array) -> CreaseValues:
 
     Signed angles between the normals of the two panels at each crease, valley positive, in
     (-pi, pi] (radians). At pi the sign is undetermined.
+
+    Parameters
+    ----------
+    positions
+        Vertices (..., rows, columns, 3).
     """
     normal = panel_normals(positions)
     return CreaseValues(

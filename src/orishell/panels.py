@@ -9,7 +9,13 @@ Array = NDArray[np.float64]
 
 
 def corner_distances(corners: Array) -> Array:
-    """The six distances (..., 6) of every panel's corners."""
+    """The six distances (..., 6) of every panel's corners.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
     pairs = [(a, b) for a in range(4) for b in range(a)]
     first = corners[..., [a for a, _ in pairs], :]
     second = corners[..., [b for _, b in pairs], :]
@@ -17,20 +23,38 @@ def corner_distances(corners: Array) -> Array:
 
 
 def area_vectors(corners: Array) -> Array:
-    """Vectors (..., 3) square to every panel, as long as its area: half the diagonals' product."""
+    """Vectors (..., 3) square to every panel, as long as its area: half the diagonals' product.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
     p, q, r, s = (corners[..., k, :] for k in range(4))
     return np.asarray(0.5 * np.cross(r - p, s - q))
 
 
 def unit_normals(corners: Array) -> Array:
-    """Unit normals (..., 3), counter-clockwise seen from their tips; zero without an area."""
+    """Unit normals (..., 3), counter-clockwise seen from their tips; zero without an area.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
     vectors = area_vectors(corners)
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     return np.asarray(vectors / np.where(length > 0, length, 1.0))
 
 
 def diagonal_gaps(corners: Array) -> Array:
-    """Distances (...) between the two diagonals of every panel: zero if it is plane."""
+    """Distances (...) between the two diagonals of every panel: zero if it is plane.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
     gap = np.einsum(
         "...i,...i->...", unit_normals(corners), corners[..., 1, :] - corners[..., 0, :]
     )
@@ -38,14 +62,26 @@ def diagonal_gaps(corners: Array) -> Array:
 
 
 def sector_angles(corners: Array) -> Array:
-    """Angles (..., 4) between the two edges at every corner, in [0, pi] (radians)."""
+    """Angles (..., 4) between the two edges at every corner, in [0, pi] (radians).
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
     after, before = _edges_at(corners)
     sine = np.linalg.norm(np.cross(after, before), axis=-1)
     return np.asarray(np.arctan2(sine, (after * before).sum(axis=-1)))
 
 
 def reflex_corners(corners: Array) -> NDArray[np.bool_]:
-    """Which corners (..., 4) point into their panel: its sector there is above pi."""
+    """Which corners (..., 4) point into their panel: its sector there is above pi.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
     after, before = _edges_at(corners)
     normals = area_vectors(corners)[..., None, :]
     return np.asarray((np.cross(after, before) * normals).sum(axis=-1) < 0)

@@ -85,7 +85,7 @@ class CreaseValues:
     column: Array
 
     def on_edges(self, border: float = 0.0) -> Array:
-        """Values (..., E) of all edges in the order of :meth:`Grid.edges_vertices`."""
+        """Values (..., E) of all edges, border included, in :meth:`Grid.edges_vertices`' order."""
         leading = self.row.shape[:-2]
         rows, columns = self.column.shape[-2] + 1, self.row.shape[-1] + 1
         row = np.full((*leading, rows, columns - 1), border)
@@ -96,7 +96,13 @@ class CreaseValues:
 
 
 def crease_signs(fold_angles: CreaseValues) -> CreaseValues:
-    """Signs of fold angles: +1 valley, -1 mountain, 0 unfolded (below :data:`UNFOLDED`)."""
+    """Signs of fold angles: +1 valley, -1 mountain, 0 unfolded (below :data:`UNFOLDED`).
+
+    Parameters
+    ----------
+    fold_angles
+        Fold angles of all creases (radians).
+    """
 
     def sign(angle: Array) -> Array:
         return np.where(np.abs(angle) > UNFOLDED, np.sign(angle), 0.0)
@@ -105,7 +111,13 @@ def crease_signs(fold_angles: CreaseValues) -> CreaseValues:
 
 
 def edges_assignment(signs: CreaseValues) -> list[str]:
-    """Assignment letters B, M, V, F of all edges, from the signs of the creases."""
+    """Assignment letters B, M, V, F of all edges, from the signs of the creases.
+
+    Parameters
+    ----------
+    signs
+        Signs of all creases, as of :func:`crease_signs`.
+    """
     letters = np.array([MOUNTAIN, FLAT, VALLEY, BORDER])
     index = signs.on_edges(border=2.0).astype(np.int64) + 1
     assignment: list[str] = letters[index].tolist()

@@ -46,6 +46,13 @@ class Quantities:
 def measure_quantities(document: Document, workshop: Workshop) -> Quantities:
     """The totals of a document for a workshop.
 
+    Parameters
+    ----------
+    document
+        The sheet.
+    workshop
+        On what and how it is cut.
+
     Raises
     ------
     InputError
@@ -73,7 +80,13 @@ def measure_quantities(document: Document, workshop: Workshop) -> Quantities:
 
 
 def describe_quantities(quantities: Quantities) -> dict[str, Any]:
-    """The field ``quantities`` of the report."""
+    """The field ``quantities`` of the report.
+
+    Parameters
+    ----------
+    quantities
+        What was measured.
+    """
     return {
         "panels": quantities.panels,
         "area": quantities.area,

@@ -9,15 +9,35 @@ ROUNDING = 1e-3
 
 
 def in_degrees(angle: float) -> str:
-    """Degrees to four decimals, as text."""
+    """Degrees to four decimals, as text.
+
+    Parameters
+    ----------
+    angle
+        The angle (radians).
+    """
     return f"{np.rad2deg(angle):.4f}".rstrip("0").rstrip(".")
 
 
 def tidy_degrees(angle: float) -> float:
-    """Degrees without the last digits that the conversion leaves."""
+    """Degrees without the last digits that the conversion leaves.
+
+    Parameters
+    ----------
+    angle
+        The angle (radians).
+    """
     return float(f"{np.rad2deg(angle):.13g}")
 
 
 def inside(limit: float, start: float) -> float:
-    """A little nearer to ``start`` than the limit, so that the quoted value works."""
+    """A little nearer to ``start`` than the limit, so that the quoted value works.
+
+    Parameters
+    ----------
+    limit
+        What may not be reached.
+    start
+        A value that works.
+    """
     return float(start + (limit - start) * (1 - ROUNDING))

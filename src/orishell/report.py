@@ -53,7 +53,15 @@ class Watched(Protocol):
 
 
 def unwatched(motion: FoldingMotion, what: str) -> Iterable[FoldedState]:
-    """Pass states on and show nothing."""
+    """Pass states on and show nothing.
+
+    Parameters
+    ----------
+    motion
+        The states.
+    what
+        What is being done, for whoever shows it.
+    """
     return motion
 
 
@@ -122,7 +130,19 @@ def design_shell(
     clash_test: ClashTest = CLASH_TEST,
     searched: Callable[[float], None] | None = None,
 ) -> Shell:
-    """Read a design file and make its shell: see :func:`make_shell`."""
+    """Read a design file and make its shell: see :func:`make_shell`.
+
+    Parameters
+    ----------
+    path
+        The design file.
+    watched
+        Passes states on and may show how far it has come.
+    clash_test
+        Whether and how contact is looked for.
+    searched
+        Is told the share of the search for the fewest panels that is done.
+    """
     return make_shell(read_design_file(path), watched, clash_test, searched)
 
 

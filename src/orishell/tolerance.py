@@ -69,7 +69,15 @@ def meet_tolerance(
 
 
 def measure(design: Design, careful: bool) -> Measured:
-    """Distance of a design from its surface, and the edges of its panels, flaps left out."""
+    """Distance of a design from its surface, and the edges of its panels, flaps left out.
+
+    Parameters
+    ----------
+    design
+        The design.
+    careful
+        Whether as for the report; else as for a search.
+    """
     deviation = measure_deviation(design, samples=CAREFUL if careful else QUICK)
     mechanism = design.mechanism
     flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
@@ -82,7 +90,15 @@ def measure(design: Design, careful: bool) -> Measured:
 
 
 def describe_choice(choice: Choice, tolerance: Tolerance) -> dict[str, object]:
-    """The table ``chosen`` of ``report.json``."""
+    """The table ``chosen`` of ``report.json``.
+
+    Parameters
+    ----------
+    choice
+        What was found.
+    tolerance
+        What was asked for.
+    """
 
     def described(trial: Trial) -> dict[str, object]:
         return asdict(trial)

@@ -11,5 +11,11 @@ MILLIMETRES: Final[dict[str, float]] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in"
 
 
 def conversion(source: str, target: str) -> float:
-    """The number that turns lengths in one unit into lengths in another: 1 for the same unit."""
+    """The number that turns lengths in one unit into lengths in another: 1 for the same unit.
+
+    Parameters
+    ----------
+    source, target
+        The units: mm, cm, m, in, ft.
+    """
     return 1.0 if source == target else MILLIMETRES[source] / MILLIMETRES[target]

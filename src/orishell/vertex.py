@@ -5,7 +5,10 @@ column creases, write c = cos(psi/2), and for a row crease with the sector angle
 k = cos a, w = sqrt(sin(psi/2)^2 - k^2). The row crease then leaves the column's axis t at the
 angle eps with cos eps = k/sin(psi/2), sin eps = w/sin(psi/2); it exists where w is real.
 
+The paper has these relations at lock, within equations (2) and (3); here they hold in every state.
 Fold angles are deviations from flat, valley positive, in (-pi, pi]; here without sign.
+
+Derived in docs/theory/vertex.md.
 """
 
 from __future__ import annotations
@@ -25,7 +28,7 @@ def row_fold_angle(c: Array, w: Array) -> Array:
     Parameters
     ----------
     c, w
-        As in the module's text; both may carry the same positive factor.
+        As in the module's text (...); both may carry the same positive factor.
     """
     angle: Array = 2 * np.arctan2(c, w)
     return angle
@@ -43,12 +46,18 @@ def column_fold_angle(
     Parameters
     ----------
     c, k_left, w_left, k_right, w_right
-        As in the module's text; k and w of one side may carry the same positive factor.
+        As in the module's text (...); k and w of one side may carry the same positive factor.
     """
     angle: Array = np.arctan2(c * k_left, w_left) + np.arctan2(c * k_right, w_right)
     return angle
 
 
 def half_turns(drive: Array) -> tuple[Array, Array]:
-    """Sine and cosine of half a drive angle (radians); the cosine is exactly 0 at pi."""
+    """Sine and cosine (...) of half a drive angle; the cosine is exactly 0 at pi.
+
+    Parameters
+    ----------
+    drive
+        Drive angles (...), in [0, pi] (radians).
+    """
     return np.sin(drive / 2), np.where(drive == np.pi, 0.0, np.cos(drive / 2))

@@ -63,6 +63,9 @@ def test_all_keys(tmp_path: Path) -> None:
         ('palette = "mine.toml"', "[workshop] palette"),
         ('palette = "lightbrun"', "lightburn"),
         ("margin = -1", "[workshop] margin"),
+        ("areal_density = 1e308", "at most 1e+12"),
+        ("dash = 1e-300", "at least 1e-12"),
+        ("stock = [1.0, 1e200]", "[workshop] stock[1]"),
     ],
 )
 def test_faults_name_the_key(table: str, says: str, tmp_path: Path) -> None:

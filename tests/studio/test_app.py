@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import io
 import json
+import socket
 import struct
 import subprocess
 import sys
+import time
 import tomllib
 import zipfile
 from collections.abc import Iterator
@@ -19,9 +22,11 @@ import numpy as np
 import pytest
 
 from orishell.spec import FAMILIES, starter_file
-from studio_server import running_studio
+from orishell.studio.guard import Guard
+from studio_server import Studio, running_studio
 
 Design = dict[str, Any]
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture(scope="module")
@@ -251,6 +256,173 @@ def test_malformed_requests_are_answered(client: httpx.Client, body: bytes) -> N
         else:
             assert 400 <= answer.status_code < 500
             assert answer.json()["error"]["message"]
+
+
+@pytest.mark.parametrize("file", ["profile.svg", "profile.dxf"])
+def test_of_a_drawing_with_an_axis_the_longest_part_is_the_curve(
+    client: httpx.Client, file: str
+) -> None:
+    content = base64.b64encode((EXAMPLES / file).read_bytes()).decode()
+    answer = client.post("/api/curve", json={"name": file, "content": content, "unit": "m"})
+    found = answer.json()
+    assert "the longest" in found["note"]
+    # The arch of the examples is 2 x 819.615 mm wide; the axis beside it is 0.4 m long.
+    np.testing.assert_allclose(np.abs(np.array(found["points"])[[0, -1], 0]), 0.819615, atol=1e-6)
+
+
+DEEP = b'{"design": ' + b'{"a":' * 100 + b"1" + b"}" * 101
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b'{"design": NaN}',
+        b'{"design": {"a": Infinity}}',
+        b'{"design": {"a": 1e999}}',
+        b'{"design": {"\\ud800": 1}}',
+        b"\xff\xfe{}",
+        DEEP,
+    ],
+)
+def test_what_is_no_sound_json_is_refused_at_the_door(client: httpx.Client, body: bytes) -> None:
+    for task in ("design", "verify", "export"):
+        answer = client.post(
+            f"/api/{task}", content=body, headers={"content-type": "application/json"}
+        )
+        assert answer.status_code == 400
+        assert answer.json()["error"]["message"]
+
+
+@pytest.mark.parametrize("states", [None, "x", [1], {"a": 1}, 1e300, True, 0.5])
+def test_states_are_counted_in_whole_numbers(client: httpx.Client, states: Any) -> None:
+    answer = client.post("/api/design", json={"design": starter(), "states": states})
+    assert answer.status_code == 422
+    assert "whole number" in answer.json()["error"]["message"]
+
+
+@pytest.mark.parametrize(("states", "made"), [(-5, 2), (10**9, 50)])
+def test_states_are_few(client: httpx.Client, states: int, made: int) -> None:
+    answer = client.post("/api/design", json={"design": starter(), "states": states})
+    assert len(header(answer.content)["drives_deg"]) == made
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [("xi_deg", 1e308), ("xi_deg", -5), ("flap", 1e-308), ("rows", 10**15), ("rows", True)],
+)
+def test_numbers_beyond_measure_are_refused(client: httpx.Client, key: str, value: Any) -> None:
+    design = starter()
+    design["pattern"][key] = value
+    assert client.post("/api/design", json={"design": design}).status_code == 422
+
+
+@pytest.mark.parametrize(
+    "name", ["../../etc/passwd", "a/b", "x\r\nSet-Cookie: a=b", "\0", "..", ""]
+)
+def test_a_files_name_leads_nowhere(client: httpx.Client, name: str) -> None:
+    request = {"design": starter("orthodiagonal"), "format": "stl", "name": name}
+    answer = client.post("/api/export", json=request)
+    assert answer.status_code == 200
+    assert answer.headers["content-disposition"] == 'attachment; filename="shell.stl"'
+    assert "set-cookie" not in answer.headers
+
+
+def test_hundreds_of_thousands_of_points(client: httpx.Client) -> None:
+    design = starter()
+    design["target"]["f"] = {"points": [[k, k * k % 7] for k in range(150_000)], "smooth": True}
+    answer = client.post("/api/design", json={"design": design})
+    assert answer.status_code == 422
+    assert answer.json()["error"]["message"]
+
+
+def test_pages_that_are_not_there_and_methods(client: httpx.Client) -> None:
+    for method, path, status in (
+        ("GET", "/api/nothing", 404),
+        ("PUT", "/api/design", 405),
+        ("GET", "/%2e%2e/app.py", 404),
+        ("GET", "/assets/..%2f..%2fapp.py", 404),
+    ):
+        answer = client.request(method, path)
+        assert answer.status_code == status
+        assert answer.json()["error"]["message"]
+
+
+def test_a_slow_body_is_in_nobodys_way_and_ends() -> None:
+    """A body of a byte a tenth of a second is given up; in the meantime others are answered."""
+
+    async def scene() -> list[int]:
+        statuses: list[int] = []
+
+        async def app(scope: Any, receive: Any, send: Any) -> None:
+            await send({"type": "http.response.start", "status": 200, "headers": []})
+
+        async def send(message: Any) -> None:
+            if message["type"] == "http.response.start":
+                statuses.append(message["status"])
+
+        async def drip() -> dict[str, Any]:
+            await asyncio.sleep(0.1)
+            return {"type": "http.request", "body": b"x", "more_body": True}
+
+        async def whole() -> dict[str, Any]:
+            return {"type": "http.request", "body": b"{}"}
+
+        guard = Guard(app, None, 1000, 1.0)
+        scope = {
+            "type": "http",
+            "method": "POST",
+            "headers": [(b"host", b"h"), (b"content-type", b"application/json")],
+        }
+        slow = asyncio.create_task(guard(scope, drip, send))
+        await asyncio.sleep(0.2)
+        await guard(scope, whole, send)
+        await slow
+        return statuses
+
+    assert asyncio.run(scene()) == [200, 408]
+
+
+@pytest.mark.parametrize("task", ["verify", "ranges"])
+def test_what_is_given_up_leaves_no_process(client_of_its_own: Studio, task: str) -> None:
+    design = starter()
+    design["pattern"] |= {"rows": 99, "columns": 99}
+    address = client_of_its_own.address
+    host, port = address.removeprefix("http://").split(":")
+    body = json.dumps({"design": design}).encode()
+    request = (
+        b"POST /api/%b HTTP/1.1\r\nHost: %b\r\nContent-Type: application/json\r\n"
+        b"Content-Length: %d\r\n\r\n%b" % (task.encode(), address[7:].encode(), len(body), body)
+    )
+    for _ in range(5):
+        calls = [socket.create_connection((host, int(port))) for _ in range(10)]
+        for call in calls:
+            call.sendall(request)
+        time.sleep(0.2)  # some are under way, others wait in the line
+        for call in calls:
+            call.close()
+    with httpx.Client(base_url=address, timeout=100) as session:
+        text = session.post("/api/verify", json={"design": starter()}).text
+        assert "result" in json.loads(text.splitlines()[-1])
+    # At most both of a kind, and the process that Python tracks resources with.
+    assert children(client_of_its_own.process) <= 5
+
+
+@pytest.fixture
+def client_of_its_own() -> Iterator[Studio]:
+    with running_studio() as studio:
+        yield studio
+
+
+def children(process: int) -> int:
+    """Processes that a process has started and that have not ended."""
+    found = 0
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, parent = path.read_text().rsplit(")", 1)[1].split()[:2]
+        except (FileNotFoundError, ProcessLookupError):
+            continue  # it ended meanwhile
+        found += parent == str(process) and state != "Z"
+    return found
 
 
 def test_formulas_are_parsed_never_evaluated(client: httpx.Client) -> None:

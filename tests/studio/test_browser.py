@@ -18,13 +18,21 @@ from node_tools import PACKAGES, lacking
 from orishell.spec import starter_file
 from orishell.studio.app import PAGES
 from studio_server import running_studio
-from viewer_pages import pixels, running_browser, wait_until
+from viewer_pages import (
+    await_frames,
+    keep_picture,
+    pixels,
+    running_browser,
+    wait_until,
+    watched_page,
+)
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 IDLE = "window.__orishell !== undefined && window.__orishell.idle"
-PICTURES = Path(__file__).parents[2] / "build" / "pictures"
+DRAWN = "window.__orishell.store.freshness.value !== 'computing'"
+READ = "window.__orishell.store.files.value === 0"
 
 
 @pytest.fixture(scope="module")
@@ -59,21 +67,37 @@ def opened(
 
     page.on("console", hear)
     page.goto(address)
-    wait_until(page, IDLE, 60)
+    wait_until(page, IDLE)
     yield page
     page.close()
     assert said == []
     assert [url for url in asked if not url.startswith((address, "blob:", "data:"))] == []
 
 
+@pytest.fixture(scope="module")
+def page(browser: Browser, address: str) -> Iterator[Page]:
+    """A page that tests use one after the other, each beginning with an example."""
+    with opened(browser, address) as shared:
+        yield shared
+
+
 def settle(page: Page) -> None:
-    page.wait_for_timeout(60)  # what was typed or dragged has been taken up
-    wait_until(page, IDLE, 60)
+    """Wait until all is known of the design, the proof too."""
+    await_frames(page)  # what was typed or dragged has been taken up
+    wait_until(page, IDLE)
+
+
+def drawn(page: Page) -> None:
+    """Wait until the shell of the design is drawn, or refused."""
+    await_frames(page)
+    wait_until(page, f"{READ} && {DRAWN}")
+    await_frames(page)
 
 
 def choose(page: Page, family: str) -> None:
     page.get_by_test_id("example-select").select_option(family)
-    settle(page)
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.family") == family
 
 
 def figures(page: Page) -> str:
@@ -88,7 +112,7 @@ def drag(page: Page, test_id: str, right: float, down: float) -> None:
     page.mouse.down()
     for step in range(1, 11):
         page.mouse.move(x + right * step / 10, y + down * step / 10)
-        page.wait_for_timeout(30)
+        await_frames(page)
     page.mouse.up()
 
 
@@ -101,137 +125,157 @@ def fold(page: Page, share: float) -> None:
         share,
     )
     wait_until(page, f"Math.abs(window.__orishell.fold - {share}) < 1e-3")
-    page.wait_for_timeout(100)
+    await_frames(page)
 
 
 @pytest.mark.parametrize("family", ["parallel-repeating", "orthodiagonal"])
-def test_from_an_example_to_the_locked_shell(browser: Browser, address: str, family: str) -> None:
-    with opened(browser, address) as page:
-        choose(page, family)
-        assert page.evaluate("window.__orishell.report.family") == family
-        assert "panels" in figures(page).lower()
-        fold(page, 1.0)
-        locked = pixels(page, "canvas")
-        assert np.ptp(locked) > 0.3  # not an empty canvas
-        fold(page, 0.0)
-        flat = pixels(page, "canvas")
-        assert (np.abs(flat - locked).max(axis=2) > 0.1).mean() > 0.01
-        for share in (0.013, 0.5, 0.987):  # between the states that were sent
-            fold(page, share)
-            assert page.evaluate("window.__orishell.shell3d.maxPanelStrain()") < 1e-5
+def test_from_an_example_to_the_locked_shell(page: Page, family: str) -> None:
+    choose(page, family)
+    assert page.evaluate("window.__orishell.report.family") == family
+    assert "panels" in figures(page).lower()
+    fold(page, 1.0)
+    locked = pixels(page, "canvas")
+    assert np.ptp(locked) > 0.3  # not an empty canvas
+    fold(page, 0.0)
+    flat = pixels(page, "canvas")
+    assert (np.abs(flat - locked).max(axis=2) > 0.1).mean() > 0.01
+    for share in (0.013, 0.5, 0.987):  # between the states that were sent
+        fold(page, share)
+        assert page.evaluate("window.__orishell.shell3d.maxPanelStrain()") < 1e-5
 
 
-def test_dragging_a_point_changes_the_shell(browser: Browser, address: str) -> None:
-    with opened(browser, address) as page:
-        choose(page, "orthodiagonal")
-        switch_to_points(page)
-        before = page.evaluate("window.__orishell.report.sheet.area")
-        words = figures(page)
-        drag(page, "point-f-2", 0, 18)
-        settle(page)
-        assert page.evaluate("window.__orishell.report.sheet.area") != before
-        assert figures(page) != words
-        # Undo brings the very shell back, redo takes it away.
-        page.get_by_test_id("undo").click()
-        settle(page)
-        assert page.evaluate("window.__orishell.report.sheet.area") == before
-        page.get_by_test_id("redo").click()
-        settle(page)
-        assert page.evaluate("window.__orishell.report.sheet.area") != before
+def test_dragging_a_point_changes_the_shell(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    switch_to_points(page)
+    before = page.evaluate("window.__orishell.report.sheet.area")
+    words = figures(page)
+    drag(page, "point-f-2", 0, 18)
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.sheet.area") != before
+    assert figures(page) != words
+    # Undo brings the very shell back, redo takes it away.
+    page.get_by_test_id("undo").click()
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.sheet.area") == before
+    page.get_by_test_id("redo").click()
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.sheet.area") != before
 
 
 def switch_to_points(page: Page) -> None:
     """Turn f's formula into a spline, whose points can be dragged."""
     if page.get_by_test_id("point-f-0").count() == 0:
         page.get_by_test_id("mode-f-spline").click()
-        settle(page)
+        drawn(page)
     assert page.get_by_test_id("point-f-2").count() == 1
 
 
-def test_a_parameter_that_does_not_work_is_said_in_words(browser: Browser, address: str) -> None:
-    with opened(browser, address) as page:
-        choose(page, "parallel-repeating")
-        area = page.evaluate("window.__orishell.report.sheet.area")
-        box = page.get_by_test_id("param-xi_deg")
-        box.fill("120")
-        box.press("Enter")
-        settle(page)
-        assert "too large" in page.get_by_test_id("banner").inner_text()
-        # The last good shell stays.
-        assert page.evaluate("window.__orishell.report.sheet.area") == area
-        box.fill("45")
-        box.press("Enter")
-        settle(page)
-        assert page.evaluate("window.__orishell.report.sheet.area") != area
+def test_a_parameter_that_does_not_work_is_said_in_words(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    area = page.evaluate("window.__orishell.report.sheet.area")
+    box = page.get_by_test_id("param-xi_deg")
+    box.fill("120")
+    box.press("Enter")
+    drawn(page)
+    assert "too large" in page.get_by_test_id("banner").inner_text()
+    # The last good shell stays.
+    assert page.evaluate("window.__orishell.report.sheet.area") == area
+    box.fill("45")
+    box.press("Enter")
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.sheet.area") != area
 
 
-def test_the_lock_is_proved_while_one_looks(browser: Browser, address: str) -> None:
-    with opened(browser, address) as page:
-        choose(page, "parallel-repeating")
-        status = page.get_by_test_id("verify-status").inner_text().lower()
-        assert "proved" in status
+def test_the_lock_is_proved_while_one_looks(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    settle(page)
+    status = page.get_by_test_id("verify-status").inner_text().lower()
+    assert "proved" in status
 
 
-def test_export_is_the_command_lines_file(browser: Browser, address: str, tmp_path: Path) -> None:
+def test_export_is_the_command_lines_file(page: Page, tmp_path: Path) -> None:
     (tmp_path / "orthodiagonal.toml").write_text(starter_file("orthodiagonal"))
     command = [sys.executable, "-m", "orishell", "design", "orthodiagonal.toml", "--out", "out"]
     subprocess.run([*command, "--write", "dxf"], cwd=tmp_path, check=True, capture_output=True)
-    with opened(browser, address) as page:
-        choose(page, "orthodiagonal")
-        page.get_by_test_id("export").click()
-        with page.expect_download() as download:
-            page.get_by_test_id("export-dxf").click()
-        download.value.save_as(tmp_path / "there.dxf")
+    choose(page, "orthodiagonal")
+    page.get_by_test_id("export").click()
+    with page.expect_download() as download:
+        page.get_by_test_id("export-dxf").click()
+    download.value.save_as(tmp_path / "there.dxf")
     ours = (tmp_path / "out" / "pattern.dxf").read_bytes()
     assert (tmp_path / "there.dxf").read_bytes() == ours
 
 
-def test_save_is_the_same_design(browser: Browser, address: str, tmp_path: Path) -> None:
-    with opened(browser, address) as page:
-        choose(page, "longitudinal-linear-repeating")
-        area = page.evaluate("window.__orishell.report.sheet.area")
-        with page.expect_download() as download:
-            page.get_by_test_id("save").click()
-        download.value.save_as(tmp_path / "mine.toml")
+def test_save_is_the_same_design(page: Page, tmp_path: Path) -> None:
+    choose(page, "longitudinal-linear-repeating")
+    area = page.evaluate("window.__orishell.report.sheet.area")
+    with page.expect_download() as download:
+        page.get_by_test_id("save").click()
+    download.value.save_as(tmp_path / "mine.toml")
     command = [sys.executable, "-m", "orishell", "design", "mine.toml", "--out", "out", "--json"]
     done = subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, text=True)
     assert json.loads(done.stdout)["sheet"]["area"] == pytest.approx(area, rel=1e-12)
 
 
-def test_latency_of_a_drag(
-    browser: Browser, address: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_latency_of_a_drag(page: Page, capsys: pytest.CaptureFixture[str]) -> None:
     """Reported, not asserted tightly: other work may be going on."""
-    with opened(browser, address) as page:
-        choose(page, "parallel-repeating")
-        for key, value in (("rows", "29"), ("columns", "30")):
-            box = page.get_by_test_id(f"param-{key}")
-            box.fill(value)
-            box.press("Enter")
-        settle(page)
-        first = len(page.evaluate("window.__orishell.latencies"))
-        slider = page.get_by_test_id("slider-plane_deg")
-        slider.focus()
-        for _ in range(15):
-            slider.press("ArrowRight")
-            page.wait_for_timeout(120)
-        settle(page)
-        times = page.evaluate("window.__orishell.latencies")[first:]
-        slowest = max(times)
-        with capsys.disabled():
-            print(f"\n30 x 30: median {np.median(times):.0f} ms, slowest {slowest:.0f} ms")  # noqa: T201
-        assert len(times) >= 3
-        assert np.median(times) < 2000
+    choose(page, "parallel-repeating")
+    for key, value in (("rows", "29"), ("columns", "30")):
+        box = page.get_by_test_id(f"param-{key}")
+        box.fill(value)
+        box.press("Enter")
+    settle(page)
+    first = len(page.evaluate("window.__orishell.latencies"))
+    slider = page.get_by_test_id("slider-plane_deg")
+    slider.focus()
+    for _ in range(15):
+        slider.press("ArrowRight")
+        page.wait_for_timeout(120)
+    drawn(page)
+    times = page.evaluate("window.__orishell.latencies")[first:]
+    slowest = max(times)
+    with capsys.disabled():
+        print(f"\n30 x 30: median {np.median(times):.0f} ms, slowest {slowest:.0f} ms")  # noqa: T201
+    assert len(times) >= 3
+    assert np.median(times) < 2000
+
+
+def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    # A ring whose ends meet before it is closed (as in test_app.py).
+    page.evaluate(
+        """() => {
+          const store = window.__orishell.store, design = structuredClone(store.design.value);
+          design.target = {
+            f: { formula: "-0.3*x**2", range: [-1, 1] },
+            g: { formula: ["4*cos(t)", "4*sin(t)"], range: [0, 2 * Math.PI] },
+          };
+          Object.assign(design.pattern, { columns: 30, xi_deg: 90 });
+          store.change(design, "ring");
+        }"""
+    )
+    settle(page)
+    card = page.get_by_test_id("verify-status")
+    assert "touch first" in card.inner_text()
+    assert "Nearest that works" in card.inner_text()
+    assert page.get_by_test_id("contact").is_visible()
+    card.get_by_test_id("use-nearest").click()
+    settle(page)
+    low, high = page.evaluate("window.__orishell.store.design.value.target.g.range")
+    assert 0 == low < 6 < high < 2 * np.pi
+    assert "proved" in card.inner_text()
+    assert page.get_by_test_id("refusal").is_hidden()
 
 
 def test_accessibility(browser: Browser, address: str) -> None:
     axe = PACKAGES / "axe-core" / "axe.min.js"
     if not axe.is_file():
         lacking("axe-core is not installed: make node")
-    for theme in ("light", "dark"):
-        with opened(browser, address, bypass_csp=True, color_scheme=theme) as page:
-            choose(page, "parallel-repeating")
-            page.add_script_tag(path=str(axe))
+    with opened(browser, address, bypass_csp=True, color_scheme="light") as page:
+        page.add_script_tag(path=str(axe))
+        for theme in ("light", "dark"):
+            assert page.evaluate("document.documentElement.dataset.theme") == theme
+            await_frames(page)
             found = page.evaluate("axe.run().then((result) => result.violations)")
             serious = [
                 (each["id"], [node["html"][:120] for node in each["nodes"]])
@@ -239,17 +283,42 @@ def test_accessibility(browser: Browser, address: str) -> None:
                 if each["impact"] in {"serious", "critical"}
             ]
             assert serious == []
+            page.get_by_test_id("theme").click()
 
 
-@pytest.mark.parametrize(("width", "height"), [(1280, 720), (1920, 1080)])
-def test_the_page_fits(browser: Browser, address: str, width: int, height: int) -> None:
-    with opened(browser, address, width=width, height=height) as page:
+@pytest.mark.parametrize(("width", "height"), [(1920, 1080), (1280, 720)])
+def test_the_page_fits(page: Page, width: int, height: int) -> None:
+    page.set_viewport_size({"width": width, "height": height})
+    choose(page, "orthodiagonal")
+    assert page.evaluate("document.documentElement.scrollHeight") <= height
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_picture_of_the_studio(browser: Browser, address: str) -> None:
+    with opened(browser, address, color_scheme="light") as page:
         choose(page, "orthodiagonal")
-        fold(page, 0.85)
-        assert page.evaluate("document.documentElement.scrollHeight") <= height
-        assert page.evaluate("document.documentElement.scrollWidth") <= width
-        PICTURES.mkdir(parents=True, exist_ok=True)
-        page.screenshot(path=PICTURES / f"studio-{width}.png")
+        page.locator("label:has([data-testid=colour-signs])").click()
+        settle(page)
+        fold(page, 0.5)
+        keep_picture(page, "studio")
+        picture = pixels(page, "canvas")
+        red = (picture[..., 0] > picture[..., 2] + 0.3).mean()
+        blue = (picture[..., 2] > picture[..., 0] + 0.3).mean()
+        assert min(red, blue) > 5e-4  # mountains and valleys
+
+
+def test_the_viewers_page_opens_from_disk(browser: Browser, tmp_path: Path) -> None:
+    (tmp_path / "shell.toml").write_text(starter_file("orthodiagonal"))
+    command = [sys.executable, "-m", "orishell", "design", "shell.toml", "--out", "."]
+    subprocess.run([*command, "--write", "html"], cwd=tmp_path, check=True, capture_output=True)
+    with watched_page(browser, color_scheme="light") as page:
+        page.goto((tmp_path / "viewer.html").as_uri())
+        wait_until(page, "window.orishell !== undefined")
+        page.evaluate("orishell.player.set(0.5)")
+        assert page.evaluate("orishell.shell.maxPanelStrain()") < 1e-5
+        page.get_by_text("Mountain, valley", exact=True).click()
+        keep_picture(page, "viewer")
+        assert np.ptp(pixels(page, ".orishell-scene canvas")) > 0.3
 
 
 def test_browser_is_the_one_of_the_system() -> None:

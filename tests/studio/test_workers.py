@@ -43,7 +43,7 @@ def test_a_stream_that_is_closed_stops_its_work() -> None:
         stream = pool.stream("verify", payload(199, 199))
         kind, _ = await anext(stream)
         assert kind == "progress"
-        await stream.aclose()  # type: ignore[attr-defined]
+        await stream.aclose()
         begin = asyncio.get_running_loop().time()
         assert len(await pool.run("design", payload())) > 10_000
         assert asyncio.get_running_loop().time() - begin < 30

@@ -2,7 +2,7 @@
 
 libigl decides on all pairs of panels in exact arithmetic. Where the path is said to be clear it
 must see nothing in any of the states tried; where panels are said to touch it must see them cross
-within a millionth of the path.
+within a millionth of the path, or they must be nearer than the tolerance that means touching.
 """
 
 from __future__ import annotations
@@ -15,14 +15,15 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
-from brute_force import crosses, not_designed
+from brute_force import crosses, distance_of_panels, not_designed
 from orishell.design import Design
 from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,
 )
-from orishell.locking import find_lock
+from orishell.locking import Lock, find_lock
+from orishell.motion import Mechanism
 from strategies import (
     OrthodiagonalRequest,
     Request,
@@ -42,6 +43,17 @@ once = settings(
 )
 
 
+def near(mechanism: Mechanism, lock: Lock) -> bool:
+    """Whether the panels are as near as touching means, however slowly they approach."""
+    assert lock.first_contact is not None
+    assert lock.proof is not None
+    positions = mechanism.positions(lock.first_contact.drive)
+    one, other = (
+        positions[[i, i + 1, i + 1, i], [j, j, j + 1, j + 1]] for i, j in lock.first_contact.panels
+    )
+    return distance_of_panels(one, other) <= 1.01 * lock.proof.tolerance
+
+
 def require_agreement(design: Design, seen: Counter[str | None]) -> None:
     mechanism, lock = design.mechanism, find_lock(design)
     seen[lock.cause] += 1
@@ -55,7 +67,7 @@ def require_agreement(design: Design, seen: Counter[str | None]) -> None:
         end = design.lock_drive or mechanism.lock_drive
         later = [min(lock.drive + end * share, end) for share in (1e-9, 1e-8, 1e-7, 1e-6)]
         anything = [crosses(mechanism, drive, lambda p: np.ones(len(p), bool)) for drive in later]
-        assert any(anything), f"a false alarm: {lock}"
+        assert any(anything) or near(mechanism, lock), f"a false alarm: {lock}"
 
 
 @pytest.mark.slow

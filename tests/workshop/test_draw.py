@@ -155,6 +155,23 @@ def test_a_panel_without_an_area_is_named() -> None:
         draw_part(replace(document, flat=flat), whole_sheet(document), Workshop())
 
 
+def test_a_crease_that_is_called_border_is_refused_and_a_joined_one_is_drawn() -> None:
+    """Otherwise it would be neither scored nor cut, and nobody would notice."""
+    document = demo_document()
+    letters = list(document.assignment)
+    edge = letters.index("M")
+    panels = sorted(map(document.panel_name, document.mesh.edge_faces[edge].tolist()))
+    letters[edge] = "B"
+    with pytest.raises(InputError, match=f"edge {edge} is no border") as caught:
+        draw_part(replace(document, assignment=tuple(letters)), whole_sheet(document), Workshop())
+    assert all(panel in caught.value.what for panel in panels)
+    count = len(points_of(drawn("parallel-repeating", corner_gap=0.01), ("ENGRAVE",)))
+    letters[edge] = "J"
+    joined = replace(document, assignment=tuple(letters))
+    drawing = draw_part(joined, whole_sheet(joined), Workshop(corner_gap=0.01))
+    assert len(points_of(drawing, ("ENGRAVE",))) == count + 2
+
+
 def test_what_has_no_flat_sheet_or_no_unit_is_refused() -> None:
     document = demo_document()
     with pytest.raises(InputError, match="--unit"):

@@ -95,6 +95,16 @@ def test_hundred_parts_waste_less_than_a_third() -> None:
     assert min(full) / 40 > 2 / 3
 
 
+@pytest.mark.parametrize("spacing", [0.0, 0.05])
+def test_many_small_parts_lie_in_rows(spacing: float) -> None:
+    """400 stars: the first ones where there is room, the others in rows, all of them apart."""
+    outlines = [star(seed, 0.1 + seed % 5 / 10) for seed in range(400)]
+    places = nest_parts(outlines, 5.0, 3.5, spacing)
+    assert_nested(outlines, places, (5.0, 3.5), spacing)
+    boxes = sum(float(np.prod(np.ptp(outline, axis=0) + spacing)) for outline in outlines)
+    assert 1 + max(place.sheet for place in places) <= 1 + np.ceil(1.3 * boxes / (5.0 * 3.5))
+
+
 def test_a_part_larger_than_the_stock_is_refused() -> None:
     with pytest.raises(InputError, match="does not fit the stock"):
         nest_parts([rectangle(3, 3)], 4, 2, 0.0)

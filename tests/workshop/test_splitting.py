@@ -14,7 +14,7 @@ from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.mesh import build_mesh
-from orishell.workshop.fitting import find_turns
+from orishell.workshop.fitting import CutSheet, find_turns
 from orishell.workshop.splitting import split_sheet
 
 families = pytest.mark.parametrize("family", list(FAMILIES))
@@ -73,7 +73,7 @@ def test_any_stock_gives_parts_that_fit_or_a_refusal(
     try:
         parts = split_sheet(document, stock[0], stock[1], allowance)
     except InputError as error:
-        if "a panel does not fit" not in str(error):
+        if "panels do not fit" not in str(error):
             raise
         return
     assert_split(document, parts, stock)
@@ -122,6 +122,26 @@ def test_parts_are_as_even_as_can_be() -> None:
     assert sorted(len(part) for part in parts) == [3, 4]
 
 
+def test_a_fine_sheet_with_a_few_large_panels(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One column of 45 as wide as the stock: lines are added beside it, not everywhere."""
+    document = squares(45, 45)
+    flat = document.require_flat() + np.array([9.0, 0.0]) * (document.require_flat()[:, :1] > 20)
+    tried = []
+    fits = CutSheet.fits
+
+    def counted(self: CutSheet, *args: np.ndarray) -> bool:
+        tried.append(args)
+        return fits(self, *args)
+
+    monkeypatch.setattr(CutSheet, "fits", counted)
+    parts = split_sheet(replace(document, flat=flat), 10, 9, 0.0)
+    assert_split(replace(document, flat=flat), parts, np.array([10, 9]))
+    # By area at least 27; cut along every other line no part is more than half empty.
+    assert 27 <= len(parts) < 2 * 27
+    # All lines would take 45 ** 3 / 2 blocks each way; and every panel is looked at once.
+    assert len(tried) - 45**2 < 15_000
+
+
 def test_tabs_count() -> None:
     """A tab of 0.25 reaches beyond stock that two squares fill: then each is a part."""
     assert len(split_sheet(squares(1, 4), 2, 1, 0.0)) == 2
@@ -135,6 +155,18 @@ def test_stock_smaller_than_a_panel_is_refused_with_the_size_that_would_do() -> 
     assert caught.value.where == "[workshop] stock"
     assert "0.9 x 5" in caught.value.got
     assert "at least 1 x 1" in caught.value.expected
+    assert "9 of 9" in caught.value.what
+
+
+def test_the_refusal_names_a_size_that_every_panel_fits() -> None:
+    """Columns 1, 2 and 3 wide: stock for the first refused one would not do for the others."""
+    document = squares(2, 3)
+    flat = document.require_flat().copy()
+    flat[:, 0] = np.array([0.0, 1.0, 3.0, 6.0])[flat[:, 0].astype(int)]
+    document = replace(document, flat=flat)
+    with pytest.raises(InputError, match=r"4 of 6 panels .* at least 3 x 1, .* panel 0,2,"):
+        split_sheet(document, 1.5, 1.5, 0.0)
+    assert len(split_sheet(document, 3, 1, 0.0)) == 4
 
 
 def test_parts_of_figure_1_are_near_the_bound() -> None:

@@ -54,6 +54,7 @@ export class Shell3D {
   private sent = false;
   private shaded = false;
   private fitted = false;
+  private fittedRadius = 1;
 
   constructor(private readonly container: HTMLElement, options: { label?: string } = {}) {
     container.classList.add("orishell-scene");
@@ -127,6 +128,7 @@ export class Shell3D {
     this.posed = false;
     this.highlight(null);
     if (!kept) this.fit(true);
+    else if (this.outgrown()) this.fit();
     this.invalidate();
   }
 
@@ -181,6 +183,7 @@ export class Shell3D {
     const last = all.subarray(all.length - all.length / Math.max(1, states));
     this.aim(all, turn ? goodDirection(last) : this.arm());
     this.fitted = this.container.clientWidth > 0;
+    this.fittedRadius = this.extent!.radius;
   }
 
   /** Show the state drawn. */
@@ -206,6 +209,12 @@ export class Shell3D {
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.container.replaceChildren();
+  }
+
+  /** The shell has become so much larger or smaller that it would be lost from view. */
+  private outgrown(): boolean {
+    const growth = this.extent!.radius / this.fittedRadius;
+    return growth > 1.5 || growth < 0.4;
   }
 
   private allPoints(): Float32Array {

@@ -2,8 +2,9 @@
 
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { placeOf, remedyOf, sentence } from "./faults.ts";
+import { placeOf, sentence } from "./faults.ts";
 import { icon } from "./icons.ts";
+import { patternKeys, remedyButton } from "./remedy-button.ts";
 import type { Store } from "./store.ts";
 import type { Fault } from "./types.ts";
 
@@ -54,24 +55,14 @@ export class Banner {
   }
 
   private actions(fault: Fault): HTMLElement {
-    const design = this.store.design.value;
-    const { family } = design.shell;
-    const parameters = this.store.info.families[family]?.parameters ?? [];
-    const keys = [...parameters.map(({ key }) => key), ...Object.keys(design.pattern)];
-    const remedy = remedyOf(fault, design, keys);
+    const { family } = this.store.design.value.shell;
+    const keys = patternKeys(this.store);
     const place = placeOf(fault);
     const key = place?.table === "pattern" ? place.keys.find((each) => keys.includes(each)) : undefined;
     return h(
       "div",
       { class: "banner-actions" },
-      remedy &&
-        button({
-          label: `Use ${remedy.label}`,
-          text: `Use ${remedy.label}`,
-          class: "button primary",
-          testid: "use-nearest",
-          act: () => this.store.change(remedy.apply(this.store.design.value), remedy.label),
-        }),
+      remedyButton(this.store, fault),
       key ? button({ label: `Go to ${key}`, text: `Go to ${key}`, act: () => this.events.goTo(key) }) : null,
       fault.kind === "design"
         ? button({ label: "Show an example of this family", text: "Example of this family", act: () => this.events.example(family) })

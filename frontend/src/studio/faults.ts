@@ -81,12 +81,19 @@ const SET = new RegExp(
 const BELOW = new RegExp(String.raw`^(\w+) below (${NUMBER})(?: with (\w+) = (${NUMBER}|"[\w-]+"))?${END}`);
 const BETWEEN = new RegExp(String.raw`^(\w+) between (${NUMBER}) and (${NUMBER})${END}`);
 const TIMES = new RegExp(String.raw`^scale in \[target\.([fg])\] times (${NUMBER})`);
+const PART = new RegExp(String.raw`^the part of ([fg]) from parameter (${NUMBER}) to (${NUMBER})`);
 /** An open limit is kept clear of by this share. */
 const CLEAR = 0.01;
 
 /** The first remedy that a fault's `nearest` names, if the design can take it as it stands. */
 export function remedyOf(fault: Fault, design: Design, known: readonly string[]): Remedy | null {
   const text = fault.nearest.trim();
+  const part = PART.exec(text);
+  if (part) {
+    const name = part[1] as CurveName;
+    if (design.target[name].formula === undefined) return null;
+    return setting("range", [Number(part[2]), Number(part[3])], `${name} from ${part[2]} to ${part[3]}`, name);
+  }
   const times = TIMES.exec(text);
   if (times) {
     const name = times[1] as CurveName;

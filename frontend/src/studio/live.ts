@@ -12,8 +12,9 @@ import type { Curves, Design, Report } from "./types.ts";
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
 const STATES = 25;
-/** Vertices up to which every answer has all states; larger sheets get fewer while they change. */
-const QUICK = 3000;
+/** Sheets of more vertices get fewer states while they change, and all of them when they rest. */
+const QUICK = 500;
+const MEDIUM = 3000;
 const LARGE = 15000;
 
 interface Pending {
@@ -60,8 +61,7 @@ export class Live {
       store.freshness.set("outdated");
       return;
     }
-    const live = this.vertices() <= QUICK ? STATES : 7;
-    this.request({ design: store.design.value, changedAt: store.changedAt, states: live });
+    this.request({ design: store.design.value, changedAt: store.changedAt, states: this.liveStates() });
   }
 
   /** Choose rows and columns by the tolerance. */
@@ -80,6 +80,11 @@ export class Live {
     this.design.abort();
     this.store.busy.set(null);
     this.store.freshness.set("outdated");
+  }
+
+  private liveStates(): number {
+    const vertices = this.vertices();
+    return vertices <= QUICK ? STATES : vertices <= MEDIUM ? 9 : 7;
   }
 
   private vertices(): number {
@@ -242,7 +247,7 @@ export class Live {
         await this.draw();
         if (signal.aborted) return;
       }
-      store.proof.set({ state: "done" });
+      store.proof.set({ state: "done", refusal: result.refusal ? faultFrom(result.refusal) : null });
     } catch (error) {
       if (signal.aborted) return;
       const fault = error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) });

@@ -4,12 +4,15 @@ import { h } from "./dom.ts";
 import { sentence } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { type Tone, wordsOfLock } from "./lock.ts";
+import { remedyButton } from "./remedy-button.ts";
 import type { Proof, Store } from "./store.ts";
+import type { Fault } from "./types.ts";
 
 export class ProofCard {
   readonly element: HTMLElement;
   private readonly text = h("span", { class: "proof-text" });
   private readonly mark = h("span", { class: "proof-mark" });
+  private readonly refusal = h("div", { class: "proof-refusal", "data-testid": "refusal", hidden: true });
   private readonly bar = h("progress", { max: 1, "aria-label": "Verification" });
 
   constructor(private readonly store: Store) {
@@ -17,7 +20,7 @@ export class ProofCard {
       "div",
       { class: "proof", "data-testid": "verify-status" },
       this.mark,
-      h("div", { class: "proof-body" }, this.text, this.bar),
+      h("div", { class: "proof-body" }, this.text, this.bar, this.refusal),
     );
     store.proof.bind((proof) => this.show(proof));
     store.freshness.watch(() => this.show(store.proof.value));
@@ -29,9 +32,20 @@ export class ProofCard {
     this.element.dataset["state"] = proof.state;
     this.element.dataset["tone"] = tone;
     this.mark.replaceChildren(...(tone === "quiet" ? [] : [icon(tone === "good" ? "done" : "warning")]));
+    this.refuse(proof.state === "done" ? proof.refusal : null);
     this.bar.hidden = proof.state !== "running";
     if (proof.state === "running" && proof.share > 0) this.bar.value = proof.share;
     else this.bar.removeAttribute("value");
+  }
+
+  /** What would keep the panels apart. */
+  private refuse(fault: Fault | null): void {
+    this.refusal.hidden = !fault?.nearest && !fault?.remedy;
+    if (!fault || this.refusal.hidden) return this.refusal.replaceChildren();
+    // What follows a semicolon is advice to users of the command line.
+    const nearest = fault.nearest.split(";")[0]!;
+    const words = nearest ? `Nearest that works: ${nearest}.` : sentence(fault.remedy);
+    this.refusal.replaceChildren(h("p", {}, words), remedyButton(this.store, fault) ?? "");
   }
 
   private words(proof: Proof): [string, Tone] {

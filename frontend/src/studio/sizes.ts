@@ -132,7 +132,7 @@ export class Sizes {
     this.chosen.textContent = busy.value
       ? "Trying designs; this takes some seconds."
       : current
-        ? `Chosen: ${rows} rows, ${columns} columns.`
+        ? `Chosen: ${rows} ${rows === 1 ? "row" : "rows"}, ${columns} columns.`
         : "Press Choose to find the fewest panels within the tolerance.";
   }
 }

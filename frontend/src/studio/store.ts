@@ -9,7 +9,8 @@ export type Proof =
   | { state: "none" }
   | { state: "waiting" }
   | { state: "running"; share: number; what: string }
-  | { state: "done" }
+  /** `refusal`: panels meet before the shell locks, and what would mend it. */
+  | { state: "done"; refusal: Fault | null }
   | { state: "failed"; fault: Fault };
 
 /** What the shell on the screen is to the design. */

@@ -93,7 +93,15 @@ class PathContact:
 
 @dataclass(frozen=True, slots=True)
 class PathResult:
-    """What was found on a path: the first contact, or None, and how."""
+    """What was found on a path: the first contact, or None, and how.
+
+    Parameters
+    ----------
+    contact
+        The first contact, or None.
+    proof
+        How the path was examined.
+    """
 
     contact: PathContact | None
     proof: Proof

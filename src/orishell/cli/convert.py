@@ -22,7 +22,7 @@ def convert(
     state: Annotated[str, typer.Option(help=STATE_HELP)] = "locked",
     workshop: Annotated[
         Path | None,
-        typer.Option(help="A TOML file with a table [workshop], for instance a design file."),
+        typer.Option(help=r"A TOML file with a table \[workshop], for instance a design file."),
     ] = None,
     unit: Annotated[
         str | None,

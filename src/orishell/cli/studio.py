@@ -13,6 +13,9 @@ from orishell.errors import InputError
 from orishell.spec import read_design_file
 from orishell.studio.dropped import points_along
 
+CONNECTIONS = 150
+"""Connections at a time, at most: all of them together must not take the machine's memory."""
+
 
 def studio(
     file: Annotated[Path | None, typer.Argument(help="A design file to begin with.")] = None,
@@ -48,7 +51,14 @@ def studio(
     typer.echo(f"studio at {address} (Ctrl-C ends it)", err=True)
     if browse:
         typer.launch(address)
-    uvicorn.run(app, host=host, port=port, log_level="warning", server_header=False)
+    uvicorn.run(
+        app,
+        host=host,
+        port=port,
+        log_level="warning",
+        server_header=False,
+        limit_concurrency=CONNECTIONS,
+    )
 
 
 def _start(path: Path) -> dict[str, Any]:

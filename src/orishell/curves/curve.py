@@ -53,17 +53,17 @@ class Curve:
             )
 
     def position(self, t: ArrayLike) -> Array:
-        """Points (..., 2) at parameters (...)."""
+        """Points (..., 2) at parameters t (...)."""
         return self.jet(np.asarray(t, dtype=np.float64))[0]
 
     def tangent(self, t: ArrayLike) -> Array:
-        """Unit tangents (..., 2) at parameters (...)."""
+        """Unit tangents (..., 2) at parameters t (...)."""
         first = self.jet(np.asarray(t, dtype=np.float64))[1]
         unit: Array = first / np.hypot(first[..., 0], first[..., 1])[..., None]
         return unit
 
     def curvature(self, t: ArrayLike) -> Array:
-        """Signed curvature (...), positive where the curve turns left, in 1/length."""
+        """Signed curvature (...) at parameters t (...), in 1/length, positive to the left."""
         _, first, second = self.jet(np.asarray(t, dtype=np.float64))
         cross = first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
         curvature: Array = cross / np.hypot(first[..., 0], first[..., 1]) ** 3
@@ -110,6 +110,14 @@ class Curve:
 def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float) -> Curve:
     """Curve from formulas: (x(t), y(t)), or the graph of y if ``x`` is None.
 
+    Parameters
+    ----------
+    x, y
+        Coordinates as formulas of one variable, in the unit of the curve; None for ``x`` if it is
+        the variable itself.
+    start, stop
+        Range of the variable.
+
     Raises
     ------
     CurveError
@@ -140,6 +148,13 @@ def curve_from_points(points: ArrayLike, *, smooth: bool) -> Curve:
 
     The parameter is the chord length from the first point. ``smooth`` gives the cubic spline
     (twice continuously differentiable, not-a-knot ends), otherwise the polyline itself.
+
+    Parameters
+    ----------
+    points
+        Points (N, 2) in their order.
+    smooth
+        Whether a spline goes through them; else the polyline.
 
     Raises
     ------

@@ -45,6 +45,8 @@ def read_points(path: Path, *, into: str | None = None, unit: str | None = None)
     ------
     InputError
         If the file is missing, empty, not text, or a line is not two numbers; with the line.
+    CurveError
+        If there are fewer than two points.
     """
     where = str(path)
     try:

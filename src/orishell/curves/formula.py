@@ -58,7 +58,7 @@ class Formula:
     _run: Run
 
     def jet(self, t: Array) -> Jet:
-        """Value, first and second derivative at ``t`` (any shape); not finite where undefined."""
+        """Value, first and second derivative at ``t`` (...); not finite where undefined."""
         with np.errstate(all="ignore"):
             value, first, second = self._run(np.asarray(t, dtype=np.float64))
         return value, first, second

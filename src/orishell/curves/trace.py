@@ -72,7 +72,7 @@ class Trace:
 
     @property
     def corners(self) -> NDArray[np.intp]:
-        """Indices of the inner samples at which the tangent jumps."""
+        """Indices (K,) of the inner samples at which the tangent jumps."""
         return np.flatnonzero(np.abs(self.heading - self.arriving) > KINK)
 
     def reversed(self) -> Trace:
@@ -88,11 +88,11 @@ class Trace:
         )
 
     def drawn_parameter(self, t: float) -> float:
-        """The parameter as the curve was drawn, for messages."""
+        """The parameter t as the curve was drawn, for messages."""
         return self.curve.start + self.curve.stop - t if self.backwards else t
 
     def rotated(self, angle: float) -> Trace:
-        """The trace of the curve turned counter-clockwise about the origin (radians)."""
+        """The curve's trace, turned counter-clockwise about the origin by ``angle`` (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)
         return Trace(
             self.curve.rotated(angle),
@@ -113,7 +113,7 @@ class Trace:
         return np.interp(arc, self.arc, self.t)
 
     def heading_at(self, t: Array) -> Array:
-        """Direction of the tangent (...) at parameters (...); at corners the mean of both sides."""
+        """Direction of the tangent (...) at t (...), radians; at corners the mean of both sides."""
         first = self.curve.jet(t)[1]
         direction = np.arctan2(first[..., 1], first[..., 0])
         at = np.clip(np.searchsorted(self.t, t), 0, len(self.t) - 1)

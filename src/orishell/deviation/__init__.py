@@ -1,4 +1,7 @@
-"""How close a shell is to a surface, both ways."""
+"""How close a shell is to a surface, both ways.
+
+Derived in docs/theory/deviation.md.
+"""
 
 from orishell.deviation.describe import describe_deviation
 from orishell.deviation.measure import (

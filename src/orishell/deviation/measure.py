@@ -124,7 +124,15 @@ def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
 
 
 def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | None:
-    """Measure the locked shell against what its family approaches instead, if that is known."""
+    """Measure the locked shell against what its family approaches instead, if that is known.
+
+    Parameters
+    ----------
+    design
+        The design.
+    samples
+        Samples each way, about.
+    """
     if design.approached is None or design.approached.surface is None:
         return None
     return measure_distance(locked_shell(design), design.approached.surface, samples=samples)
@@ -134,6 +142,11 @@ def locked_shell(design: Design) -> Array:
     """Vertices (rows, n, 3) of the shell that meets the surface: columns 1 ... n.
 
     Flaps and border strips are not part of it: they stand beyond the ends of g.
+
+    Parameters
+    ----------
+    design
+        The design.
     """
     mechanism = design.mechanism
     return mechanism.positions(mechanism.lock_drive)[:, mechanism.inner_columns]
@@ -145,7 +158,7 @@ def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) 
     Parameters
     ----------
     shell
-        Vertices of plane panels.
+        Vertices (rows, columns, 3) of plane panels.
     surface
         The surface.
     samples

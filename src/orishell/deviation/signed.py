@@ -26,7 +26,7 @@ class SignedDistances:
     distances
         Their distances (A, B).
     creases
-        Which of the A rows and of the B columns of points lie along creases or borders.
+        Which of the A rows (A,) and of the B columns (B,) of points lie along creases or borders.
     strides
         Only every so many-th row and column of creases is among them.
     """
@@ -43,7 +43,7 @@ def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Ar
     Parameters
     ----------
     points
-        The points.
+        The points (..., 3).
     surface
         The surface.
     samples
@@ -60,7 +60,7 @@ def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> S
     Parameters
     ----------
     shell
-        Vertices of plane panels.
+        Vertices (rows, columns, 3) of plane panels.
     surface
         The surface.
     samples

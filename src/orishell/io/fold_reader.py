@@ -90,6 +90,11 @@ class FoldFile:
 def read_fold(path: Path) -> FoldFile:
     """Read and check a FOLD file whose faces have four corners.
 
+    Parameters
+    ----------
+    path
+        The file.
+
     Raises
     ------
     InputError

@@ -94,6 +94,11 @@ FORMATS: tuple[Format, ...] = (
 def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
     """Formats by their names, in the order of the list, each once; "all" stands for all ready ones.
 
+    Parameters
+    ----------
+    names
+        Names of formats, in any order.
+
     Raises
     ------
     InputError
@@ -116,6 +121,11 @@ def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
 
 def format_of(path: Path) -> Format:
     """The format that a file's name asks for by its ending, the longest that fits.
+
+    Parameters
+    ----------
+    path
+        The file to write.
 
     Raises
     ------

@@ -19,7 +19,7 @@ from orishell.document import Document, DocumentState
 Array = NDArray[np.float64]
 
 VERSION = 1
-CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "J": 3, "U": 3, "C": 4}
+CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "U": 3, "C": 4}
 """Numbers of the assignments."""
 MOST = 4_000_000
 """Coordinates of states in a view, at most: of longer motions every k-th state is taken."""

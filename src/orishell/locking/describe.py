@@ -14,7 +14,13 @@ BOUND = (
 
 
 def describe_lock(lock: Lock) -> dict[str, Any]:
-    """The table ``lock`` of ``report.json``."""
+    """The table ``lock`` of ``report.json``.
+
+    Parameters
+    ----------
+    lock
+        How the motion ends.
+    """
     return {
         "drive_deg": None if lock.drive is None else tidy_degrees(lock.drive),
         "cause": lock.cause,
@@ -47,7 +53,13 @@ def _describe(contact: Contact) -> dict[str, Any]:
 
 
 def warn_of_lock(lock: Lock) -> list[str]:
-    """Sentences a user should read: a clash before the target, or panels that touch at lock."""
+    """Sentences a user should read: a clash before the target, or panels that touch at lock.
+
+    Parameters
+    ----------
+    lock
+        How the motion ends.
+    """
     contact = lock.first_contact
     if lock.early and contact is not None:
         first, second = (list(panel) for panel in contact.panels)

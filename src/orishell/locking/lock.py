@@ -173,7 +173,17 @@ def unexamined_lock(
     proof: Proof | None = None,
     touching: tuple[tuple[Panel, Panel], ...] = (),
 ) -> Lock:
-    """How the motion ends if no panels clash before: where a crease is folded flat."""
+    """How the motion ends if no panels clash before: where a crease is folded flat.
+
+    Parameters
+    ----------
+    design
+        The design.
+    proof
+        How the path was examined, if it was.
+    touching
+        Pairs of panels that touch at lock without being meant to.
+    """
     sheet = _Sheet.of(design)
     if sheet.folded_flat is None:
         return sheet.lock(None, None, None, proof, touching)

@@ -52,7 +52,7 @@ class Request:
         return self.design(self.f, self.g, self.flap)
 
     def locks(self, *, flaps_only: bool = False) -> bool:
-        """Whether it can be made and meets nothing before its target."""
+        """Whether it can be made and meets nothing (``flaps_only``: no flap) before its target."""
         try:
             design = self.made()
         except DesignError:

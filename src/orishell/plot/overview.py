@@ -41,7 +41,15 @@ CONTACT_COLOUR = "#ff7f0e"
 
 @dataclass(frozen=True, slots=True)
 class DrawnContact:
-    """A state in which panels touch, and these panels by row and column."""
+    """A state in which panels touch, and these panels by row and column.
+
+    Parameters
+    ----------
+    drive
+        Drive of the state (radians).
+    panels
+        Row and column of the panels that touch.
+    """
 
     drive: float
     panels: tuple[tuple[int, int], ...]

@@ -35,6 +35,13 @@ def measure_closeness(trace: Trace, vertices: Array) -> Closeness:
 
     The curve is taken at the samples of its trace, the polyline at its vertices and
     :data:`SAMPLES_PER_EDGE` points on every edge.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    vertices
+        Vertices (K, 2) of the polyline.
     """
     to_polyline = distances_to_polyline(trace.points, vertices)
     part = np.arange(SAMPLES_PER_EDGE)[:, None, None] / SAMPLES_PER_EDGE

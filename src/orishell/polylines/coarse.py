@@ -10,7 +10,17 @@ COARSE_SHARE = 0.1
 
 
 def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str, ...]:
-    """Warn of a polyline that steps over the shape of g."""
+    """Warn of a polyline that steps over the shape of g.
+
+    Parameters
+    ----------
+    trace
+        The curve g.
+    distance
+        Distance of the polyline from it, in its unit.
+    columns
+        Number n of the polyline's vertices.
+    """
     size = rise(trace.points)
     if distance <= COARSE_SHARE * size + 1e-9 * trace.length:
         return ()

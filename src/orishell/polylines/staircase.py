@@ -39,7 +39,7 @@ class Staircase:
     first
         +1 if the first edge leaves to the left of the axis (upwards), -1 if to the right.
     lengths
-        Edge lengths (m+1,).
+        Edge lengths (m+1,), in the unit of the curve.
     vertices
         Vertices (m+2, 2).
     distance

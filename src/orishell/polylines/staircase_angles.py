@@ -108,7 +108,8 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
     edges
         Number of edges.
     xi
-        The angle between edges, or None to take the best one (:func:`choose_xi`) for each theta.
+        The angle between edges (radians), or None to take the best one (:func:`choose_xi`) for
+        each theta.
     """
     from scipy.optimize import minimize_scalar
 

@@ -44,7 +44,7 @@ class Zigzag:
     first
         +1 if vertex 1 lies to the left of the curve, so that the zigzag turns right there, or -1.
     depth
-        Distance h of the inner vertices from their feet.
+        Distance h of the inner vertices from their feet, in the unit of the curve.
     """
 
     vertices: Array
@@ -102,7 +102,13 @@ class Zigzag:
 
 
 def alternating(count: int) -> Array:
-    """1, -1, 1, ... (count,)."""
+    """1, -1, 1, ... (count,).
+
+    Parameters
+    ----------
+    count
+        Number of signs.
+    """
     return np.where(np.arange(count) % 2 == 0, 1.0, -1.0)
 
 
@@ -116,7 +122,7 @@ def place_zigzags(trace: Trace, inner: int, depth: float) -> list[Zigzag]:
     inner
         Number m of inner vertices, at least 1.
     depth
-        Distance h of the inner vertices from the curve.
+        Distance h of the inner vertices from the curve, in its unit.
 
     Returns
     -------
@@ -135,7 +141,21 @@ def place_zigzags(trace: Trace, inner: int, depth: float) -> list[Zigzag]:
 def place_zigzag(
     trace: Trace, inner: int, depth: float, first: int = 1, end_steps: float = 0.5
 ) -> Zigzag:
-    """The zigzag that begins to the left (+1) or right (-1), its end edges so many steps long."""
+    """The zigzag that begins to the left (+1) or right (-1), its end edges so many steps long.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    inner
+        Number m of inner vertices, at least 1.
+    depth
+        Distance h of the inner vertices from the curve, in its unit.
+    first
+        +1 if vertex 1 lies to the left, -1 if to the right.
+    end_steps
+        Length of the end edges in steps.
+    """
     return _offset(*_place_feet(trace, inner, end_steps), depth, first)
 
 
@@ -143,6 +163,11 @@ def smallest_radius(trace: Trace) -> tuple[float, float]:
     """Smallest radius of curvature and the parameter where it is; corners do not count.
 
     Both offsets of the curve at a smaller distance are regular.
+
+    Parameters
+    ----------
+    trace
+        The curve.
     """
     curvature = _turns(trace) / np.diff(trace.arc)
     at = int(curvature.argmax())
@@ -155,6 +180,13 @@ def choose_depth(trace: Trace, inner: int) -> float:
 
     Where the offsets do not exist at that depth, :data:`DEEPEST_SHARE` of the smallest radius of
     curvature.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    inner
+        Number m of inner vertices.
     """
     from scipy.optimize import brentq
 

@@ -108,6 +108,11 @@ class DesignFile:
 def read_design_file(path: Path) -> DesignFile:
     """Read and check a design file.
 
+    Parameters
+    ----------
+    path
+        The file.
+
     Raises
     ------
     InputError
@@ -185,6 +190,15 @@ def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
 
 def require_memory(path: Path, pattern: Pattern, frames: int) -> None:
     """Refuse a pattern whose states or whose file would be too large.
+
+    Parameters
+    ----------
+    path
+        The design file, for the message.
+    pattern
+        Rows and columns.
+    frames
+        Number of states.
 
     Raises
     ------

@@ -45,7 +45,7 @@ class Pattern(Table):
     """Rows and columns that are tried at most to meet a tolerance."""
 
     def design(self, f: Curve, g: Curve) -> Design:
-        """Design the shell that these parameters and two target curves ask for."""
+        """Design the shell that these parameters and the curves f and g ask for."""
         raise NotImplementedError
 
     def sized(self, rows: int, columns: int) -> Self:
@@ -53,11 +53,11 @@ class Pattern(Table):
         return self.model_copy(update={"rows": rows, "columns": columns})
 
     def variants(self, tolerance: Tolerance) -> list[Self]:
-        """What the file leaves open, settled in the ways that can take the fewest panels."""
+        """What the file leaves open, settled in ways that may meet a tolerance with few panels."""
         return [self]
 
     def designed(self, f: Curve, g: Curve, flap: float | Auto) -> Design:
-        """The same with other curves and flaps of another width."""
+        """The design of other curves f and g with a flap of another width (in their unit)."""
         return self.model_copy(update={"flap": flap}).design(f, g)
 
 
@@ -224,7 +224,18 @@ def require_family(name: str, where: str) -> str:
 
 
 def starter_file(family: str) -> str:
-    """Text of a design file to begin with."""
+    """Text of a design file to begin with.
+
+    Parameters
+    ----------
+    family
+        The family's name.
+
+    Raises
+    ------
+    InputError
+        If there is no such family.
+    """
     return FAMILIES[require_family(family, "family")].starter + starters.WORKSHOP
 
 

@@ -77,6 +77,11 @@ class WorkshopTable(Table):
 def read_workshop(path: Path) -> Workshop:
     """The table [workshop] of a TOML file, which may hold others: a design file will do.
 
+    Parameters
+    ----------
+    path
+        The file.
+
     Raises
     ------
     InputError

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import AsyncIterator, Collection
-from contextlib import asynccontextmanager
+from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -14,6 +15,7 @@ from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
+from starlette.exceptions import HTTPException
 
 from orishell.io.registry import FORMATS
 from orishell.studio.guard import Guard
@@ -48,6 +50,8 @@ class Limits:
         Size of a request.
     quick, slow
         Seconds that a design, and that a proof or a file may take.
+    receiving
+        Seconds in which a request must have come in.
     processes
         Processes for each of both.
     """
@@ -55,10 +59,14 @@ class Limits:
     bytes: int = 5_000_000
     quick: float = 20.0
     slow: float = 120.0
+    receiving: float = 30.0
     processes: int = 2
 
 
 LIMITS = Limits()
+CLIENT_CLOSED = 499
+DEEPEST = 16
+"""Tables and lists within each other in a request, at most; a design has five."""
 
 
 def make_app(
@@ -105,12 +113,12 @@ def make_app(
 
     @app.post("/api/design")
     async def design(request: Request) -> Response:
-        view = await quick.run("design", await _payload(request))
+        view = await _run(quick, "design", request)
         return Response(view, media_type="application/octet-stream")
 
     @app.post("/api/export")
     async def export(request: Request) -> Response:
-        name, content = await slow.run("export", await _payload(request))
+        name, content = await _run(slow, "export", request)
         headers = {"content-disposition": f'attachment; filename="{name}"'}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
@@ -126,34 +134,79 @@ def make_app(
         app.mount("/", StaticFiles(directory=PAGES, html=True))
     else:
         app.add_api_route("/", lambda: HTMLResponse(NOT_BUILT, status_code=503))
-    return Guard(app, hosts, limits.bytes)
+    return Guard(app, hosts, limits.bytes, limits.receiving)
 
 
 def _add_task(app: FastAPI, task: str, pool: Pool) -> None:
     @app.post(f"/api/{task}")
     async def answer(request: Request) -> Any:
-        return await pool.run(task, await _payload(request))
+        return await _run(pool, task, request)
+
+
+async def _run(pool: Pool, task: str, request: Request) -> Any:
+    """The result of a task, which is stopped if nobody waits for it any longer.
+
+    Raises
+    ------
+    HTTPException
+        If the client went away: nobody reads that answer.
+    """
+    work = asyncio.create_task(pool.run(task, await _payload(request)))
+    gone = asyncio.create_task(_gone(request))
+    try:
+        await asyncio.wait({work, gone}, return_when=asyncio.FIRST_COMPLETED)
+        if not work.done():
+            raise HTTPException(CLIENT_CLOSED, "nobody waits for it")
+        return await work
+    finally:
+        work.cancel()
+        gone.cancel()
+
+
+async def _gone(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
 
 
 async def _payload(request: Request) -> dict[str, Any]:
+    # In a thread: large ones would hold up everybody else.
+    return await asyncio.to_thread(_parsed, await request.body())
+
+
+def _parsed(body: bytes) -> dict[str, Any]:
+    """The object in a body: strict JSON (finite numbers, sound Unicode), not too deep."""
+    import orjson
+
     try:
-        payload = json.loads(await request.body())
-    except (ValueError, RecursionError) as error:
+        payload = orjson.loads(body)
+    except ValueError as error:
         raise RequestValidationError([str(error)]) from None
     if not isinstance(payload, dict):
         raise RequestValidationError(["an object is expected"])
-    return payload
+    level: list[Any] = [payload]
+    for _ in range(DEEPEST):
+        level = [
+            inner
+            for each in level
+            if isinstance(each, dict | list)
+            for inner in (each.values() if isinstance(each, dict) else each)
+        ]
+        if not level:
+            return payload
+    raise RequestValidationError([f"more than {DEEPEST} tables or lists within each other"])
 
 
 async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterator[str]:
     """Progress, then the result or what is wrong, a line of JSON each."""
     try:
-        async for kind, value in pool.stream(task, payload):
-            if kind == "progress":
-                share, what = value
-                yield json.dumps({"progress": share, "what": what}) + "\n"
-            else:
-                yield json.dumps({"result": value}) + "\n"
+        # Closed with the response, so that its process stops when the page is gone.
+        async with aclosing(pool.stream(task, payload)) as stream:
+            async for kind, value in stream:
+                if kind == "progress":
+                    share, what = value
+                    yield json.dumps({"progress": share, "what": what}) + "\n"
+                else:
+                    yield json.dumps({"result": value}) + "\n"
     except (RefusalError, OutOfTimeError, BusyError, FaultError) as error:
         yield json.dumps(_describe(error)[1]) + "\n"
 
@@ -164,11 +217,17 @@ def _describe(error: Exception) -> tuple[int, dict[str, Any]]:
         case RefusalError():
             return 422, error.error
         case OutOfTimeError():
-            return 504, _body("time", "this takes longer than the studio waits: try fewer panels")
+            return 504, _body(
+                "time",
+                f"this takes longer than the {error} s that the studio waits: "
+                "try fewer panels, or the command line",
+            )
         case BusyError():
             return 503, _body("limit", "too many requests are waiting: try again in a moment")
         case RequestValidationError():
             return 400, _body("input", f"the request is not JSON as expected: {error.errors()[0]}")
+        case HTTPException():
+            return error.status_code, _body("input", f"this is not served: {error.detail}")
         case _:
             return 500, _body("fault", f"a fault of the program, please report it: {error}")
 
@@ -182,5 +241,6 @@ def _handle_errors(app: FastAPI) -> None:
         status, body = _describe(error)
         return JSONResponse(body, status)
 
-    for kind in (RefusalError, OutOfTimeError, BusyError, FaultError, RequestValidationError):
+    known = (RefusalError, OutOfTimeError, BusyError, FaultError)
+    for kind in (*known, RequestValidationError, HTTPException):
         app.add_exception_handler(kind, answer)

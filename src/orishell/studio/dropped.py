@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import base64
+import contextlib
+import re
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -19,6 +21,10 @@ CONTROLS = 41
 """Points of a spline through a smooth drawing."""
 MOST = 400
 """Points of a polyline along a drawing with corners."""
+IDS = re.compile(r"""\bid\s*=\s*["']([^"']+)["']""")
+LAYERS = re.compile(r"^[ ]*8\r?\n(.+?)\r?$", re.MULTILINE)
+PARTS = 20
+"""Paths or layers of a drawing that are tried, if it is no single curve."""
 CORNER = 1e-3
 """A turn of the tangent at one point that counts as a corner (radians)."""
 
@@ -57,18 +63,54 @@ def read_dropped(name: str, content: str, unit: str) -> dict[str, Any]:
                 points, smooth = read_points(path, into=unit), True
                 note = f"a spline through the {len(points)} points of {name}"
             else:
-                read = read_svg if ending == ".svg" else read_dxf
-                points, smooth = points_along(read(path, into=unit).curve())
+                curve, part = _read_drawing(path, ending, unit)
+                points, smooth = points_along(curve)
                 kind = "a spline through" if smooth else "the polyline of"
-                note = f"{kind} {len(points)} points along {name}"
+                note = f"{kind} {len(points)} points along {part}{name}"
         except InputError as error:
             error.where = error.where.replace(str(path), name)
             raise
     return {"points": points.tolist(), "smooth": smooth, "note": note}
 
 
+def _read_drawing(path: Path, ending: str, unit: str) -> tuple[Curve, str]:
+    """The curve of a drawing and which part of it that is; of several, the longest.
+
+    Raises
+    ------
+    InputError
+        If neither the drawing nor one of its parts is a curve.
+    """
+    drawn = path.read_text("utf-8", "replace")
+    kind, names = ("path", IDS) if ending == ".svg" else ("layer", LAYERS)
+
+    def read(part: str | None = None) -> Curve:
+        if ending == ".svg":
+            return read_svg(path, into=unit, id=part).curve()
+        return read_dxf(path, into=unit, layer=part).curve()
+
+    try:
+        return read(), ""
+    except InputError as error:
+        parts: dict[str, Curve] = {}
+        for part in list(dict.fromkeys(names.findall(drawn)))[:PARTS]:
+            with contextlib.suppress(InputError):
+                parts[part] = read(part)
+        if not parts:
+            raise error from None
+    lengths = {part: trace_curve(curve).length for part, curve in parts.items()}
+    longest = max(lengths, key=lambda part: lengths[part])
+    return parts[longest], f"the longest {kind}, {longest}, of "
+
+
 def points_along(curve: Curve) -> tuple[Array, bool]:
-    """Points (k, 2) along a drawing, and whether a spline through them follows it."""
+    """Points (k, 2) along a drawing, and whether a spline through them follows it.
+
+    Parameters
+    ----------
+    curve
+        The drawing.
+    """
     trace = trace_curve(curve, "the drawing")
     corners = np.flatnonzero(np.abs(trace.heading - trace.arriving)[1:-1] > CORNER) + 1
     if not len(corners):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import Awaitable, Callable, Collection, MutableMapping
 from typing import Any
@@ -36,12 +37,15 @@ class Guard:
         Host headers that are taken, with their ports; None takes all.
     most
         Bytes of a body, at most.
+    seconds
+        Time that a body may take to come in.
     """
 
-    def __init__(self, app: App, hosts: Collection[str] | None, most: int) -> None:
+    def __init__(self, app: App, hosts: Collection[str] | None, most: int, seconds: float) -> None:
         self.app = app
         self.hosts = hosts
         self.most = most
+        self.seconds = seconds
 
     async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
         """Answer a request, or refuse it."""
@@ -54,7 +58,14 @@ class Guard:
         if refusal is not None:
             await _answer(send, *refusal)
             return
-        body = await self._body(receive)
+        try:
+            async with asyncio.timeout(self.seconds):
+                body = await self._body(receive)
+        except TimeoutError:
+            await _answer(send, 408, f"the request did not come in within {self.seconds:g} s")
+            return
+        except ConnectionError:
+            return
         if body is None:
             await _answer(send, 413, f"the request is larger than {self.most} bytes")
             return
@@ -75,16 +86,23 @@ class Guard:
         await self.app(scope, whole, guarded)
 
     async def _body(self, receive: Receive) -> bytes | None:
-        """The whole body of a request; None if it is too large."""
-        pieces, taken = [], 0
+        """The whole body of a request; None if it is too large.
+
+        Raises
+        ------
+        ConnectionError
+            If the client went away before its end.
+        """
+        body = bytearray()
         while True:
             message = await receive()
-            pieces.append(message.get("body", b""))
-            taken += len(pieces[-1])
-            if taken > self.most:
+            if message["type"] == "http.disconnect":
+                raise ConnectionError
+            body += message.get("body", b"")
+            if len(body) > self.most:
                 return None
             if not message.get("more_body"):
-                return b"".join(pieces)
+                return bytes(body)
 
     def _refusal(self, method: str, headers: dict[bytes, bytes]) -> tuple[int, str] | None:
         """Status and reason, if a request is not taken."""
@@ -106,6 +124,10 @@ class Guard:
 
 async def _answer(send: Send, status: int, message: str) -> None:
     body = json.dumps({"error": {"kind": "limit", "what": message, "message": message}}).encode()
-    head = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+    head = [
+        (b"content-type", b"application/json"),
+        (b"content-length", str(len(body)).encode()),
+        (b"connection", b"close"),  # what else comes of the body is not read
+    ]
     await send({"type": "http.response.start", "status": status, "headers": [*head, *HEADERS]})
     await send({"type": "http.response.body", "body": body})

@@ -46,7 +46,13 @@ class RefusedDesignError(OrishellError):
 
 
 def describe_error(error: OrishellError) -> dict[str, Any]:
-    """An error field by field."""
+    """An error field by field.
+
+    Parameters
+    ----------
+    error
+        The error.
+    """
     if isinstance(error, RefusedDesignError):
         return {**describe_error(error.error), "curves": error.curves}
     fields = ("what", "where", "got", "expected", "remedy", "condition", "place", "size", "nearest")
@@ -63,11 +69,23 @@ def describe_error(error: OrishellError) -> dict[str, Any]:
 
 
 def make_view(payload: Payload, advanced: Progress) -> bytes:
-    """The view of a design, contact and distances not examined yet."""
+    """The view of a design, contact and distances not examined yet.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+    """
     file = _read(payload, tolerated=True)
     curves = {"f": _sampled(file.f, "f"), "g": _sampled(file.g, "g")}
+    frames = payload.get("states", 25)
+    if not isinstance(frames, int) or isinstance(frames, bool):
+        raise InputError(
+            "the number of states is a whole number", where="states", got=repr(frames)[:40]
+        )
     try:
-        frames = int(payload.get("states", 25))
         shell = make_shell(
             replace(file, frames=min(max(frames, 2), 50)),
             clash_test=ClashTest(skipped=True),
@@ -82,7 +100,15 @@ def make_view(payload: Payload, advanced: Progress) -> bytes:
 
 
 def verify(payload: Payload, advanced: Progress) -> dict[str, Any]:
-    """The full report of a design, with its contact and the distances of its vertices."""
+    """The full report of a design, with its contact and the distances of its vertices.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+    """
     file = _read(payload)
     refusal = None
     try:
@@ -106,7 +132,15 @@ def verify(payload: Payload, advanced: Progress) -> dict[str, Any]:
 
 
 def ranges(payload: Payload, advanced: Progress) -> dict[str, Any]:
-    """Admissible values of the numeric parameters."""
+    """Admissible values of the numeric parameters.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+    """
     file = _read(payload)
     begin = time.perf_counter()
     try:
@@ -118,7 +152,20 @@ def ranges(payload: Payload, advanced: Progress) -> dict[str, Any]:
 
 
 def parse(payload: Payload, advanced: Progress) -> dict[str, Any]:
-    """The tables of a design file's text, checked."""
+    """The tables of a design file's text, checked.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+
+    Raises
+    ------
+    InputError
+        If it is not TOML, or no design.
+    """
     try:
         tables = tomllib.loads(str(payload.get("text", "")))
     except (tomllib.TOMLDecodeError, RecursionError) as error:
@@ -128,7 +175,20 @@ def parse(payload: Payload, advanced: Progress) -> dict[str, Any]:
 
 
 def write_toml(payload: Payload, advanced: Progress) -> dict[str, Any]:
-    """The text of a design file."""
+    """The text of a design file.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+
+    Raises
+    ------
+    InputError
+        If there is no design.
+    """
     import tomli_w
 
     _read(payload)
@@ -136,7 +196,20 @@ def write_toml(payload: Payload, advanced: Progress) -> dict[str, Any]:
 
 
 def read_curve(payload: Payload, advanced: Progress) -> dict[str, Any]:
-    """Points of a curve in a CSV, SVG or DXF file that was dropped onto the page."""
+    """Points of a curve in a CSV, SVG or DXF file that was dropped onto the page.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+
+    Raises
+    ------
+    InputError
+        If there is no such unit, or no curve in the file.
+    """
     name, content, unit = (str(payload.get(key, "")) for key in ("name", "content", "unit"))
     if unit not in MILLIMETRES:
         raise InputError("there is no such unit", where="unit", got=repr(unit))
@@ -144,7 +217,20 @@ def read_curve(payload: Payload, advanced: Progress) -> dict[str, Any]:
 
 
 def export(payload: Payload, advanced: Progress) -> tuple[str, bytes]:
-    """The name and the bytes of a file in a format, or of an archive of several."""
+    """The name and the bytes of a file in a format, or of an archive of several.
+
+    Parameters
+    ----------
+    payload
+        What the page sent: the tables of a design under "design", and what the task asks for.
+    advanced
+        Is told the share that is done, and of what.
+
+    Raises
+    ------
+    InputError
+        If no format is named, or the design is refused.
+    """
     (format_,) = find_formats([str(payload.get("format"))]) or [None]
     if format_ is None:
         raise InputError("no format is named")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import multiprocessing
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncGenerator, Callable
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
@@ -81,27 +81,30 @@ class Pool:
             self._idle.put_nowait(None)  # started when it is needed
 
     async def run(self, name: str, payload: Payload) -> Any:
-        """The result of a task.
+        """The result of a task, by its ``name``, given its ``payload``.
 
         Raises
         ------
         RefusalError, OutOfTimeError, BusyError, FaultError
             If there is none.
         """
-        async for kind, value in self.stream(name, payload):
-            if kind == "result":
-                return value
+        async with contextlib.aclosing(self.stream(name, payload)) as stream:
+            async for kind, value in stream:
+                if kind == "result":
+                    return value
         raise FaultError("a task ended without a result")
 
-    async def stream(self, name: str, payload: Payload) -> AsyncIterator[tuple[Kind, Any]]:
+    async def stream(self, name: str, payload: Payload) -> AsyncGenerator[tuple[Kind, Any]]:
         """Progress, as (share, what), and at last the result of a task.
 
-        A task whose stream is closed before its end is stopped.
+        The task is found by its ``name`` and given its ``payload``. A task whose stream is closed
+        before its end is stopped.
         """
         worker = await self._take()
         try:
-            worker.pipe.send((name, payload))
             end = asyncio.get_running_loop().time() + self.seconds
+            # In a thread: what is larger than the pipe waits until the process has started.
+            await asyncio.to_thread(worker.pipe.send, (name, payload))
             while True:
                 await _readable(worker.pipe, end)
                 kind, value = await asyncio.to_thread(worker.pipe.recv)
@@ -112,7 +115,7 @@ class Pool:
             # Its process is in the middle of something, or gone.
             self._replace(worker)
             if isinstance(error, TimeoutError):
-                raise OutOfTimeError(name) from None
+                raise OutOfTimeError(f"{self.seconds:g}") from None
             if isinstance(error, EOFError | OSError):
                 raise FaultError(f"the process of {name} ended") from None
             raise
@@ -138,9 +141,12 @@ class Pool:
         finally:
             self._in_line -= 1
         if worker is None or not worker.process.is_alive():
+            starting = asyncio.create_task(asyncio.to_thread(_start))
             try:
-                worker = await asyncio.to_thread(_start)
+                worker = await asyncio.shield(starting)
             except BaseException:
+                # The request is gone, but the process may be about to start.
+                starting.add_done_callback(_stop_started)
                 self._idle.put_nowait(None)
                 raise
             self._workers.append(worker)
@@ -160,6 +166,11 @@ def _start() -> _Worker:
     process.start()
     theirs.close()
     return _Worker(process, ours)
+
+
+def _stop_started(starting: asyncio.Task[_Worker]) -> None:
+    if not starting.cancelled() and starting.exception() is None:
+        starting.result().stop()
 
 
 async def _readable(pipe: Connection, end: float) -> None:
@@ -183,11 +194,14 @@ async def _readable(pipe: Connection, end: float) -> None:
 def _serve(pipe: Connection) -> None:
     """Work through requests until the pipe closes: the life of a process."""
     import signal
+    import warnings
 
     from orishell.errors import OrishellError
     from orishell.studio.tasks import TASKS, describe_error
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server says when it is over
+    # Numbers beyond all measure are refused by what they lead to, not by a word on the terminal.
+    warnings.simplefilter("ignore", RuntimeWarning)
     while True:
         try:
             name, payload = pipe.recv()

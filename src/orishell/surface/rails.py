@@ -40,7 +40,10 @@ class Rail(Protocol):
         ...
 
     def stations(self, step: float, sagitta: float, reach: tuple[float, float]) -> Array:
-        """Places u (A,) from 0 to ``stop``, corners included, for x in a range: see ``Path``."""
+        """Places u (A,) from 0 to ``stop``, corners included.
+
+        ``step`` and ``sagitta`` are those of :meth:`Path.stations`, for x in the range ``reach``.
+        """
         ...
 
 

@@ -94,9 +94,9 @@ class Surface:
         return points
 
     def normals(self, u: Array, v: Array) -> Array:
-        """Unit normals (..., 3), to the left of f as it is run through: upwards where f is level.
+        """Unit normals (..., 3) at u, v (...), to the left of f as it is run through.
 
-        At corners of f they are those of its later side.
+        They point upwards where f is level. At corners of f they are those of its later side.
         """
         position, first, _ = self.profile.curve.jet(np.asarray(v, dtype=np.float64))
         x = position[..., 0] - self.origin[0]

@@ -40,7 +40,12 @@ def number_text(document: Document, part: Part, texts: Sequence[Text]) -> Text:
     corners = document.require_flat()[document.mesh.faces[part.panels]]
     panels = [shapely.Polygon(quad) for quad in corners]
     largest = np.argsort(-np.round(shapely.area(panels), 12), kind="stable")[:TRIED]
-    taken = shapely.union_all([_text_box(text) for text in texts])
+    low, high = corners[largest].min(axis=(0, 1)), corners[largest].max(axis=(0, 1))
+    reach = [(len(text.words) + 2) * text.height for text in texts]
+    places = np.array([(text.x, text.y) for text in texts]).reshape(-1, 2)
+    outside = np.maximum(low - places, places - high).max(axis=1)
+    near = np.flatnonzero(outside < reach)
+    taken = shapely.union_all([_text_box(texts[k]) for k in near.tolist()])
     words = str(part.number)
     best = (0.0, np.zeros(2))
     for k in largest.tolist():

@@ -111,7 +111,7 @@ def _holed(document: Document, part: Part, workshop: Workshop) -> Booleans:
 def _between_rims(document: Document, part: Part, radius: Array) -> _Creases:
     """The part's creases without what holes of radius (V,) take of them."""
     flat = document.require_flat()
-    letters = np.array(document.assignment)[part.creases]
+    letters = np.array([document.assignment[edge] for edge in part.creases.tolist()], dtype="<U1")
     layers = np.full(len(letters), "", dtype="<U8")
     for layer, marks in _MARKS.items():
         layers[np.isin(letters, list(marks))] = layer

@@ -29,13 +29,38 @@ MARGIN = 3.0
 """Width of the page around what is drawn, in letters of the title block."""
 
 
+def require_drawable(document: Document) -> None:
+    """Refuse a document that no workshop can make: to be asked once, before its parts are drawn.
+
+    Parameters
+    ----------
+    document
+        The sheet.
+
+    Raises
+    ------
+    InputError
+        If there is no flat sheet or no unit, a panel of it is a line, or an edge between panels
+        is called border, so that it would neither be scored nor cut.
+    """
+    if document.unit not in MILLIMETRES:
+        raise InputError(
+            "a drawing for the workshop needs a unit of length",
+            got=f'"{document.unit}"',
+            expected=", ".join(MILLIMETRES),
+            remedy="say what it is with --unit",
+        )
+    _require_areas(document)
+    _require_borders(document)
+
+
 def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
     """What is drawn of a part, in the sheet's own coordinates.
 
     Parameters
     ----------
     document
-        The sheet.
+        The sheet, which :func:`require_drawable` has nothing against.
     part
         The part of it.
     workshop
@@ -49,20 +74,11 @@ def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
     Raises
     ------
     InputError
-        If there is no flat sheet or no unit, a panel of it is a line, an edge between panels is
-        neither crease nor cut, or holes or gaps are too large.
+        If there is no flat sheet, or holes or gaps are too large.
     """
-    if document.unit not in MILLIMETRES:
-        raise InputError(
-            "a drawing for the workshop needs a unit of length",
-            got=f'"{document.unit}"',
-            expected=", ".join(MILLIMETRES),
-            remedy="say what it is with --unit",
-        )
     flat, mesh = document.require_flat(), document.mesh
-    _require_areas(document)
-    _require_borders(document)
-    inside = np.isin(mesh.edge_faces, part.panels).all(axis=1) & ~mesh.crease
+    inside = np.flatnonzero(~mesh.crease & (mesh.edge_faces >= 0).all(axis=1))
+    inside = inside[np.isin(mesh.edge_faces[inside], part.panels).all(axis=1)]
     lines = (
         *(mark for mark in part.marks if isinstance(mark, Line)),
         *crease_lines(document, part, workshop),
@@ -104,8 +120,9 @@ def draw_part(
     Raises
     ------
     InputError
-        As :func:`part_lines` does, or if there is no such palette.
+        As :func:`require_drawable` and :func:`part_lines` do, or if there is no such palette.
     """
+    require_drawable(document)
     lines, circles, texts = part_lines(document, part, workshop)
     palette = load_palette(workshop.palette)
     points = np.concatenate([line.points for line in lines])
@@ -164,7 +181,15 @@ def moved(
     texts: tuple[Text, ...],
     shift: tuple[float, float],
 ) -> Content:
-    """The same at another place."""
+    """The same at another place.
+
+    Parameters
+    ----------
+    lines, circles, texts
+        What is drawn.
+    shift
+        By how much it moves along x and y.
+    """
     x, y = shift
     return (
         tuple(replace(line, points=line.points + np.array(shift)) for line in lines),

@@ -45,7 +45,15 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Circle:
-    """A circle in a layer."""
+    """A circle in a layer.
+
+    Parameters
+    ----------
+    layer
+        Its layer.
+    x, y, radius
+        Its middle and radius, in the unit of the drawing.
+    """
 
     layer: Layer
     x: float
@@ -64,7 +72,7 @@ class Text:
     x, y
         Where its anchor lies, half the height above the baseline.
     height
-        Height of its capitals.
+        Height of its capitals, in the unit of the drawing.
     words
         One line of text.
     angle

@@ -40,7 +40,7 @@ def find_turns(points: Array, width: float, height: float) -> Array:
     """
     import shapely
 
-    hull = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
+    hull = shapely.get_coordinates(shapely.convex_hull(shapely.linestrings(points)))
     sides = np.diff(hull, axis=0)
     level = -np.arctan2(sides[:, 1], sides[:, 0])
     angles = np.concatenate([[0.0], np.add.outer(np.arange(4) * np.pi / 2, level).ravel()])

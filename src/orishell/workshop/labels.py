@@ -60,6 +60,8 @@ class _Labels:
 def part_labels(document: Document, part: Part, workshop: Workshop) -> tuple[Text, ...]:
     """What is engraved on a part, in the sheet's own coordinates; never upside down."""
     texts: tuple[Text, ...] = ()
+    if not len(part.panels):
+        return texts
     taken = np.zeros(len(document.mesh.faces))
     if workshop.labels in ("creases", "both"):
         tall = 1.0 if workshop.labels == "creases" else WITH_PANELS

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 
 CLEARANCE = 1e-9
 """Rounding, relative to the stock: four times as much is added to the spacing."""
+MOST = 120
+"""So many parts, the largest, are laid where there is room for them; others are laid in rows."""
 SLIDES = 16
 """Steps in which a part is moved on into the hollows of others."""
 
@@ -55,7 +57,8 @@ def nest_parts(
     left of a landscape sheet or the foot of a portrait one, so that what is left of the last
     one is in one piece. Parts keep clear of each other's convex hulls, found exactly (the
     places where two hulls meet are the hull of the differences of their corners), then slide
-    on into hollows.
+    on into hollows. Of more than :data:`MOST` parts the smaller ones are laid side by side in
+    rows, on sheets of their own.
 
     Parameters
     ----------
@@ -83,7 +86,7 @@ def nest_parts(
     sheets: list[_Stock] = []
     placements: list[Placement | None] = [None] * len(shapes)
     clear = spacing + 4 * CLEARANCE * max(width, height)
-    for k in order:
+    for k in order[:MOST]:
         turns = _choose_turns(outlines[k], width, height)
         tried = (sheet.place(outlines[k], turns) for sheet in sheets)
         number, placed = next(
@@ -95,7 +98,33 @@ def nest_parts(
         if placed is None:
             raise AssertionError("a part that fits the stock has its place on an empty sheet")
         placements[k] = Placement(number, *placed)
+    for k, row in _lay_rows(outlines, order[MOST:], width, height, clear).items():
+        placements[k] = replace(row, sheet=len(sheets) + row.sheet)
     return tuple(placement for placement in placements if placement is not None)
+
+
+def _lay_rows(
+    outlines: Sequence[Array], order: Sequence[int], width: float, height: float, clear: float
+) -> dict[int, Placement]:
+    """Lay parts lying in rows from the left to the right, the highest first."""
+    lying = {}
+    for k in order:
+        turns = _choose_turns(outlines[k], width, height)
+        sizes = np.array([np.ptp(_turn(outlines[k], angle), axis=0) for angle in turns])
+        best = int(np.argmin(np.round(sizes[:, 1] / height, 9)))
+        lying[k] = (float(turns[best]), sizes[best])
+    placements = {}
+    place, row, sheet = np.zeros(2), 0.0, 0
+    for k in sorted(order, key=lambda k: (-round(float(lying[k][1][1]), 12), k)):
+        angle, size = lying[k]
+        if place[0] + size[0] > width * (1 + CLEARANCE):
+            place, row = np.array([0.0, place[1] + row + clear]), 0.0
+        if place[1] + size[1] > height * (1 + CLEARANCE):
+            place, row, sheet = np.zeros(2), 0.0, sheet + 1
+        corner = _turn(outlines[k], angle).min(axis=0)
+        placements[k] = Placement(sheet, angle, place - corner)
+        place, row = place + np.array([size[0] + clear, 0.0]), max(row, float(size[1]))
+    return placements
 
 
 def _choose_turns(outline: Array, width: float, height: float) -> Array:
@@ -161,12 +190,14 @@ class _Stock:
         free = shapely.box(-tiny, -tiny, *(room + tiny))
         if self.hulls:
             hull = _hull(outline)
-            near = [
-                shapely.Polygon(_hull((taken[:, None] - hull).reshape(-1, 2))).buffer(
-                    self.clear, join_style="mitre", mitre_limit=20.0
-                )
-                for taken in self.hulls
-            ]
+            taken = np.concatenate(self.hulls)
+            owner = np.repeat(np.arange(len(self.hulls)), [len(each) for each in self.hulls])
+            met = shapely.linestrings(
+                (taken[:, None] - hull).reshape(-1, 2), indices=np.repeat(owner, len(hull))
+            )
+            near = shapely.buffer(
+                shapely.convex_hull(met), self.clear, join_style="mitre", mitre_limit=20.0
+            )
             free = shapely.difference(free, shapely.union_all(near))
         return np.clip(shapely.get_coordinates(free), 0.0, room)
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.document import Document
 from orishell.units import conversion
-from orishell.workshop.draw import part_lines
+from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.drawing import Layer, Line, Text
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.palettes import load_palette
@@ -77,6 +77,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
         If there is no flat sheet or unit, or it takes too many pages.
     """
     workshop = replace(workshop, creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
+    require_drawable(document)
     part = whole_sheet(document)
     lines, _, texts = part_lines(document, part, workshop)
     low = np.concatenate(part.outlines).min(axis=0)

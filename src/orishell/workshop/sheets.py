@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.workshop.assembly import draw_map, number_text
-from orishell.workshop.draw import draw_part, part_lines
+from orishell.workshop.draw import draw_part, part_lines, require_drawable
 from orishell.workshop.drawing import ORDER, Anchor, Circle, Drawing, Line, Text
 from orishell.workshop.fitting import find_turns
 from orishell.workshop.joints import Joint, make_parts
@@ -136,6 +136,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     """
     if workshop.stock is None:
         return (draw_part(document, whole_sheet(document), workshop),)
+    require_drawable(document)
     layout = lay_out(document, workshop)
     drawings = tuple(
         _draw_sheet(document, workshop, layout, number) for number in range(layout.sheets)

@@ -16,7 +16,7 @@ from orishell.workshop.fitting import CutSheet, require_panels_fit
 Integers = NDArray[np.int64]
 
 LINES = 24
-"""Grids with more lines are first cut along some of them only, if that leaves a choice."""
+"""Grids with more lines are cut along about so many of them, and more where panels are large."""
 
 Block = tuple[int, int, int, int]
 Cost = tuple[int, float]
@@ -63,19 +63,30 @@ def split_sheet(
 def _split_grid(sheet: CutSheet, rows: int, columns: int) -> list[Integers]:
     """The better of bands of rows and bands of columns."""
     number = np.arange(rows * columns).reshape(rows, columns)
-    if max(rows, columns) > LINES:
-        coarse = _lines(rows), _lines(columns)
-        found = _split_bands(sheet, number, *coarse)
-        if found is not None:
-            return found
-    found = _split_bands(sheet, number, list(range(rows + 1)), list(range(columns + 1)))
+    found = _split_bands(sheet, number, *_choose_lines(sheet, number))
     if found is None:
         raise AssertionError("every panel fits, so there is a split into panels")
     return found
 
 
-def _lines(count: int) -> list[int]:
-    return sorted({round(count * k / LINES) for k in range(LINES + 1)})
+def _choose_lines(sheet: CutSheet, number: Integers) -> tuple[list[int], list[int]]:
+    """Rows and columns along which to cut: evenly spread, then more until what is between fits."""
+    lines = [_spread(count) for count in number.shape]
+    while True:
+        more: tuple[set[int], set[int]] = set(), set()
+        for i, k in pairwise(lines[0]):
+            for j, m in pairwise(lines[1]):
+                if not sheet.fits(number[i:k, j:m].ravel()):
+                    axis = int(m - j > k - i)
+                    more[axis].add((j + m) // 2 if axis else (i + k) // 2)
+        if not any(more):
+            return lines[0], lines[1]
+        lines = [sorted({*old, *new}) for old, new in zip(lines, more, strict=True)]
+
+
+def _spread(count: int) -> list[int]:
+    parts = min(count, LINES)
+    return sorted({round(count * k / parts) for k in range(parts + 1)})
 
 
 def _split_bands(

@@ -22,7 +22,14 @@ from orishell.io.formats import html
 from orishell.io.formats.html import write_html
 from orishell.io.settings import DEFAULT_SETTINGS
 from orishell.io.view import dump_view
-from viewer_pages import pixels, require_viewer, running_browser, wait_until, watched_page
+from viewer_pages import (
+    await_frames,
+    pixels,
+    require_viewer,
+    running_browser,
+    wait_until,
+    watched_page,
+)
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -170,7 +177,7 @@ def test_slider_keys_and_play_move_the_picture(browser: Browser, tmp_path: Path)
         wait_until(page, "orishell.shell.fold < 0.98")
         page.get_by_role("button", name="Pause").click()
         stopped = page.evaluate("orishell.shell.fold")
-        page.wait_for_timeout(100)
+        await_frames(page)
         assert page.evaluate("orishell.shell.fold") == stopped
 
 
@@ -179,7 +186,7 @@ def test_colours_overlays_and_theme_are_seen(browser: Browser, tmp_path: Path) -
 
     def share(red: float, green: float, blue: float) -> float:
         """Share of the picture's pixels within a tenth of a colour."""
-        page.wait_for_timeout(100)
+        await_frames(page)
         picture = pixels(page, ".orishell-scene canvas")
         return float((np.abs(picture - [red, green, blue]).max(axis=-1) < 0.1).mean())
 
@@ -197,7 +204,7 @@ def test_colours_overlays_and_theme_are_seen(browser: Browser, tmp_path: Path) -
         light = pixels(page, ".orishell-scene canvas").mean()
         page.get_by_role("button", name="Light or dark").click()
         assert page.evaluate("document.documentElement.dataset.theme") == "dark"
-        page.wait_for_timeout(100)
+        await_frames(page)
         assert pixels(page, ".orishell-scene canvas").mean() < light - 0.4
 
 
@@ -205,10 +212,10 @@ def test_a_panel_pointed_at_is_marked_in_both_views(browser: Browser, tmp_path: 
     write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
     with watched_page(browser) as page:
         opened(page, tmp_path / "viewer.html")
-        page.wait_for_timeout(200)
+        await_frames(page)
         before = pixels(page, ".orishell-scene canvas")
         page.get_by_role("application", name="Crease pattern").hover()
-        page.wait_for_timeout(200)
+        await_frames(page)
         assert page.locator(".caption").inner_text().startswith("panel ")
         marked = page.evaluate("[orishell.shell.u.hovered.value, orishell.pattern.chosen]")
         assert marked[0] == marked[1] >= 0

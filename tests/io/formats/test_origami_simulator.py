@@ -16,7 +16,7 @@ STROKES = {
     "#ff0000": "M",
     "#0000ff": "V",
     "#00ff00": "C",
-    "#ffff00": "F",
+    "#ffff00": "F",  # and J, a joined edge: both do not fold
     "#ff00ff": "U",
 }
 """As Origami Simulator's file import tips name them."""
@@ -74,12 +74,13 @@ def test_it_is_similar_to_the_sheet_and_its_vertices_are_not_merged(
 
 def test_creases_that_are_not_assigned_or_cut_have_their_own_colours(tmp_path: Path) -> None:
     document = demo_document()
-    crease = np.flatnonzero(document.mesh.crease)[:3]
+    crease = np.flatnonzero(document.mesh.crease)[:4]
     letters = list(document.assignment)
-    for edge, letter in zip(crease, "UCF", strict=True):
+    for edge, letter in zip(crease, "UCFJ", strict=True):
         letters[edge] = letter
     lines = lines_of(tmp_path / "pattern.svg", replace(document, assignment=tuple(letters)))
-    assert [lines[edge]["stroke"] for edge in crease] == ["#ff00ff", "#00ff00", "#ffff00"]
+    strokes = ["#ff00ff", "#00ff00", "#ffff00", "#ffff00"]
+    assert [lines[edge]["stroke"] for edge in crease] == strokes
 
 
 def test_unknown_fold_angles_have_no_opacity(tmp_path: Path) -> None:

@@ -155,6 +155,15 @@ def test_cuts_inside_and_a_panel_with_a_corner_inwards(tmp_path: Path) -> None:
     assert ends == {(*point, 0.0) for point in flat[:4].tolist()}
 
 
+def test_a_joined_edge_is_no_cut(tmp_path: Path) -> None:
+    letters = list(DEMO.assignment)
+    edge = letters.index("M")
+    letters[edge] = "J"
+    _, found = read(tmp_path, replace(DEMO, assignment=tuple(letters)))
+    assert f"crease {edge}" in found["flat pattern::ENGRAVE"]
+    assert list(found["flat pattern::CUT"]) == ["outline 0"]
+
+
 def test_no_clock(tmp_path: Path) -> None:
     file, _ = read(tmp_path, DEMO)
     assert file.Created == file.LastEdited == datetime(1970, 1, 1)

@@ -1,4 +1,7 @@
-"""Longitudinal linear repeating: a convex f swept along a line, its radius growing or shrinking."""
+"""Longitudinal linear repeating: a convex f swept along a line, its radius growing or shrinking.
+
+Derived in docs/theory/longitudinal-linear-repeating.md.
+"""
 
 from orishell.families.longitudinal_linear_repeating.design import (
     design_longitudinal_linear_repeating,

@@ -8,11 +8,11 @@ and behind a crease that folds at the rate theta' about the unit vector a
 
     w -> w + theta' a,      w' -> w' + theta'' a + theta' w x a.
 
-Sizes bound what this can be anywhere in a range: sums of |theta'| from the panel whose turn is
+Sizes bound what this can be anywhere in a range: sums of ``|theta'|`` from the panel whose turn is
 given by the pose to all others, and so on. By themselves they are generous, since axes are added
 up as if they were parallel and edges as if they were square to them. So e'' is taken exactly in
 the middle of the range, and the sizes bound how far it departs from there: by the change of w',
-for which no third derivative is needed, and by half the range times 3 |w'| |w| + |w|^3.
+for which no third derivative is needed, and by half the range times ``3 |w'| |w| + |w|^3``.
 """
 
 from __future__ import annotations

@@ -95,12 +95,15 @@ def design_longitudinal_linear_repeating(
         The drive v_1 at which the shell is to meet f (radians), or "auto" for the one at which
         column 1 turns as much as f.
     flap
-        Length of the row creases at the left and right border, or "auto".
+        Length of the row creases at the left and right border, in the unit of the curves, or
+        "auto".
 
     Raises
     ------
     CurveError
         If f or g is not a usable curve.
+    InputError
+        If couplings or ratios of lengths are not as many as the sheet needs.
     DesignError
         If the family cannot reach the target: the condition, where, by how much, what works.
 

@@ -1,4 +1,4 @@
-"""What four sector angles fold: all solutions of (4), their motions and the sizes of sheets."""
+"""What four sector angles fold: all solutions of equation (4), their motions, sizes of sheets."""
 
 from __future__ import annotations
 
@@ -18,7 +18,12 @@ SEARCHED = 60
 
 
 def describe_solutions(sector_deg: Sequence[float]) -> dict[str, Any]:
-    """List all solutions of (4) for alpha_1, beta_1, gamma_1, delta_1 in degrees.
+    """List all solutions of equation (4) for alpha_1, beta_1, gamma_1, delta_1 in degrees.
+
+    Parameters
+    ----------
+    sector_deg
+        The four angles (degrees).
 
     Returns
     -------

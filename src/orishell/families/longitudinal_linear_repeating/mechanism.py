@@ -2,7 +2,7 @@
 
 Write t = tan(v_1/2). Below vertex (i, j) the column crease has tan(v/2) = s_i mu_j t with the
 columns' multipliers mu and signs s_i = +-1: an S vertex turns the sign over, an F vertex does so in
-the cosine version. In deviations of the sectors from pi/2 (see ``sectors``) the row creases are
+the cosine version. In deviations of the sectors from pi/2 (see ``sectors``) the row creases are ::
 
     F, cosine:  tan(u/2) = s mu t cos((alpha-beta)/2) / sin((alpha+beta)/2), left as right,
     F, sine:    tan(u/2) = -s mu t sin((alpha-beta)/2) / cos((alpha+beta)/2), left opposite,
@@ -165,7 +165,7 @@ class LongitudinalLinearRepeating:
         return bound_edges(sheet, start, stop)
 
     def panels(self, drive: Array) -> Rotations:
-        """Rotation of every panel (..., m+1, n+1) from the flat sheet."""
+        """Rotation of every panel (..., m+1, n+1) from the flat sheet, at each drive (radians)."""
         halves = _HalfAngles.of(self, drive)
         directions = self._directions()
         across_row = -np.exp(1j * directions.row)

@@ -1,13 +1,13 @@
 """Orthodiagonal: straight parallel columns, rows in planes square to them (the paper's section 3).
 
-The motion in closed form
--------------------------
+The motion in closed form:
+
 With rho the fold angle of the flap creases (0 flat, pi locked) write kappa = sin(rho/2),
 q = cos(rho/2); with beta_i the zigzag's angles, T_i = tan(beta_i/2), c_i = cot(beta_i/2). All
 columns lie in parallel planes of common normal n. Their edges between two rows are parallel, in
 every state, with the directions v_i of column 1, which turns at vertex i by twice
 arctan(kappa c_i). Row creases leave vertex i in the plane of n and the bisector t_i; along the
-bisector they go by K_j |a_i|, where
+bisector they go by ``K_j |a_i|``, where
 
     a_i = t_i hypot(T_i, kappa) = v_{i-1} (T_i + i s_i kappa) = v_i (T_i - i s_i kappa),
 
@@ -49,7 +49,7 @@ class Orthodiagonal:
     Parameters
     ----------
     lengths
-        Edge lengths d of the first column (m+1,), m odd.
+        Edge lengths d of the first column (m+1,), m odd, in the unit of the curves.
     angles
         Angles beta (m,) at its inner vertices at lock, in (0, pi) (radians).
     first

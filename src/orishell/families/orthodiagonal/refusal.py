@@ -18,7 +18,7 @@ from orishell.families.orthodiagonal.headings import (
     union,
 )
 from orishell.families.orthodiagonal.profile import as_typed, bisect, sound_zigzags
-from orishell.polylines import Zigzag
+from orishell.polylines import Zigzag, choose_depth
 from orishell.quoting import ROUNDING, in_degrees, inside
 
 DEPTHS = 40
@@ -77,7 +77,11 @@ def _remedies(
     interval = nearest_interval(admissible, heading)
     found = [_interval(interval)] if interval is not None else []
     found += _scale(headings, heading) + _depth(f, zigzag, headings, heading)
-    return found or _at_another_depth(f, zigzag, headings)
+    return (
+        found
+        or _at_another_depth(f, zigzag, headings)
+        or _smaller_at_the_best_depth(f, zigzag, headings, heading)
+    )
 
 
 def _at_another_depth(f: Trace, zigzag: Zigzag, headings: Headings) -> list[str]:
@@ -94,11 +98,25 @@ def _at_another_depth(f: Trace, zigzag: Zigzag, headings: Headings) -> list[str]
     return []
 
 
+def _smaller_at_the_best_depth(
+    f: Trace, zigzag: Zigzag, headings: Headings, heading: float
+) -> list[str]:
+    """The largest scale of g at the depth that "auto" takes: what is left if nothing else helps."""
+    rows = len(zigzag.angles)
+    depth = float(f"{choose_depth(f, rows):.4g}")
+    for trial in sound_zigzags(f, rows, depth):
+        found = _scale(headings.of(trial), heading)
+        if found:
+            return [f"{found[0]} with depth = {depth:g}"]
+    return []
+
+
 def _at_another_heading(f: Trace, zigzag: Zigzag, headings: Headings, heading: float) -> str:
     """What works at a heading at which f's plane crosses g, without flaps that are too wide."""
     heading = np.deg2rad(float(in_degrees(heading)))
     without = replace(headings, flap=None)
     found = _scale(without, heading) + _depth(f, zigzag, without, heading)
+    found = found or _smaller_at_the_best_depth(f, zigzag, without, heading)
     if not found:
         return "a smaller g"
     flap = "" if headings.flap == 0 else ' and flap = "auto"'

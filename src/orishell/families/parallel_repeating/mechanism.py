@@ -1,7 +1,7 @@
 """Parallel repeating: rows of parallel creases, straight columns (the paper's section 2).
 
-The motion in closed form
--------------------------
+The motion in closed form:
+
 With rho the fold angle of the flap creases (0 flat, pi locked) write kappa = sin(rho/2),
 q = cos(rho/2). At lock column j is a zigzag of angle xi_j in the vertical plane through t_j. With
 tau_j = tan(xi_j/2) and delta the angles between row segments and t, equation (2) says that the
@@ -46,7 +46,7 @@ class ParallelRepeating:
     xi
         Angle of the first column's zigzag at lock (radians).
     lengths
-        Edge lengths of the first column (m+1,), m odd.
+        Edge lengths of the first column (m+1,), m odd, in the unit of the curves.
     first
         +1 if the first edge rises at lock, -1 if it falls.
     points
@@ -75,7 +75,7 @@ class ParallelRepeating:
             object.__setattr__(self, name, array)
 
     def with_flaps(self, width: float) -> ParallelRepeating:
-        """The sheet with flaps of this width, square to their column in the flat sheet.
+        """The sheet with flaps of this width (in its unit), square to their column when flat.
 
         A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n. With 0 there are
         none: columns 1 and n are the border.

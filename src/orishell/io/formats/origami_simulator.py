@@ -1,7 +1,7 @@
 """SVG as Origami Simulator reads it: one line for each edge, its colour the assignment.
 
 Its importer takes lines that stand directly in the file, told apart by stroke: border black,
-mountain red, valley blue, cut green, facet yellow (a crease that stays flat), hinge magenta (a
+mountain red, valley blue, cut green, ``facet`` yellow (a crease that stays flat), hinge magenta (a
 crease that nothing drives). The fold angle is 180 degrees times the opacity. Vertices nearer to
 each other than 3 px are merged.
 """

@@ -23,6 +23,15 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     other ``NAME.csv``. The first line names the columns and their units; panels are numbered from
     0, and by row and column where the sheet is a grid; numbers have all their digits.
 
+    Parameters
+    ----------
+    path
+        The file of the panels.
+    document
+        What is written.
+    settings
+        How; nothing of it matters here.
+
     Raises
     ------
     InputError

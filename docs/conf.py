@@ -1,0 +1,140 @@
+"""How the site is built: `make docs`, into build/docs."""
+
+from __future__ import annotations
+
+import sys
+from importlib.metadata import version as installed
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+# autodoc imports modules with TYPE_CHECKING set, which pydantic's models in fastapi do not survive.
+import fastapi  # noqa: F401
+
+if TYPE_CHECKING:
+    from sphinx.util.tags import Tags
+
+
+tags: Tags = globals()["tags"]  # Sphinx puts it into this file's names
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "_ext"))
+
+project = "orishell"
+author = "The orishell authors"
+copyright = author  # noqa: A001 # Sphinx's name for it
+version = release = installed("orishell")
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.doctest",
+    "sphinx.ext.viewcode",
+    "house",
+    "mathml",
+]
+exclude_patterns = ["_ext", "**/GALLERY_HEADER.rst"]
+templates_path: list[str] = []
+nitpicky = True
+suppress_warnings = ["config.cache"]  # the gallery's configuration holds functions
+
+# The gallery runs examples/gallery/plot_*.py and writes docs/gallery. The doctest build leaves it
+# and the reference out: pytest runs the docstrings' examples.
+GALLERY = HERE.parent / "examples" / "gallery"
+if tags.has("doctest"):
+    exclude_patterns += ["gallery", "api"]
+    suppress_warnings += ["toc", "ref", "myst"]
+    nitpicky = False
+elif any(GALLERY.glob("plot_*.py")):
+    extensions.append("sphinx_gallery.gen_gallery")
+    sphinx_gallery_conf = {
+        "examples_dirs": str(GALLERY),
+        "gallery_dirs": "gallery",
+        "filename_pattern": r"/plot_",
+        "ignore_pattern": r"^(?!.*plot_)",
+        "run_stale_examples": True,
+        "abort_on_example_error": False,
+        "reset_modules": ("matplotlib",),
+        "write_computation_times": False,
+        "show_memory": False,
+        "show_signature": False,
+        "download_all_examples": False,
+        "min_reported_time": 3600,
+        "remove_config_comments": True,
+        "backreferences_dir": None,
+    }
+else:
+    suppress_warnings += ["toc.not_readable"]
+
+# Reference: numpydoc docstrings, each object once, under the name by which it is imported.
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_preserve_defaults = True
+autodoc_class_signature = "mixed"
+autosummary_generate = False
+autodoc_type_aliases = {
+    name: name
+    for name in (
+        *("Array", "ArrayLike", "Booleans", "Complex", "Integers"),
+        *("Jet", "CurveJet", "Piece", "Place", "Run", "Location", "Parameter", "Unit"),
+        *("Spacing", "Placement", "FlapSide", "End", "Layer", "Anchor"),
+        *("CreaseStyle", "Labels", "Joint", "Paper", "Auto", "Content"),
+        *("Coupling", "RowKind", "Version", "SideChoice", "Cause", "Kind"),
+        *("Pairs", "Panel", "Block", "Box", "Names", "Progress", "Passing", "Task", "Payload"),
+    )
+}
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+napoleon_use_ivar = True
+napoleon_attr_annotations = False
+python_use_unqualified_type_names = True
+python_maximum_signature_line_length = 88
+toc_object_entries_show_parents = "hide"
+add_module_names = False
+doctest_test_doctest_blocks = ""  # only {doctest} blocks: pytest runs the docstrings
+
+# References that lead nowhere on purpose.
+nitpick_ignore_regex = [
+    # Other people's libraries: a build asks nothing of the network, so it has no inventories.
+    (r"py:.*", r"(np|npt|numpy|NDArray|nptyping)(\..*)?"),
+    (r"py:.*", r"(pathlib|collections|typing|types|enum|functools)\..*"),
+    (r"py:.*", r"(pydantic|fastapi|starlette|matplotlib|anywidget|shapely|typer)\..*"),
+    # Constants whose value is all that there is to say of them: they stand in the sources.
+    (r"py:data", r"[A-Z_]+"),
+    # Python's own types in annotations.
+    (r"py:class", r"NoneType|AnyWidget"),
+    # Short names of array and choice types; docs/api/index.md says what they stand for.
+    (r"py:class", "|".join(autodoc_type_aliases)),
+    # Bounds of the design file's numbers, which pydantic checks.
+    (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan"),
+    (r"py:.*", r"(Path|Callable|Iterator|Iterable|Sequence|Mapping|Literal|Self|Any|Protocol)"),
+]
+
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath", "amsmath", "fieldlist"]
+myst_heading_anchors = 3
+math_numfig = True
+numfig = True
+
+html_theme = "furo"
+html_title = "orishell"
+html_static_path = ["_static"]
+html_css_files = ["orishell.css"]
+html_math_renderer = "mathml"
+html_show_sphinx = False
+html_show_copyright = False
+html_copy_source = False
+html_last_updated_fmt = None
+pygments_style = "tango"
+pygments_dark_style = "native"
+html_theme_options = {
+    "navigation_with_keys": True,
+    "light_css_variables": {
+        "color-brand-primary": "#1f4e79",
+        "color-brand-content": "#1f4e79",
+    },
+    "dark_css_variables": {
+        "color-brand-primary": "#8fb8de",
+        "color-brand-content": "#8fb8de",
+    },
+}

@@ -1,0 +1,27 @@
+// The button that mends a fault, where the fault names a value that works.
+
+import { button } from "./controls.ts";
+import { remedyOf } from "./faults.ts";
+import type { Store } from "./store.ts";
+import type { Fault } from "./types.ts";
+
+/** Keys of the table [pattern] that the design's family knows. */
+export function patternKeys(store: Store): string[] {
+  const design = store.design.value;
+  const parameters = store.info.families[design.shell.family]?.parameters ?? [];
+  return [...parameters.map(({ key }) => key), ...Object.keys(design.pattern)];
+}
+
+/** Null if the fault names no value that the design can take as it stands. */
+export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | null {
+  const remedy = remedyOf(fault, store.design.value, patternKeys(store));
+  if (!remedy) return null;
+  const text = `Use ${remedy.label}`;
+  return button({
+    label: text,
+    text,
+    class: "button primary",
+    testid: "use-nearest",
+    act: () => store.change(remedy.apply(store.design.value), remedy.label),
+  });
+}
