@@ -4,6 +4,7 @@
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
 # make studio  builds and starts the studio
 # make docs    the documentation, into build/docs/
+# make paper   the paper's figures and numbers beside ours, into build/paper/
 # make node    other people's software for the tests that ask it, into build/node (node, npm)
 
 PYTHON ?= python3
@@ -14,7 +15,7 @@ PAGES := src/orishell/studio/static/index.html
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test docs pages studio node quick bench lint types contracts check format clean
+.PHONY: demo test docs paper pages studio node quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -32,6 +33,9 @@ docs: $(VENV)/.docs
 	$(BIN)/python -m sphinx -q -W --keep-going -b html -d build/doctrees docs build/docs
 	$(BIN)/python -m sphinx -q -t doctest -b doctest -d build/doctrees-doctest docs build/doctest
 	@echo "build/docs/index.html"
+
+paper: $(VENV)/.run
+	$(BIN)/python examples/paper.py build/paper
 
 node: $(NODE)/.installed
 

@@ -1,11 +1,23 @@
-"""The examples run, and print what they should."""
+"""The examples run, and their shells have the sizes that their design files ask for."""
 
+import importlib.util
+import math
 import runpy
 from pathlib import Path
+from types import ModuleType
 
+import numpy as np
 import pytest
 
+from orishell import Shell
+from orishell.metrics import sheet_area
+from orishell.report import make_shell
+from orishell.spec import read_design_file
+
 EXAMPLES = Path(__file__).parents[1] / "examples"
+SHELLS = ("shelter", "tunnel", "canopy", "vault", "from_dxf", "from_svg")
+PANELS = (0.2, 1.35)
+"""Shortest and longest edge of a panel: what one person can carry (metres)."""
 
 
 def test_figure_1(capsys: pytest.CaptureFixture[str]) -> None:
@@ -25,3 +37,141 @@ def test_figure_2(capsys: pytest.CaptureFixture[str]) -> None:
     assert lines[2].startswith("panels keep their lengths to ")
     assert lines[3].startswith("neighbouring rows meet inside the sheet: at heading_deg = 60 ")
     assert "heading_deg between" in lines[3]
+
+
+class Example:
+    """An example's module, its shell, and what it measures of it."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        spec = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
+        assert spec is not None
+        assert spec.loader is not None
+        self.module: ModuleType = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.module)
+        # The distance from the surface takes longest, and no example's sizes need it.
+        self.shell: Shell = make_shell(read_design_file(EXAMPLES / f"{name}.toml"), measured=False)
+        self.size: dict[str, float] = self.module.measure(self.shell)
+
+
+@pytest.fixture(scope="module", params=SHELLS)
+def example(request: pytest.FixtureRequest) -> Example:
+    return Example(request.param)
+
+
+@pytest.fixture(scope="module")
+def shelter() -> Example:
+    return Example("shelter")
+
+
+def test_ends_as_it_says(example: Example) -> None:
+    """The flaps lock it, or it is stopped at f; on the way nothing touches."""
+    lock = example.shell.report["lock"]
+    assert example.shell.report["feasible"]
+    assert example.shell.report["warnings"] == []
+    if example.name == "vault":
+        assert lock["cause"] == "clash"
+        assert lock["target_drive_deg"] < lock["drive_deg"]
+    else:
+        assert (lock["cause"], lock["drive_deg"], lock["touching_at_end"]) == ("flaps", 180.0, [])
+        assert lock["first_contact"]["clear_until_deg"] == pytest.approx(180, abs=1e-3)
+
+
+def test_panels_are_of_a_size_to_carry(example: Example) -> None:
+    flat = example.shell.motion.flat.positions
+    edges = [np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (0, 1)]
+    assert min(each.min() for each in edges) > PANELS[0]
+    assert max(each.max() for each in edges) < PANELS[1]
+
+
+def test_prints_its_sizes(
+    example: Example, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(example.module, "design", lambda: example.shell)
+    monkeypatch.setattr("sys.argv", [example.name])
+    example.module.main()
+    lines = capsys.readouterr().out.splitlines()
+    assert 3 <= len(lines) <= 5
+    key = {"vault": "growth", "tunnel": "length", "canopy": "rise", "shelter": "headroom"}
+    shown = example.size[key.get(example.name, "sheet width")]
+    assert any(f"{shown:.2f}" in line for line in lines)
+
+
+def test_shelter(shelter: Example) -> None:
+    """What its design file promises: 3 m by 6 m of floor, 2 m of headroom, level ground."""
+    size = shelter.size
+    assert 3.0 <= size["clear width"] < 3.1
+    assert size["length"] == pytest.approx(6, abs=1e-12)  # g's range
+    assert 2.0 < size["headroom"] < 2.3
+    assert size["uneven"] < 1e-12
+    lowest = shelter.shell.motion.locked.positions[..., 2].argmin(axis=0)
+    assert set(lowest.tolist()) <= {0, shelter.shell.design.mechanism.grid.rows - 1}
+
+
+def test_shelter_travels(shelter: Example) -> None:
+    """The boards hold the sheet, and weigh what 1.9 kg/m2 of it weigh."""
+    size = shelter.size
+    area = sheet_area(shelter.shell.motion.flat.positions)
+    assert size["sheet"] == pytest.approx(area, rel=1e-12)
+    assert size["mass"] == pytest.approx(1.9 * area, rel=1e-12)
+    assert size["boards"] * 2.44 * 1.22 > area
+    assert size["boards"] < 30
+
+
+def test_tunnel() -> None:
+    """g is 1.75 radians of a circle of 8 m; f spans 3.6 m and rises by f(0) - f(1.8)."""
+    size = Example("tunnel").size
+    # A circle's chords are equal: 24 of them, inscribed.
+    assert size["length"] == pytest.approx(24 * 2 * 8 * math.sin(1.75 / 48), rel=1e-9)
+    assert size["turn_deg"] == pytest.approx(math.degrees(1.75), rel=1e-9)
+    assert size["width"] == pytest.approx(3.6, abs=1e-9)
+    rise = 1.7 * (math.sqrt(1.8**2 + 0.5) - math.sqrt(0.5))
+    assert size["headroom"] == pytest.approx(rise, abs=size["from f"])
+    assert size["headroom"] > 2
+    assert size["uneven"] < 1e-12
+
+
+def test_canopy() -> None:
+    """g is 300 degrees of a circle; the flat sheet turns by less, by spherical trigonometry."""
+    size = Example("canopy").size
+    assert size["outer radius"] - size["inner radius"] == pytest.approx(3.2, abs=1e-9)
+    assert size["turn_deg"] == pytest.approx(300, abs=0.01)
+    # Equation (2): cos alpha_4 = cos delta sin(xi/2), delta = 90 - 5 degrees for 30 equal chords.
+    step = math.asin(math.cos(math.radians(90 - 5)) * math.sin(math.radians(85 / 2)))
+    assert size["flat_turn_deg"] == pytest.approx(30 * math.degrees(2 * step), abs=0.01)
+
+
+def test_vault() -> None:
+    """f is an arc of 2.2 m; the radius grows by a quarter, as its design file says."""
+    size = Example("vault").size
+    assert size["largest radius"] == pytest.approx(2.2, rel=0.01)
+    assert size["growth"] == pytest.approx(1.25, abs=0.03)
+    assert size["length"] == pytest.approx(7, abs=0.01)
+    assert size["span"] == pytest.approx(2 * 2.2 * math.cos(0.1), abs=0.03)
+    assert size["contact_deg"] > 2 * size["stage_deg"]
+
+
+@pytest.mark.parametrize("name", ["from_dxf", "from_svg"])
+def test_from_drawings(name: str) -> None:
+    """The arch: ends 819.6 mm from its axis, arcs of 1200 and 600 mm; built twice as large."""
+    size = Example(name).size
+    assert size["span of f"] == pytest.approx(2 * 2 * 0.819615242271, abs=1e-6)
+    assert size["rise of f"] == pytest.approx(2 * 0.380384757729, abs=1e-5)
+    if name == "from_svg":
+        assert size["from f"] == pytest.approx(0.12, abs=1e-9)  # depth, in from_svg.toml
+
+
+@pytest.mark.slow
+def test_writes_the_pattern(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a directory, ``from_dxf.py`` writes the shell's files and the pattern for a cutter."""
+    monkeypatch.setattr("sys.argv", ["from_dxf.py", str(tmp_path / "roof")])
+    runpy.run_path(str(EXAMPLES / "from_dxf.py"), run_name="__main__")
+    written = {path.name for path in (tmp_path / "roof").iterdir()}
+    assert {"pattern.dxf", "shell.fold", "report.json", "overview.png"} <= written
+
+
+def test_gallery_has_a_page_for_every_example() -> None:
+    """Each design file is shown by a page, and each page runs on files that are there."""
+    pages = "".join(path.read_text() for path in (EXAMPLES / "gallery").glob("plot_*.py"))
+    for path in EXAMPLES.glob("*.toml"):
+        assert path.name in pages

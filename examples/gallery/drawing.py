@@ -1,0 +1,229 @@
+"""What the gallery's pages share: a folded shell with its shadow, and a crease pattern, on axes.
+
+:func:`orishell.plot.plot_overview` writes whole pictures; these draw one thing into given axes.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.motion import panel_normals
+from orishell.pattern import CreaseValues
+from orishell.plot.scene import Camera, frame
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+EXAMPLES = Path(__file__).parents[1]
+"""Where the design files are."""
+
+MOUNTAIN, VALLEY, UNFOLDED, BORDER = "#d62728", "#1f5fbf", "#8a8a8a", "#1a1a1a"
+F_COLOUR, G_COLOUR = "#0a8f3c", "#c2185b"
+FRONT, BACK, INK = np.array([0.965, 0.93, 0.86]), np.array([0.56, 0.68, 0.80]), "#33343a"
+SHADOW = (0.35, 0.38, 0.45, 0.22)
+LOCKED = 0.995
+"""Share of the drive at which locked shells are drawn: at 1 flaps touch, and panels in one place
+have no order."""
+CELLS = 6
+"""Cells along a panel's side: small ones sort well from the farthest to the nearest."""
+
+
+def camera(azimuth_deg: float, elevation_deg: float = 30) -> Camera:
+    """A camera by its angles in degrees."""
+    return Camera(float(np.deg2rad(azimuth_deg)), float(np.deg2rad(elevation_deg)))
+
+
+def draw_shell(
+    axes: Axes,
+    positions: Array,
+    view: Camera,
+    *,
+    signs: CreaseValues | None = None,
+    ground: float | None = None,
+    line: float = 0.6,
+) -> None:
+    """Draw a folded state, from the farthest piece to the nearest.
+
+    Parameters
+    ----------
+    axes
+        Where to.
+    positions
+        Vertices (rows, columns, 3).
+    view
+        The camera.
+    signs
+        Signs of the creases: mountains are drawn red and valleys blue. None: all in one ink.
+    ground
+        Height of the ground that the shadow falls on; None: the lowest vertex. NaN: no shadow.
+    line
+        Width of creases (points).
+    """
+    from matplotlib.collections import PolyCollection
+
+    lamp = _lamp(view)
+    height = float(positions[..., 2].min()) if ground is None else ground
+    shown = []
+    if np.isfinite(height):
+        shown.append(_draw_shadow(axes, positions, view, lamp, height))
+    cells = _cells(positions)
+    colours = np.repeat(_shade(panel_normals(positions), view, lamp), CELLS**2, axis=0)
+    sides, inks, owners = _sides(cells, _inks(signs, positions.shape))
+    picture, depth = view.project(np.concatenate([cells, sides]))
+    # Creases come after the cells that they bound.
+    key = depth.mean(axis=1)
+    key[len(cells) :] = key[owners]
+    late = np.repeat([0, 1], [len(cells), len(sides)])
+    order = np.lexsort((late, key))
+    faces = np.concatenate([colours, np.zeros((len(sides), 4))])
+    axes.add_collection(
+        PolyCollection(
+            list(picture[order]),
+            facecolors=faces[order],
+            edgecolors=np.concatenate([colours, inks])[order],
+            linewidths=np.array([0.7, line])[late][order],
+            capstyle="round",
+        )
+    )
+    frame(axes, np.concatenate([*shown, picture.reshape(-1, 2)]))
+
+
+def draw_line(axes: Axes, points: Array, view: Camera, colour: str, label: str = "") -> None:
+    """Draw a curve (N, 3) over a shell, with a pale outline."""
+    from matplotlib.patheffects import Normal, Stroke
+
+    outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.85), Normal()]
+    picture = view.project(points)[0]
+    axes.plot(*picture.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
+
+
+def draw_pattern(axes: Axes, flat: Array, signs: CreaseValues | None, line: float = 1.2) -> None:
+    """Draw the flat sheet (rows, columns, 3): mountains red, valleys blue; None: all in one ink."""
+    from matplotlib.collections import LineCollection
+
+    border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2::-1, 0]])[:, :2]
+    axes.fill(*border.T, color=FRONT, zorder=0)
+    row, column = _inks(signs, flat.shape)
+    for first, last, inks in (
+        (flat[1:-1, :-1], flat[1:-1, 1:], row[1:-1]),
+        (flat[:-1, 1:-1], flat[1:, 1:-1], column[:, 1:-1]),
+    ):
+        creases = np.stack([first, last], axis=-2)[..., :2].reshape(-1, 2, 2)
+        lines = LineCollection(list(creases), colors=inks.reshape(-1, 4), linewidths=line)
+        axes.add_collection(lines)
+    axes.plot(*border.T, color=BORDER, linewidth=1.2 * line, solid_joinstyle="miter")
+    frame(axes, border)
+
+
+def same_scale(frames: list[Axes]) -> None:
+    """Give all axes the window of the largest, each about its own middle, standing on one line."""
+    spans = [(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())) for axes in frames]
+    width, height = (float(extent) for extent in np.max(spans, axis=0))
+    for axes in frames:
+        x, y = float(np.mean(axes.get_xlim())), float(np.mean(axes.get_ylim()))
+        axes.set_xlim(x - width / 2, x + width / 2)
+        axes.set_ylim(y - height / 2, y + height / 2)
+
+
+def _lamp(view: Camera) -> Array:
+    """Unit vector to the light: above, behind the viewer's left shoulder."""
+    right, _, towards = view.axes()
+    level = np.array([towards[0], towards[1], 0.0])
+    lamp = -0.55 * right + 0.25 * level / np.linalg.norm(level) + np.array([0.0, 0.0, 1.0])
+    return np.asarray(lamp / np.linalg.norm(lamp))
+
+
+def _draw_shadow(axes: Axes, positions: Array, view: Camera, lamp: Array, height: float) -> Array:
+    """The shadow of all panels on the ground, as one shape; its points (P, 2)."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path as Outline
+    from shapely import MultiPolygon, Polygon, make_valid, unary_union
+    from shapely.geometry.polygon import orient
+
+    fallen = positions - (positions[..., 2:] - height) / lamp[2] * lamp
+    picture = view.project(fallen)[0]
+    panels = np.stack(_corners(picture), axis=-2).reshape(-1, 4, 2)
+    shape = unary_union([make_valid(Polygon(panel)) for panel in panels]).buffer(1e-9)
+    parts = shape.geoms if isinstance(shape, MultiPolygon) else [shape]
+    rings = [
+        Outline(np.asarray(ring.coords), closed=True)
+        for part in parts
+        for ring in (orient(part).exterior, *orient(part).interiors)
+    ]
+    shadow = PathPatch(Outline.make_compound_path(*rings), facecolor=SHADOW, linewidth=0, zorder=0)
+    axes.add_patch(shadow)
+    return picture.reshape(-1, 2)
+
+
+def _corners(points: Array) -> tuple[Array, Array, Array, Array]:
+    return points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
+
+
+def _cells(positions: Array) -> Array:
+    """Cells (F * CELLS**2, 4, 3) of all panels, by panel, then down, then to the right."""
+    a, b, c, d = (corner.reshape(-1, 1, 1, 3) for corner in _corners(positions))
+    steps = np.linspace(0, 1, CELLS + 1)
+    u, v = steps[:, None, None], steps[None, :, None]
+    points = (1 - u) * ((1 - v) * a + v * d) + u * ((1 - v) * b + v * c)
+    corners = (points[:, :-1, :-1], points[:, 1:, :-1], points[:, 1:, 1:], points[:, :-1, 1:])
+    return np.stack(corners, axis=-2).reshape(-1, 4, 3)
+
+
+def _sides(cells: Array, inks: tuple[Array, Array]) -> tuple[Array, Array, Integers]:
+    """Pieces of all panels' sides as polygons (S, 4, 3), their colours, and whose cell each is."""
+    row, column = inks
+    number = np.arange(len(cells)).reshape(-1, CELLS, CELLS)
+    pieces, colours, owners = [], [], []
+    for mine, ends, ink in (
+        (number[:, 0], (0, 3), row[:-1]),
+        (number[:, -1], (1, 2), row[1:]),
+        (number[:, :, 0], (0, 1), column[:, :-1]),
+        (number[:, :, -1], (3, 2), column[:, 1:]),
+    ):
+        first, last = (cells[mine.ravel(), end] for end in ends)
+        pieces.append(np.stack([first, last, last, first], axis=1))
+        colours.append(np.repeat(ink.reshape(-1, 4), CELLS, axis=0))
+        owners.append(mine.ravel())
+    return np.concatenate(pieces), np.concatenate(colours), np.concatenate(owners)
+
+
+def _inks(signs: CreaseValues | None, shape: tuple[int, ...]) -> tuple[Array, Array]:
+    """Colours of all edges: along rows (rows, columns-1, 4), down columns (rows-1, columns, 4)."""
+    from matplotlib.colors import to_rgba_array
+
+    rows, columns = shape[:2]
+    if signs is None:
+        ink = to_rgba_array(INK)[0]
+        return np.tile(ink, (rows, columns - 1, 1)), np.tile(ink, (rows - 1, columns, 1))
+    palette = to_rgba_array([UNFOLDED, VALLEY, BORDER, MOUNTAIN])  # by sign; 2 is the border
+    row = np.pad(signs.row.astype(int), ((1, 1), (0, 0)), constant_values=2)
+    column = np.pad(signs.column.astype(int), ((0, 0), (1, 1)), constant_values=2)
+    return palette[row], palette[column]
+
+
+def _shade(normals: Array, view: Camera, lamp: Array) -> Array:
+    """Colours (F, 4) of panels: the paper's front and back, lit by the lamp."""
+    normals = normals.reshape(-1, 3)
+    front = normals @ view.axes()[2] >= 0
+    facing = np.where(front[:, None], normals, -normals)
+    brightness = 0.62 + 0.38 * np.clip(facing @ lamp, 0, 1)
+    colour = np.where(front[:, None], FRONT, BACK) * brightness[:, None]
+    return np.concatenate([colour, np.ones((len(colour), 1))], axis=-1)
+
+
+def plane_axes(name: str, size: tuple[float, float]) -> tuple[Figure, Axes]:
+    """A figure of that name and size (inches) with axes to scale, for plane curves."""
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(num=name, figsize=size, layout="constrained")
+    axes.set_aspect("equal")
+    axes.axis("off")
+    return figure, axes

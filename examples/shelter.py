@@ -1,0 +1,48 @@
+"""An emergency shelter: whether it has the room, stands on the ground, and travels.
+
+Run it with ``python examples/shelter.py``; the design is in ``shelter.toml`` beside it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from orishell import Shell, design_shell
+
+
+def design() -> Shell:
+    """Design the shelter, verify its motion, prove that it locks."""
+    return design_shell(Path(__file__).with_suffix(".toml"))
+
+
+def measure(shell: Shell) -> dict[str, float]:
+    """Room and weight of the shelter, in metres and kilograms."""
+    locked = shell.motion.locked.positions[:, shell.design.mechanism.inner_columns]
+    ground = locked[[0, -1]]  # the rows on which it stands
+    above = np.linalg.norm(locked[..., 1:2], axis=-1) < 0.5  # half a metre from the middle
+    quantities = shell.report["quantities"]
+    return {
+        "length": float(np.ptp(ground[..., 0])),
+        "clear width": float(ground[0, :, 1].min() - ground[1, :, 1].max()),
+        "headroom": float((locked[..., 2] - ground[..., 2].mean())[above].min()),
+        "uneven": float(np.ptp(ground[..., 2])),
+        "sheet": shell.report["sheet"]["area"],
+        "boards": quantities["stock"]["sheets"],
+        "mass": quantities["mass_kg"],
+    }
+
+
+def main() -> None:
+    """Print what an engineer asks first."""
+    shell = design()
+    size = measure(shell)
+    print(f"floor {size['clear width']:.2f} m x {size['length']:.2f} m, clear of the walls")
+    print(f"headroom {size['headroom']:.2f} m, on ground that is even to {size['uneven']:.0e} m")
+    print(f"locks by its {shell.report['lock']['cause']}")
+    print(f"{size['sheet']:.1f} m2 of sheet, {size['mass']:.0f} kg, on {size['boards']} boards")
+
+
+if __name__ == "__main__":
+    main()
