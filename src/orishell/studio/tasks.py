@@ -77,6 +77,13 @@ def make_view(payload: Payload, advanced: Progress) -> bytes:
         What the page sent: the tables of a design under "design", and what the task asks for.
     advanced
         Is told the share that is done, and of what.
+
+    Raises
+    ------
+    InputError
+        If there is no design in the payload, or the number of states is none.
+    RefusedDesignError
+        If the design cannot be made; holds its curves.
     """
     file = _read(payload, tolerated=True)
     curves = {"f": _sampled(file.f, "f"), "g": _sampled(file.g, "g")}
