@@ -63,15 +63,41 @@ def write_shell(
             choice=shell.choice,
         )
         for format_ in dict.fromkeys((FOLD, *formats)):
-            states = states_of(shell.motion, partial(watched, what=f"writing {format_.file}"))
-            document = replace(shell.document, states=states, report=shell.report)
-            if format_.lays_surface:
-                document = lay_surface(document, shell.design)
-            _write(format_, draft / format_.file, document, settings, str(shell.file.path))
+            write_format(shell, format_, draft, settings, watched)
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
     shell.seconds.update(clock.seconds)
     return [directory / name for name in names]
+
+
+def write_format(
+    shell: Shell, format_: Format, draft: Path, settings: Settings, watched: Watched = unwatched
+) -> None:
+    """Write a shell in one format.
+
+    Parameters
+    ----------
+    shell
+        The shell.
+    format_
+        The format; its files have the names that they have for a designed shell.
+    draft
+        An existing directory to write into.
+    settings
+        Choices for the format.
+    watched
+        Shows progress over the states.
+
+    Raises
+    ------
+    InputError
+        If a setting does not fit the sheet.
+    """
+    states = states_of(shell.motion, partial(watched, what=f"writing {format_.file}"))
+    document = replace(shell.document, states=states, report=shell.report)
+    if format_.lays_surface:
+        document = lay_surface(document, shell.design)
+    _write(format_, draft / format_.file, document, settings, str(shell.file.path))
 
 
 def convert_fold(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import subprocess
@@ -16,6 +15,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 import typer
 
+from node_tools import lacking
 from orishell.cli.main import app
 from public_names import public_modules, public_objects
 
@@ -30,10 +30,7 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of what the site is made from, so that a build writes nothing beside it."""
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
-        message = f'the site needs {", ".join(missing)}: pip install ".[docs]"'
-        if os.environ.get("ORISHELL_REQUIRE_DOCS") == "1":
-            pytest.fail(message)
-        pytest.skip(message)
+        lacking(f"the site needs {', '.join(missing)}: make docs", "ORISHELL_REQUIRE_DOCS")
     root = tmp_path_factory.mktemp("site")
     for folder in ("docs", "examples"):
         leave = shutil.ignore_patterns("__pycache__", "gallery" if folder == "docs" else "")

@@ -209,6 +209,13 @@ def test_export_is_what_the_command_line_writes(
     assert len(found) == (2 if name == "csv" else 1)
 
 
+@pytest.mark.parametrize("name", ["all", "dwg", "", None])
+def test_an_export_is_of_one_format(client: httpx.Client, name: str | None) -> None:
+    answer = client.post("/api/export", json={"design": starter(), "format": name})
+    assert answer.status_code == 422
+    assert "format" in answer.json()["error"]["message"]
+
+
 @pytest.mark.parametrize(
     ("headers", "status"),
     [

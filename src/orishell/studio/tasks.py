@@ -26,6 +26,7 @@ from orishell.studio.dropped import read_dropped
 from orishell.studio.ranges import find_ranges
 from orishell.studio.workers import Payload, Progress, Task
 from orishell.units import MILLIMETRES
+from orishell.writing import write_format
 
 MAX_VERTICES = 60_000
 """Vertices of a sheet in the studio, at most; the command line takes more."""
@@ -236,19 +237,17 @@ def export(payload: Payload, advanced: Progress) -> tuple[str, bytes]:
     Raises
     ------
     InputError
-        If no format is named, or the design is refused.
+        If not one format is named, or the design is refused.
     """
-    (format_,) = find_formats([str(payload.get("format"))]) or [None]
-    if format_ is None:
-        raise InputError("no format is named")
+    formats = find_formats([str(payload.get("format"))])
+    if len(formats) != 1:
+        raise InputError("not one format is named", where="format", got=repr(payload.get("format")))
+    (format_,) = formats
     file = _read(payload)
     shell = _examined(file, advanced, allowed=True)
-    document = replace(shell.document, report=shell.report)
-    if format_.lays_surface:
-        document = lay_surface(document, shell.design)
     settings = Settings(state=_state(payload.get("state")), workshop=file.workshop)
     with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        format_.write(Path(directory) / format_.file, document, settings)
+        write_format(shell, format_, Path(directory), settings)
         paths = sorted(Path(directory).iterdir())
         if len(paths) == 1:
             return paths[0].name, paths[0].read_bytes()

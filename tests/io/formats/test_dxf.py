@@ -35,7 +35,7 @@ TESTS = Path(__file__).parent.parent.parent
 def written(path: Path, document: Document, workshop: Workshop = DEFAULT) -> DxfDocument:
     """The file as ezdxf reads it, its audit without findings."""
     write_dxf(path, document, Settings(workshop=workshop))
-    file = ezdxf.readfile(path)  # type: ignore[attr-defined] # ezdxf does not list what it exports
+    file = ezdxf.readfile(path)
     auditor = file.audit()
     assert not auditor.errors
     assert not auditor.fixes
@@ -142,7 +142,7 @@ def test_a_sheet_larger_than_the_stock_is_a_map_and_numbered_sheets(tmp_path: Pa
     names = {f"pattern-{number}.dxf" for number in range(1, count)} | {"pattern.dxf"}
     assert {path.name for path in tmp_path.iterdir()} == names
     for name in names:
-        assert not ezdxf.readfile(tmp_path / name).audit().errors  # type: ignore[attr-defined] # as above
+        assert not ezdxf.readfile(tmp_path / name).audit().errors
 
 
 def test_a_document_without_a_unit_is_refused_and_no_file_is_left(tmp_path: Path) -> None:
@@ -153,7 +153,7 @@ def test_a_document_without_a_unit_is_refused_and_no_file_is_left(tmp_path: Path
 
 def test_ezdxf_is_left_as_it_was(tmp_path: Path) -> None:
     written(tmp_path / "pattern.dxf", demo_document())
-    assert ezdxf.options.write_fixed_meta_data_for_testing is False  # type: ignore[attr-defined] # as above
+    assert ezdxf.options.write_fixed_meta_data_for_testing is False
 
 
 SCRIPT = """

@@ -89,7 +89,7 @@ def test_groups_are_the_palettes_layers_in_the_order_of_work(palette: str, tmp_p
     document = replace(demo_document(), unit="in")
     root = written(tmp_path / "pattern.svg", document, Workshop(palette=palette))
     groups = root.findall(f"{SPACE}g")
-    pens = load_palette(palette).pens
+    pens = {str(layer): pen for layer, pen in load_palette(palette).pens.items()}
     order = ["LABEL", "ENGRAVE", "MOUNTAIN", "VALLEY", "CUT"]
     assert [group.get("id") for group in groups] == [name for name in order if name in pens]
     page_mm = 25.4 * float(root.get("width", "").removesuffix("in"))
@@ -97,7 +97,7 @@ def test_groups_are_the_palettes_layers_in_the_order_of_work(palette: str, tmp_p
         name = group.get("id", "")
         assert group.get(f"{INKSCAPE}groupmode") == "layer"
         assert group.get(f"{INKSCAPE}label") == name
-        pen = pens[name]  # type: ignore[index] # checked above to be a layer
+        pen = pens[name]
         assert (group.get("stroke"), group.get("fill")) == (pen.colour, "none")
         width = 25.4 * float(group.get("stroke-width", ""))
         expected = pen.width_mm * (page_mm / 420 if palette == "plain" else 1)

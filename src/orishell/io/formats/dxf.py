@@ -96,7 +96,7 @@ def _without_clock() -> Iterator[None]:
     """Let ezdxf write constants for times and random identifiers: the same file every time."""
     import ezdxf
 
-    options = ezdxf.options  # type: ignore[attr-defined] # ezdxf does not list what it exports
+    options = ezdxf.options
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
     try:
