@@ -1,6 +1,6 @@
 """One form for every message."""
 
-from orishell.errors import DesignError, FormulaError, InputError
+from orishell.errors import DesignError, FormulaError, InputError, Remedy
 
 
 def test_input_error_says_all_it_knows() -> None:
@@ -23,8 +23,13 @@ def test_a_file_alone_is_a_place_with_one_colon() -> None:
 
 
 def test_design_error_says_where_how_much_and_what_works() -> None:
-    error = DesignError("too large", place="at row 3", size="by 2", nearest="xi_deg = 50")
-    assert str(error) == "too large, at row 3: by 2. Nearest that works: xi_deg = 50."
+    one = Remedy({"pattern.xi_deg": 50.0})
+    other = Remedy({"target.f.scale": 0.5, "pattern.flap": "auto"})
+    error = DesignError("too large", place="at row 3", size="by 2", remedies=(one, other))
+    assert str(error) == (
+        "too large, at row 3: by 2. Nearest found that works: xi_deg = 50, or scale = 0.5 in "
+        '[target.f] with flap = "auto".'
+    )
     assert error.exit_status == 1
 
 

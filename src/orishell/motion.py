@@ -6,14 +6,14 @@ angle. The flat sheet is the mechanism at drive 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from orishell.errors import DesignError, InputError
+from orishell.errors import DesignError, InputError, Remedy
 from orishell.pattern import CreaseValues, Grid, crease_signs
 
 Array = NDArray[np.float64]
@@ -147,15 +147,15 @@ def find_assignment(mechanism: Mechanism) -> CreaseValues:
     return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
 
 
-def require_resolution(mechanism: Mechanism, remedy: str) -> None:
+def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> None:
     """Refuse panels so small that the rounding of coordinates would bend them.
 
     Parameters
     ----------
     mechanism
         The sheet.
-    remedy
-        What to change.
+    candidates
+        What may give larger panels.
 
     Raises
     ------
@@ -175,9 +175,9 @@ def require_resolution(mechanism: Mechanism, remedy: str) -> None:
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",
-            size=f"an edge of {name} is {shortest:.4g} long with coordinates up to {largest:.4g}",
-            nearest=f"a length of {RESOLUTION * largest:.4g}: {remedy}, or move the curves nearer "
-            "to the origin",
+            size=f"an edge of {name} is {shortest:.4g} long with coordinates up to {largest:.4g}, "
+            f"and must be {RESOLUTION * largest:.4g}",
+            candidates=candidates,
         )
 
 

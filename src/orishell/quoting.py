@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 ROUNDING = 1e-3
@@ -30,7 +32,51 @@ def tidy_degrees(angle: float) -> float:
     return float(f"{np.rad2deg(angle):.13g}")
 
 
-def inside(limit: float, start: float) -> float:
+def rounded(value: float, digits: int = 4) -> float:
+    """A number of so many digits as are worth typing.
+
+    Parameters
+    ----------
+    value
+        The number.
+    digits
+        Significant digits.
+    """
+    return float(f"{value:.{digits}g}")
+
+
+def between(low: float, high: float, wanted: float) -> list[float]:
+    """Values to try of an open interval: near its end next to a wanted value, farther in, midway.
+
+    Parameters
+    ----------
+    low, high
+        The interval.
+    wanted
+        The value that was asked for.
+    """
+    near, far = (low, high) if abs(wanted - low) <= abs(wanted - high) else (high, low)
+    values = inside(near, far), inside(near, far, 0.1), 0.5 * (low + high)
+    return [as_typed(value, lambda typed: low < typed < high) for value in values]
+
+
+def as_typed(value: float, works: Callable[[float], bool], fewest: int = 4) -> float:
+    """The value in as few digits as still work when they are typed in.
+
+    Parameters
+    ----------
+    value
+        The value.
+    works
+        Whether a value works.
+    fewest
+        Significant digits at least.
+    """
+    typed = (rounded(value, digits) for digits in range(fewest, 17))
+    return next((each for each in typed if works(each)), value)
+
+
+def inside(limit: float, start: float, share: float = ROUNDING) -> float:
     """A little nearer to ``start`` than the limit, so that the quoted value works.
 
     Parameters
@@ -39,5 +85,7 @@ def inside(limit: float, start: float) -> float:
         What may not be reached.
     start
         A value that works.
+    share
+        How much nearer, as a share of the way from the limit to it.
     """
-    return float(start + (limit - start) * (1 - ROUNDING))
+    return float(start + (limit - start) * (1 - share))

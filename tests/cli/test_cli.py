@@ -65,8 +65,8 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
         ('"-x**2"', "\"__import__('os')\"", 2, "character 12"),
         ('"-x**2"', '"1/x"', 2, "not finite"),
         ("xi_deg = 50 ", "xi_deg = 60 ", 1, "53.1301"),
-        ("5*sin", "50*sin", 1, "scale in [target.f] times"),
-        ("plane_deg = 90", "plane_deg = 10", 1, "plane_deg between"),
+        ("5*sin", "50*sin", 1, "in [target.f], or scale = "),
+        ("plane_deg = 90", "plane_deg = 10", 1, "plane_deg must lie between"),
     ],
 )
 def test_faults_are_one_message_and_nothing_is_written(

@@ -33,9 +33,7 @@ from orishell.metrics import diagonal
 from orishell.motion import Mechanism
 from orishell.spec import read_design_file
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
     orthodiagonal_requests,
     requests,
 )
@@ -113,12 +111,12 @@ def test_long_ranges_are_bounded_too(number: int) -> None:
 @settings(max_examples=60)
 @given(requests(), st.sampled_from([20, RANGES]))
 def test_any_parallel_repeating_design(request: Request, ranges: int) -> None:
-    shares_of_bounds(feasible_design(request).mechanism, 9, ranges)
+    shares_of_bounds(request.feasible().mechanism, 9, ranges)
 
 
 @settings(max_examples=60)
 @given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
-def test_any_orthodiagonal_design(request: OrthodiagonalRequest, ranges: int) -> None:
+def test_any_orthodiagonal_design(request: Request, ranges: int) -> None:
     shares_of_bounds(request.feasible().mechanism, 9, ranges)
 
 

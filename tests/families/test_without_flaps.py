@@ -17,9 +17,7 @@ from orishell.metrics import AssignmentCheck, measure_residuals
 from orishell.motion import FoldingMotion
 from orishell.pattern import Grid
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
     graph,
     orthodiagonal_requests,
     requests,
@@ -61,16 +59,14 @@ def require_inner_columns(
 @settings(max_examples=60)
 @given(requests(), st.floats(0.0, np.pi))
 def test_parallel_columns_are_as_they_are_with_flaps(request: Request, drive: float) -> None:
-    mechanism = feasible_design(request).mechanism
+    mechanism = request.feasible().mechanism
     assert isinstance(mechanism, ParallelRepeating)
     require_inner_columns(mechanism.with_flaps(0), mechanism.with_flaps(0.3), (0.0, drive, np.pi))
 
 
 @settings(max_examples=60)
 @given(orthodiagonal_requests(), st.floats(0.0, np.pi))
-def test_orthodiagonal_columns_are_as_they_are_with_flaps(
-    request: OrthodiagonalRequest, drive: float
-) -> None:
+def test_orthodiagonal_columns_are_as_they_are_with_flaps(request: Request, drive: float) -> None:
     mechanism = request.feasible().mechanism
     assert isinstance(mechanism, Orthodiagonal)
     bare, flapped = (replace(mechanism, flaps=(width, width)) for width in (0.0, 0.3))

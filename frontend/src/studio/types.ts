@@ -85,7 +85,18 @@ export interface Fault {
   remedy: string;
   place: string;
   size: string;
-  nearest: string;
+  /** What limits, where nothing was found that works. */
+  limit: string;
+  /** What was tried and works, the nearest first. */
+  remedies: Remedy[];
+  /** Whether what works is still being looked for. */
+  searching: boolean;
+}
+
+/** Values of keys of the design file, the tables in front of them; null removes a key. */
+export interface Remedy {
+  text: string;
+  changes: Record<string, Value | null>;
 }
 
 export interface Range {

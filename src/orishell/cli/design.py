@@ -13,7 +13,7 @@ from typing import Annotated
 import typer
 
 from orishell.cli.files import STATE_HELP, WRITE_HELP, shortened, state_number
-from orishell.errors import InputError
+from orishell.errors import ClashError, InputError
 from orishell.io import OutputDirectory, Settings
 from orishell.io.registry import ALL, FORMATS, Format, find_formats
 from orishell.motion import FoldedState, FoldingMotion
@@ -51,9 +51,17 @@ def design(
         for each in FORMATS:
             if each not in formats:
                 typer.echo(f"orishell: warning: {each.file} is left out: {BUILD}", err=True)
-    with _bar("choosing rows and columns") as searched, _bar("looking for contact") as advanced:
-        clash_test = ClashTest(skipped=no_clash_test, allowed=allow_clash, advanced=advanced)
-        shell = design_shell(file, _watched, clash_test, searched)
+    with (
+        _bar("choosing rows and columns") as searched,
+        _bar("looking for contact") as advanced,
+        _bar("looking for what works") as mended,
+    ):
+        clash_test = ClashTest(no_clash_test, allow_clash, advanced, mended)
+        try:
+            shell = design_shell(file, _watched, clash_test, searched)
+        except ClashError as error:
+            error.add_note("--allow-clash writes it as it is.")
+            raise
     for warning in shell.report["warnings"]:
         typer.echo(f"orishell: warning: {warning}", err=True)
     settings = Settings(state=number, workshop=shell.file.workshop)

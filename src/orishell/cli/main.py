@@ -35,7 +35,9 @@ def run() -> None:
     try:
         app()
     except OrishellError as error:
-        print(f"orishell: {error}", file=sys.stderr)
+        print(
+            f"orishell: {' '.join([str(error), *getattr(error, '__notes__', [])])}", file=sys.stderr
+        )
         sys.exit(error.exit_status)
     except Exception as error:
         place = traceback.extract_tb(error.__traceback__)[-1]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Self
+from dataclasses import dataclass, replace
+from typing import Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,12 +30,18 @@ class Curve:
     breaks
         Parameters strictly inside the range where the tangent may jump (the corners of a
         polyline), increasing. There the derivatives are those of the later side.
+    scale
+        How much the curve has been enlarged since it was drawn.
+    part_key
+        Key of the design file that says which part of it is meant.
     """
 
     jet: CurveJet
     start: float
     stop: float
     breaks: tuple[float, ...] = ()
+    scale: float = 1.0
+    part_key: Literal["range", "part"] = "range"
 
     def __post_init__(self) -> None:
         for name, value in (("start", self.start), ("stop", self.stop)):
@@ -84,7 +90,7 @@ class Curve:
             position, first, second = self.jet(back)
             return position, -first, second
 
-        return type(self)(jet, self.start, self.stop, breaks)
+        return replace(self, jet=jet, breaks=breaks)
 
     def scaled(self, factor: float) -> Self:
         """The curve enlarged about the origin by ``factor`` > 0."""
@@ -93,7 +99,12 @@ class Curve:
             position, first, second = self.jet(t)
             return position * factor, first * factor, second * factor
 
-        return type(self)(jet, self.start, self.stop, self.breaks)
+        return replace(self, jet=jet, scale=self.scale * factor)
+
+    def part(self, start: float, stop: float) -> Self:
+        """The part of the curve between two of its parameters."""
+        inner = tuple(t for t in self.breaks if start < t < stop)
+        return replace(self, start=start, stop=stop, breaks=inner)
 
     def rotated(self, angle: float) -> Self:
         """The curve turned counter-clockwise about the origin by ``angle`` (radians)."""
@@ -104,7 +115,7 @@ class Curve:
             position, first, second = self.jet(t)
             return position @ turn, first @ turn, second @ turn
 
-        return type(self)(jet, self.start, self.stop, self.breaks)
+        return replace(self, jet=jet)
 
 
 def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float) -> Curve:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from orishell.curves import Curve, trace_curve
-from orishell.errors import DesignError, InputError, OrishellError
+from orishell.errors import ClashError, DesignError, InputError, OrishellError
 from orishell.io import LAST, Settings
 from orishell.io.registry import find_formats
 from orishell.io.view import contact_of, dump_view
@@ -56,15 +56,18 @@ def describe_error(error: OrishellError) -> dict[str, Any]:
     """
     if isinstance(error, RefusedDesignError):
         return {**describe_error(error.error), "curves": error.curves}
-    fields = ("what", "where", "got", "expected", "remedy", "condition", "place", "size", "nearest")
+    fields = ("what", "where", "got", "expected", "remedy", "condition", "place", "size", "limit")
     found = {name: getattr(error, name, "") for name in fields}
-    kind = "design" if isinstance(error, DesignError) else "input"
+    kind, remedies = ("design", error.remedies) if isinstance(error, DesignError) else ("input", ())
     return {
         "error": {
             **found,
             "what": found["what"] or found["condition"],
             "kind": kind,
             "message": str(error).removeprefix(f"{NAME}.toml: "),
+            "remedies": [
+                {"text": str(remedy), "changes": dict(remedy.changes)} for remedy in remedies
+            ],
         },
     }
 
@@ -121,7 +124,7 @@ def verify(payload: Payload, advanced: Progress) -> dict[str, Any]:
     refusal = None
     try:
         shell = _examined(file, advanced, allowed=False)
-    except DesignError as error:
+    except ClashError as error:
         refusal = describe_error(error)["error"]
         shell = _examined(file, advanced, allowed=True)
     document = lay_surface(shell.document, shell.design)
@@ -293,7 +296,11 @@ def _read(payload: Payload, *, tolerated: bool = False) -> DesignFile:
 
 
 def _examined(file: DesignFile, advanced: Progress, *, allowed: bool) -> Shell:
-    test = ClashTest(allowed=allowed, advanced=lambda share: advanced(share, "looking for contact"))
+    test = ClashTest(
+        allowed=allowed,
+        advanced=lambda share: advanced(share, "looking for contact"),
+        mended=lambda share: advanced(share, "looking for what works"),
+    )
     return make_shell(
         file, clash_test=test, searched=lambda share: advanced(share, "choosing rows and columns")
     )

@@ -1,13 +1,11 @@
 """Equation (4): all solutions but the degenerate one, and what is said where there is none."""
 
-import re
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orishell.errors import DesignError, InputError
+from orishell.errors import DesignError, InputError, Remedy
 from orishell.families.longitudinal_linear_repeating import Sectors, Solution, find_solutions
 from orishell.families.longitudinal_linear_repeating.choice import choose_solution
 
@@ -99,9 +97,8 @@ def test_only_the_degenerate_solution() -> None:
     with pytest.raises(DesignError, match="degenerate") as caught:
         choose_solution(sectors)
     assert "close no panel" in caught.value.size
-    nearest = re.search(r"\[(.*)\]", caught.value.nearest)
-    assert nearest is not None
-    works = [float(angle) for angle in nearest[1].split(",")]
+    works = next(iter(caught.value.candidates)).changes["pattern.sector_deg"]
+    assert isinstance(works, list)
     assert choose_solution(Sectors.from_degrees(works))
     assert np.abs(np.array(works) - sectors.degrees).max() < 1
 
@@ -110,15 +107,14 @@ def test_only_the_degenerate_solution() -> None:
 def test_angles_that_fold_nothing(degrees: list[float]) -> None:
     with pytest.raises(DesignError) as caught:
         choose_solution(Sectors.from_degrees(degrees))
-    nearest = re.search(r"\[(.*)\]", caught.value.nearest)
-    assert nearest is not None
-    assert choose_solution(Sectors.from_degrees([float(x) for x in nearest[1].split(",")]))
+    works = next(iter(caught.value.candidates)).changes["pattern.sector_deg"]
+    assert works == "auto" or choose_solution(Sectors.from_degrees(np.array(works)))
 
 
 def test_a_solution_that_is_not_there() -> None:
     with pytest.raises(DesignError, match="no solution = 2") as caught:
         choose_solution(PAPER, 2)
-    assert caught.value.nearest == "solution = 1"
+    assert list(caught.value.candidates) == [Remedy({"pattern.solution": 1})]
     assert choose_solution(PAPER, 1).version == "sine"
 
 

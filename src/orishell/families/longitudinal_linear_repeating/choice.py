@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Iterator
 
-from orishell.errors import DesignError
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.sectors import NAMES, Sectors
 from orishell.families.longitudinal_linear_repeating.solutions import Solution, find_solutions
+from orishell.quoting import rounded
+
+Array = NDArray[np.float64]
 
 QUICK = 2001
 """Points of the scan while searching for inputs that have a solution."""
@@ -16,6 +22,7 @@ AUTO_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.
 """Sector angles "auto" are the paper's, their deviations from 90 degrees reduced to such a share:
 the smaller, the larger are the sheets that exist and the less the radius grows."""
 
+AUTO_SECTORS = Remedy({"pattern.sector_deg": "auto"})
 SMALLEST_ANGLE = 1e-4
 """Sector angles are looked for no nearer to 0 and 180 (degrees)."""
 
@@ -42,7 +49,7 @@ def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
             size="it has one, number 0"
             if len(solutions) == 1
             else f"it has {len(solutions)}, numbers 0 to {len(solutions) - 1}",
-            nearest=f"solution = {len(solutions) - 1}",
+            candidates=[Remedy({"pattern.solution": len(solutions) - 1})],
         )
     return solutions[number]
 
@@ -62,14 +69,32 @@ def no_solution(sectors: Sectors) -> DesignError:
         reason = "alpha = beta = 90: both creases of an F vertex are straight and fold alone"
     elif max(alpha, beta, gamma, delta) - min(alpha, beta, gamma, delta) < 1e-6:
         reason = "all four are equal, so that every delta_2 solves it and none is singled out"
-    nearest = nearest_with_solution(sectors)
     return DesignError(
         f"equation (4) has no solution for the sector angles ({shown})",
         size=reason,
-        nearest="sector_deg = [" + ", ".join(f"{angle:.7g}" for angle in nearest) + "]"
-        if nearest
-        else "sector_deg = [85, 80, 95, 100]",
+        candidates=_with_solution(sectors),
     )
+
+
+def _with_solution(sectors: Sectors) -> Iterator[Remedy]:
+    nearest = nearest_with_solution(sectors)
+    if nearest:
+        yield Remedy({"pattern.sector_deg": [rounded(angle, 7) for angle in nearest]})
+    yield AUTO_SECTORS
+
+
+def nearer_to_90(sectors: Array) -> Iterator[Remedy]:
+    """Sector angles nearer to 90 degrees, of which larger sheets exist.
+
+    Parameters
+    ----------
+    sectors
+        Deviations (4,) of the angles from 90 degrees (radians).
+    """
+    for share in (0.7, 0.5, 0.25, 0.1):
+        angles = 90 + share * np.rad2deg(sectors)
+        yield Remedy({"pattern.sector_deg": [rounded(float(angle), 6) for angle in angles]})
+    yield AUTO_SECTORS
 
 
 def nearest_with_solution(sectors: Sectors) -> list[float] | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Literal
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
+from orishell.families.candidates import fewer
 from orishell.families.orthodiagonal.headings import (
     Headings,
     SideChoice,
@@ -119,7 +121,7 @@ def design_orthodiagonal(
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading)
     zigzag, headings, mechanism, ends = max(candidates, key=lambda candidate: _ground(candidate[3]))
-    require_resolution(mechanism, "change rows, columns, flap or depth")
+    require_resolution(mechanism, chain(fewer("rows", rows), fewer("columns", columns)))
 
     # Any of the zigzags would do: a heading is admissible where one of them admits it.
     admissible = union(np.concatenate([each.intervals() for each in demands]))

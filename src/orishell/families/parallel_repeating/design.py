@@ -120,10 +120,10 @@ def design_parallel_repeating(
     row.require_crossing(g_trace, spacing, placement)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
     mechanism = _assemble(staircase, row, flap_sides).with_flaps(width)
-    require_row_edges(mechanism)
+    require_row_edges(mechanism, f, g)
     require_resolution(mechanism, width)
     require_flat_sheet(
-        mechanism, width, row.parameters, lambda angle: fit_staircase(f_trace, angle, rows + 1)
+        mechanism, width, row.parameters, lambda angle: fit_staircase(f_trace, angle, rows + 1), g
     )
 
     closeness = {

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import angles
 from orishell.polylines import Placement, Spacing, place_chords
-from orishell.quoting import ROUNDING, in_degrees
+from orishell.quoting import in_degrees, rounded, tidy_degrees
 
 Array = NDArray[np.float64]
+
+MORE_COLUMNS = (1.25, 1.6, 2.5)
+"""Shares of the fewest columns that are enough, where these are not."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,20 +66,24 @@ class Row:
             return
         column = int(worst[1]) + 1
         low, high = float((-self.turns()).max()), float(np.pi - self.turns().max())
-        margin = ROUNDING * (high - low)
-        nearest = (
-            f"plane_deg between {in_degrees(low + margin)} and {in_degrees(high - margin)}"
+        limits = (
+            f"; plane_deg must lie between {in_degrees(low)} and {in_degrees(high)}"
             if low < high
-            else self._enough_columns(trace, spacing, placement)
+            else "; no plane_deg fits all columns"
         )
         raise DesignError(
             "f's plane does not cross the chord of g",
             place=f"between columns {column} and {column + 1}",
-            size=f"delta is {in_degrees(delta[worst])} degrees, and must lie between 0 and 180",
-            nearest=nearest,
+            size=f"delta is {in_degrees(delta[worst])} degrees, and must lie between 0 and 180"
+            + limits,
+            candidates=angles("plane_deg", low, high, self.plane)
+            if low < high
+            else self._enough_columns(trace, spacing, placement),
         )
 
-    def _enough_columns(self, trace: Trace, spacing: Spacing, placement: Placement) -> str:
+    def _enough_columns(
+        self, trace: Trace, spacing: Spacing, placement: Placement
+    ) -> Iterator[Remedy]:
         def works(columns: int, spacing: Spacing = spacing) -> bool:
             row = Row.on(trace, columns, self.plane, spacing, placement)
             delta = row.turns() + self.plane
@@ -87,12 +97,17 @@ class Row:
                 while high - low > 1:
                     middle = (low + high) // 2
                     low, high = (low, middle) if works(middle) else (middle, high)
-                return f"columns = {high}"
+                # More columns than are just enough leave more room for the panels.
+                yield from (
+                    Remedy({"pattern.columns": count})
+                    for count in (high, *(math.ceil(more * high) for more in MORE_COLUMNS))
+                )
+                return
         for more in (len(self.vertices), columns):
             if spacing == "equal" and works(more, "curvature"):
-                return f'spacing = "curvature" with columns = {more}'
+                yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
         turns = Row.on(trace, columns, self.plane, spacing, placement).turns()
         least, most = float((-turns).max()), float(np.pi - turns.max())
         if least < most:
-            return f"plane_deg = {in_degrees(0.5 * (least + most))} with columns = {columns}"
-        return "a g with blunter corners"
+            plane = rounded(tidy_degrees(0.5 * (least + most)), 6)
+            yield Remedy({"pattern.plane_deg": plane, "pattern.columns": columns})
