@@ -139,7 +139,8 @@ def _nearest(request: Request, design: Design, contact: Contact) -> str:
         lambda length: replace(request, g=part(length)).locks(), stop - start, SMALLEST, COARSE
     )
     if length is not None:
-        return f"the part of g from parameter {start:.10g} to {part(length).stop:.10g}"
+        low, high = request.g.drawn_part(start, part(length).stop)
+        return f"the part of g from parameter {low:.10g} to {high:.10g}"
     return "an f and a g that keep farther from themselves"
 
 

@@ -138,12 +138,12 @@ def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
     both = np.stack([g.heading, g.arriving])
     so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
     last = g.t[np.flatnonzero(so_far < np.pi - 2 * SMALLEST_EPS)[-1]]
+    low, high = g.curve.drawn_part(g.t[0], inside(last, g.t[0]))
     return DesignError(
         "g turns too far: no plane of f crosses all its chords",
         size=f"its chords spread over {in_degrees(np.ptp(direction))} degrees and may spread over "
         "less than 180",
-        nearest=f"the part of g from parameter {g.t[0]:.6g} to {inside(last, g.t[0]):.6g}"
-        ' with heading_deg = "auto"',
+        nearest=f'the part of g from parameter {low:.6g} to {high:.6g} with heading_deg = "auto"',
     )
 
 

@@ -123,7 +123,10 @@ def design_parallel_repeating(
     require_row_edges(mechanism)
     require_resolution(mechanism, width)
     require_flat_sheet(
-        mechanism, width, row.parameters, lambda angle: fit_staircase(f_trace, angle, rows + 1)
+        mechanism,
+        width,
+        g.as_drawn(row.parameters),
+        lambda angle: fit_staircase(f_trace, angle, rows + 1),
     )
 
     closeness = {

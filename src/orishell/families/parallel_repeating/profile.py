@@ -69,7 +69,7 @@ def _too_much_turning(trace: Trace, spread: float, xi: float | None) -> DesignEr
     both = np.stack([trace.heading, trace.arriving])
     so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
     k = int(np.flatnonzero(so_far < ROOM * allowed)[-1])
-    begin, end = sorted(trace.drawn_parameter(float(t)) for t in trace.t[[0, k]])
+    begin, end = trace.curve.drawn_part(trace.t[0], trace.t[k])
     nearest = f'the part of f from parameter {begin:.6g} to {end:.6g} with theta_deg = "auto"'
     if xi is not None and np.pi - spread > NARROWEST_XI:
         nearest = f'xi_deg below {in_degrees(np.pi - spread)} with theta_deg = "auto", or {nearest}'

@@ -95,7 +95,7 @@ def require_flat_sheet(
     flap
         Width of the flaps; 0 if there are none.
     parameters
-        Parameters of g's vertices.
+        Parameters of g's vertices, as g was drawn.
     staircase
         The staircase of f for another xi.
     """
@@ -125,7 +125,8 @@ def require_flat_sheet(
     columns = next(c for c in range(3, len(parameters) + 1) if not fits(c)) - 1
     # Shorter by a column, for the vertices will stand elsewhere on the part.
     end = parameters[max(columns - 2, 1)]
-    part = f"the part of g from parameter {parameters[0]:.6g} to {end:.6g}"
+    low, high = sorted((parameters[0], end))
+    part = f"the part of g from parameter {low:.6g} to {high:.6g}"
     raise DesignError(
         "the flat sheet overlaps itself: g turns too far",
         place=f"first at column {columns + 1}",
