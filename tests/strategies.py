@@ -102,7 +102,7 @@ class Request:
                 options[name.removesuffix("_deg")] = typed
             else:
                 curve = curves[table[-1]]
-                part = curve.part(*value) if isinstance(value, list) else None
+                part = curve.part_of_drawn(*value) if isinstance(value, list) else None
                 curves[table[-1]] = part or curve.scaled(float(str(value)) / curve.scale)
         return Request(self.make, curves["f"], curves["g"], options)
 

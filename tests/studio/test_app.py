@@ -138,6 +138,20 @@ def test_text_and_tables(client: httpx.Client) -> None:
     assert "not TOML" in wrong.json()["error"]["message"]
 
 
+def test_parts_of_curves_are_kept_as_they_are_typed(client: httpx.Client) -> None:
+    """A range of constants and the part of a drawing go through text and back, and are drawn."""
+    design = starter("orthodiagonal")
+    points = [[x / 10, -((x / 10) ** 2)] for x in range(-15, 16)]
+    design["target"]["f"] = {"points": points, "part": [0.7, "pi"]}
+    design["target"]["g"]["range"] = [0, "5*pi/4"]
+    text = client.post("/api/format", json={"design": design}).json()["text"]
+    assert tomllib.loads(text) == design
+    assert client.post("/api/parse", json={"text": text}).json()["design"] == design
+    design["target"]["g"]["range"] = [0, "x"]
+    error = client.post("/api/design", json={"design": design}).json()["error"]
+    assert "[target.g] range" in error["where"]
+
+
 def test_refusals_are_said_field_by_field_with_the_curves(client: httpx.Client) -> None:
     design = starter()
     design["pattern"]["xi_deg"] = 170

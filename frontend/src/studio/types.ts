@@ -3,11 +3,14 @@
 export type Value = string | number | boolean | Value[];
 export type CurveName = "f" | "g";
 export type Point = [number, number];
+export type Bound = number | string;
 
 /** A table [target.f] or [target.g] of a design file; points may be given in place of a path. */
 export interface CurveTable {
   formula?: string | [string, string];
-  range?: [number, number];
+  /** Numbers, or formulas of constants. */
+  range?: [Bound, Bound];
+  part?: [Bound, Bound];
   points?: Point[] | string;
   smooth?: boolean;
   scale?: number;

@@ -16,6 +16,9 @@ from orishell.errors import CurveError
 CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 """Position, first and second derivative, each (..., 2), at parameters (...)."""
 
+END = 1e-5
+"""An end of a part that lies beyond the curve's by up to this share of its range is the curve's."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Curve:
@@ -30,18 +33,21 @@ class Curve:
     breaks
         Parameters strictly inside the range where the tangent may jump (the corners of a
         polyline), increasing. There the derivatives are those of the later side.
+    key
+        The key of the design file that takes a part of the curve by its parameters as drawn.
+    drawn
+        Offset and factor (1 or -1): offset + factor * t is the parameter as the curve was drawn.
     scale
         How much the curve has been enlarged since it was drawn.
-    part_key
-        Key of the design file that says which part of it is meant.
     """
 
     jet: CurveJet
     start: float
     stop: float
     breaks: tuple[float, ...] = ()
+    key: Literal["range", "part"] = "part"
+    drawn: tuple[float, float] = (0.0, 1.0)
     scale: float = 1.0
-    part_key: Literal["range", "part"] = "range"
 
     def __post_init__(self) -> None:
         for name, value in (("start", self.start), ("stop", self.stop)):
@@ -90,7 +96,62 @@ class Curve:
             position, first, second = self.jet(back)
             return position, -first, second
 
-        return replace(self, jet=jet, breaks=breaks)
+        offset, factor = self.drawn
+        return replace(self, jet=jet, breaks=breaks, drawn=(offset + factor * total, -factor))
+
+    def part(self, first: float, last: float) -> Self:
+        """The part of the curve between two of its parameters, which it keeps.
+
+        Parameters
+        ----------
+        first, last
+            Its ends, first < last; rounded a little beyond the curve's, they are the curve's.
+
+        Raises
+        ------
+        CurveError
+            If it is empty, reversed or not within the curve.
+        """
+        whole = f"[{self.start:.10g}, {self.stop:.10g}]"
+        got = f"[{first:.10g}, {last:.10g}]"
+        slack = END * (self.stop - self.start)
+        if not first < last:
+            what = "the part is empty" if first == last else "the part is reversed"
+            expected = f"the smaller value first, within {whole}"
+        elif not (first >= self.start - slack and last <= self.stop + slack):
+            what, expected = "the part reaches beyond the curve", f"values within {whole}"
+        else:
+            start, stop = max(first, self.start), min(last, self.stop)
+            inner = tuple(t for t in self.breaks if start < t < stop)
+            return replace(self, start=start, stop=stop, breaks=inner)
+        raise CurveError(what, where="part", got=got, expected=expected)
+
+    def as_drawn(self, t: ArrayLike) -> Array:
+        """Parameters (...) as the curve was drawn, for messages, of this curve's t (...)."""
+        offset, factor = self.drawn
+        return offset + factor * np.asarray(t, dtype=np.float64)
+
+    def drawn_part(self, first: float, last: float) -> tuple[float, float]:
+        """The part between two parameters as :attr:`key` takes it, the smaller value first.
+
+        Parameters
+        ----------
+        first, last
+            Parameters of this curve.
+        """
+        low, high = sorted(float(self.as_drawn(t)) for t in (first, last))
+        return low, high
+
+    def part_of_drawn(self, first: float, last: float) -> Self:
+        """The part between two parameters as the curve was drawn: what :attr:`key` says.
+
+        Parameters
+        ----------
+        first, last
+            The part's ends as the curve was drawn.
+        """
+        offset, factor = self.drawn
+        return self.part(*sorted((t - offset) / factor for t in (first, last)))
 
     def scaled(self, factor: float) -> Self:
         """The curve enlarged about the origin by ``factor`` > 0."""
@@ -100,11 +161,6 @@ class Curve:
             return position * factor, first * factor, second * factor
 
         return replace(self, jet=jet, scale=self.scale * factor)
-
-    def part(self, start: float, stop: float) -> Self:
-        """The part of the curve between two of its parameters."""
-        inner = tuple(t for t in self.breaks if start < t < stop)
-        return replace(self, start=start, stop=stop, breaks=inner)
 
     def rotated(self, angle: float) -> Self:
         """The curve turned counter-clockwise about the origin by ``angle`` (radians)."""
@@ -151,7 +207,7 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
         )
         return position, first, second
 
-    return Curve(jet, float(start), float(stop))
+    return Curve(jet, float(start), float(stop), key="range")
 
 
 def curve_from_points(points: ArrayLike, *, smooth: bool) -> Curve:

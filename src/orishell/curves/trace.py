@@ -53,8 +53,6 @@ class Trace:
         where it jumps by the corner's turn.
     arriving
         Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
-    backwards
-        Whether the curve is run through against the direction in which it was drawn.
     """
 
     curve: Curve
@@ -63,7 +61,6 @@ class Trace:
     arc: Array
     heading: Array
     arriving: Array
-    backwards: bool = False
 
     @property
     def length(self) -> float:
@@ -84,12 +81,7 @@ class Trace:
             self.arc[-1] - self.arc[::-1],
             self.arriving[::-1] + np.pi,
             self.heading[::-1] + np.pi,
-            not self.backwards,
         )
-
-    def drawn_parameter(self, t: float) -> float:
-        """The parameter t as the curve was drawn, for messages."""
-        return self.curve.start + self.curve.stop - t if self.backwards else t
 
     def rotated(self, angle: float) -> Trace:
         """The curve's trace, turned counter-clockwise about the origin by ``angle`` (radians)."""
@@ -101,7 +93,6 @@ class Trace:
             self.arc,
             self.heading + angle,
             self.arriving + angle,
-            self.backwards,
         )
 
     def bounding_box(self) -> tuple[Array, Array]:
@@ -178,7 +169,7 @@ def _trace(curve: Curve) -> Trace:
             at = t[np.argmax(bad)]
             raise CurveError(
                 "the curve turns too often to be followed",
-                where=f"at parameter {at:g}",
+                where=f"at parameter {curve.as_drawn(at):g}",
                 expected=f"at most {MAX_SAMPLES * MAX_TURN:g} radians of turning in all",
                 remedy="smooth it, give fewer points, or set smooth = false",
             )
@@ -220,7 +211,7 @@ def _checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
             k = int(np.argmin(good))
             raise CurveError(
                 what,
-                where=f"at parameter {t[k]:g}",
+                where=f"at parameter {curve.as_drawn(t[k]):g}",
                 got=f"({array[k, 0]:g}, {array[k, 1]:g})",
                 remedy="choose a range without this point"
                 + (", or give x(t) and y(t)" if what.startswith("the tangent") else ""),
@@ -260,7 +251,9 @@ def _headings(curve: Curve, t: Array, position: Array, first: Array) -> tuple[Ar
     if sharp.any():
         at = t[np.argmax(sharp)]
         raise CurveError(
-            "the curve turns back on itself", where=f"at parameter {at:g}", remedy="split it there"
+            "the curve turns back on itself",
+            where=f"at parameter {curve.as_drawn(at):g}",
+            remedy="split it there",
         )
     smooth_turn = np.where(inside, 0.0, turn)
     start = np.arctan2(first[0, 1], first[0, 0])
@@ -278,7 +271,7 @@ def _check_leaps(curve: Curve, t: Array, position: Array, first: Array) -> None:
     if leap.any():
         raise CurveError(
             "the curve jumps, or swings faster than it can be followed",
-            where=f"at parameter {t[np.argmax(leap)]:g}",
+            where=f"at parameter {curve.as_drawn(t[np.argmax(leap)]):g}",
             remedy="choose a range without this point",
         )
 
@@ -325,7 +318,7 @@ def _check_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
     if least[k] < MIN_SPEED * mean:
         raise CurveError(
             "the curve is not regular: its tangent is zero",
-            where=f"at parameter {where[k]:g}",
+            where=f"at parameter {curve.as_drawn(where[k]):g}",
             remedy="use a parametrisation that does not stand still",
         )
 

@@ -70,7 +70,8 @@ def part(name: str, curve: Curve, start: float, stop: float) -> Remedy:
     start, stop
         Its parameters.
     """
-    return Remedy({f"target.{name}.{curve.part_key}": [rounded(start, 6), rounded(stop, 6)]})
+    low, high = curve.drawn_part(start, stop)
+    return Remedy({f"target.{name}.{curve.key}": [rounded(low, 6), rounded(high, 6)]})
 
 
 def fewer(key: str, count: int) -> Iterator[Remedy]:

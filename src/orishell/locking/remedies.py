@@ -146,5 +146,5 @@ def _scaled_f(request: Request, share: float) -> Remedy:
 
 def _shortened_g(request: Request, share: float) -> Remedy:
     g = request.g
-    stop = rounded(g.start + share * (g.stop - g.start), 10)
-    return Remedy({f"target.g.{g.part_key}": [g.start, stop]})
+    low, high = g.drawn_part(g.start, g.start + share * (g.stop - g.start))
+    return Remedy({f"target.g.{g.key}": [rounded(low, 10), rounded(high, 10)]})

@@ -94,8 +94,8 @@ def _changed(curve: Curve, values: Mapping[str, Value | None]) -> Curve:
             assert isinstance(value, float | int)
             curve = curve.scaled(value / curve.scale)
         else:
-            assert name == curve.part_key
+            assert name == curve.key
             assert isinstance(value, list)
             start, stop = value
-            curve = curve.part(float(start), float(stop))
+            curve = curve.part_of_drawn(float(start), float(stop))
     return curve

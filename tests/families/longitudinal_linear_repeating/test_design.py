@@ -208,10 +208,10 @@ def test_f_that_is_not_convex() -> None:
     error = refusal(f=wave)
     assert "not convex" in error.condition
     assert re.search(r"parameter 3\.1[34]", error.place)
-    assert Profile.of(trace_curve(wave.part(*first(error, "target.f.range"))))
+    assert Profile.of(trace_curve(wave.part_of_drawn(*first(error, "target.f.range"))))
     # The same part, whichever way f was drawn.
     backwards = pair("5-t", "sin(5-t)", 0, 5)
-    part = backwards.part(*first(refusal(f=backwards), "target.f.range"))
+    part = backwards.part_of_drawn(*first(refusal(f=backwards), "target.f.range"))
     assert Profile.of(trace_curve(part))
 
 

@@ -197,7 +197,7 @@ def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
     near = np.hypot(*(trace.points - ideal[worst]).T).argmin()
     raise DesignError(
         "f bends too sharply for rows that all turn by the same angle",
-        place=f"at parameter {trace.t[near]:.6g} of f, row {max(worst, 1)}",
+        place=f"at parameter {trace.curve.as_drawn(trace.t[near]):.6g} of f, row {max(worst, 1)}",
         size=f"the crease there would be {forward[worst]:.4g} long",
         candidates=[Remedy({"pattern.column_lengths": [1.0] * (len(turns) + 1)})],
     )

@@ -47,7 +47,7 @@ class Line:
             worst = int(np.argmax(np.abs((trace.points - trace.points[0]) @ normal)))
             raise DesignError(
                 "g is not straight, and this family sweeps along a straight line only",
-                place=f"at parameter {trace.t[worst]:.6g} of g",
+                place=f"at parameter {trace.curve.as_drawn(trace.t[worst]):.6g} of g",
                 size=f"g leaves a line by {leaves:.4g}, its length being {trace.length:.4g}",
                 candidates=[_straight(trace)],
             )
@@ -140,11 +140,11 @@ def _not_convex(trace: Trace) -> DesignError:
     longest = int(np.argmax(np.diff(places)))
     low, high = places[longest], places[longest + 1]
     middle = float(0.5 * (low + high))
-    low, high = sorted(trace.drawn_parameter(inside(float(end), middle)) for end in (low, high))
+    low, high = (inside(float(end), middle) for end in (low, high))
     spread = trace.heading.max() - trace.heading.min()
     return DesignError(
         "f is not convex: the rows of this family turn all the same way",
-        place=f"at parameter {places[1]:.6g} of f",
+        place=f"at parameter {trace.curve.as_drawn(places[1]):.6g} of f",
         size=f"f turns the other way from there, its tangents spreading over {in_degrees(spread)} "
         "degrees",
         candidates=[part("f", trace.curve, low, high)],

@@ -50,7 +50,7 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
     if h >= radius:
         raise DesignError(
             f"{what} is too large for f: its offsets do not exist",
-            place=f"at parameter {place:.6g} of f",
+            place=f"at parameter {trace.curve.as_drawn(place):.6g} of f",
             size=f"the depth must stay below f's radius of curvature, which is {radius:.4g} there",
             candidates=candidates,
         )

@@ -187,11 +187,7 @@ def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
         size=f"its chords spread over {in_degrees(np.ptp(direction))} degrees and may spread over "
         "less than 180",
         candidates=(
-            part(
-                "g",
-                g.curve,
-                *sorted(map(g.drawn_parameter, (start, start + share * (last - start)))),
-            )
+            part("g", g.curve, start, start + share * (last - start))
             | Remedy({"pattern.heading_deg": "auto"})
             for share in PARTS
         ),

@@ -85,8 +85,7 @@ def _too_much_turning(trace: Trace, spread: float, xi: float | None) -> DesignEr
         candidates += [each | rotated for each in angles("xi_deg", 0.0, np.pi - spread, xi)]
     for room in ROOM:
         k = int(np.flatnonzero(so_far < room * allowed)[-1])
-        begin, end = sorted(trace.drawn_parameter(float(t)) for t in trace.t[[0, k]])
-        candidates.append(part("f", trace.curve, begin, end) | rotated)
+        candidates.append(part("f", trace.curve, trace.t[0], trace.t[k]) | rotated)
     candidates.append(ORTHODIAGONAL)
     return DesignError(
         "f turns too much for a staircase, whatever its rotation",
