@@ -72,7 +72,7 @@ KNOBS: Final[Mapping[str, Knob]] = {
     ),
     "solution": Knob(
         "Solution", "Which solution of equation (4), as `orishell solve` lists them", "integer",
-        slider=(0, 15), step=1,
+        slider=(0, 1), step=1,
     ),
     "stage_deg": Knob(
         "Stage", "Fold angle of column 1 at which the shell stands", "number", True, "deg",

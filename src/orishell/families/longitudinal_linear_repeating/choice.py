@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 
 from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.sectors import NAMES, Sectors
-from orishell.families.longitudinal_linear_repeating.solutions import Solution, find_solutions
+from orishell.families.longitudinal_linear_repeating.solutions import (
+    ROUNDING,
+    Solution,
+    find_solutions,
+    is_free,
+)
 from orishell.quoting import rounded
 
 Array = NDArray[np.float64]
 
-QUICK = 2001
-"""Points of the scan while searching for inputs that have a solution."""
 APART = 0.02
 """Solutions are offered if c differs from that of the parallel strip, -1, by this."""
 AUTO_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01)
@@ -57,18 +60,19 @@ def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
 def no_solution(sectors: Sectors) -> DesignError:
     """Why these sector angles fold nothing, and the nearest ones that fold."""
     shown = ", ".join(f"{angle:.7g}" for angle in sectors.degrees)
-    alpha, beta, gamma, delta = np.abs(np.array(sectors.degrees))
     reason = "it has only the degenerate one, a strip of parallel columns"
     outside = find_solutions(sectors, inside=False)
     if outside:
         angles = [f"{angle:.4f}" for angle in outside[0].second.degrees]
         reason += f"; ({', '.join(angles)}) would solve it, but such sums close no panel"
-    if abs(gamma + delta - 180) < 1e-6:
+    if abs(sectors.gamma + sectors.delta) <= ROUNDING:
         reason = "gamma + delta = 180: both creases of an S vertex are straight and fold alone"
-    elif abs(alpha + beta - 180) < 1e-6 and abs(alpha - beta) < 1e-6:
+    elif max(abs(sectors.alpha), abs(sectors.beta)) <= ROUNDING:
         reason = "alpha = beta = 90: both creases of an F vertex are straight and fold alone"
-    elif max(alpha, beta, gamma, delta) - min(alpha, beta, gamma, delta) < 1e-6:
-        reason = "all four are equal, so that every delta_2 solves it and none is singled out"
+    elif is_free(sectors):
+        reason = "gamma = delta, and every delta_2 solves it, so that none is singled out"
+    elif abs(sectors.gamma - sectors.delta) <= ROUNDING:
+        reason = "gamma = delta: column 2 would not fold (c = 0)"
     return DesignError(
         f"equation (4) has no solution for the sector angles ({shown})",
         size=reason,
@@ -119,7 +123,7 @@ def _smallest_change(start: np.ndarray, index: int, sign: int, limit: float) -> 
         angles[index] = np.round(angles[index] + sign * change, 4)
         if not 0.01 < angles[index] < 179.99:
             return False
-        solutions = find_solutions(Sectors.from_degrees(angles), points=QUICK)
+        solutions = find_solutions(Sectors.from_degrees(angles))
         return any(abs(solution.c + 1) > APART for solution in solutions)
 
     bad, good = 0.0, 0.01
