@@ -1,5 +1,15 @@
-"""``python -m orishell``."""
+"""The command ``orishell``: first of all it can be stopped, then it is imported and runs."""
 
-from orishell.cli.main import run
+from orishell.stopping import stop_quietly
 
-run()
+
+def main() -> None:
+    """Run the command line."""
+    stop_quietly()
+    from orishell.cli.main import run
+
+    run()
+
+
+if __name__ == "__main__":
+    main()

@@ -33,7 +33,8 @@ def write_shell(
     shell
         The shell.
     directory
-        Where to; made if needed, its other files stay.
+        Where to; made if needed. Files of an earlier run that this one does not write are removed,
+        unless somebody changed them; all others stay.
     formats
         What to write beside ``shell.fold``.
     settings
@@ -49,7 +50,7 @@ def write_shell(
     clock = Clock()
     if settings is None:
         settings = Settings(workshop=shell.file.workshop)
-    with OutputDirectory(directory).writing() as draft:
+    with OutputDirectory(directory).replacing() as draft:
         (draft / "report.json").write_text(
             json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
         )
@@ -125,7 +126,7 @@ def convert_fold(
     output = OutputDirectory(target.parent)
     output.require_usable()
     document = document_of_fold(read_fold(source), unit)
-    with output.writing() as draft:
+    with output.adding() as draft:
         _write(format_, draft / target.name, document, settings, str(source))
         names = sorted(file.name for file in draft.iterdir())
     return [target.parent / name for name in names]

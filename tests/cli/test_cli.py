@@ -29,18 +29,29 @@ def test_new_then_design(tmp_path: Path) -> None:
     assert (tmp_path / "parallel-repeating.toml").exists()
     done = orishell("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert sorted(path.name for path in (tmp_path / "a" / "b").iterdir()) == FILES
+    assert sorted(path.name for path in (tmp_path / "a" / "b").iterdir()) == [
+        ".orishell.json",
+        *FILES,
+    ]
     assert all(f"wrote     a/b/{name}" in done.stdout for name in FILES)
     assert done.stderr == ""
 
 
-def test_json_report_and_the_same_bytes_twice(tmp_path: Path) -> None:
+def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     first = orishell("design", EXAMPLE, "--out", "one", "--json", cwd=tmp_path)
-    orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    orishell("design", EXAMPLE, "--out", "two", "--write", "svg,csv", cwd=tmp_path)
+    (tmp_path / "two" / "panels.csv").write_text("mine")
+    again = orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    # What the run before wrote more is gone, but what was changed since is not.
+    removed = [line for line in again.stdout.splitlines() if line.startswith("removed")]
+    assert removed == [
+        f"removed   two/{name}, of an earlier run" for name in ("creases.csv", "pattern.svg")
+    ]
+    assert (tmp_path / "two" / "panels.csv").read_text() == "mine"
     printed = json.loads(first.stdout)
     assert set(printed.pop("seconds")) == {"design", "clash", "fold", "deviation", "write"}
     assert printed == json.loads((tmp_path / "one" / "report.json").read_text())
-    for name in FILES:
+    for name in (".orishell.json", *FILES):
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
 
 
@@ -118,7 +129,7 @@ def test_without_flaps(tmp_path: Path, example: str, columns: int) -> None:
     assert done.returncode == 0, done.stderr
     assert "warning: without flaps (flap = 0) nothing stops the motion" in done.stderr
     assert "the shell does not lock" in done.stderr
-    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == FILES
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [".orishell.json", *FILES]
     fold = json.loads((tmp_path / "out" / "shell.fold").read_text())
     assert fold["orishell:grid_shape"] == [11, columns]
     assert len(fold["vertices_coords"]) == 11 * columns

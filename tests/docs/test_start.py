@@ -65,7 +65,7 @@ def test_first_shell(tmp_path: Path) -> None:
     made, designed, chosen, refused = calls("first-shell.md")
     assert_answers(made, tmp_path)
     assert_answers(designed, tmp_path)
-    assert {"overview.png", "deviation.png", "shell.fold", "report.json"} == {
+    assert {"overview.png", "deviation.png", "shell.fold", "report.json", ".orishell.json"} == {
         each.name for each in (tmp_path / "shell").iterdir()
     }
     file = tmp_path / "shell.toml"

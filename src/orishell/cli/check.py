@@ -12,13 +12,18 @@ import typer
 
 from orishell.inspection import TOLERANCE, Inspection, inspect_fold
 from orishell.io import FoldFrame, read_fold
+from orishell.io.manifest import require_one_run
+from orishell.io.registry import FOLD
 
 QUIET_BELOW = 30_000
 """Vertices times frames below which no progress bar is worth showing (less than a second)."""
 
 
 def check(
-    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD), with its frames.")],
+    file: Annotated[
+        Path,
+        typer.Argument(help="The crease pattern (FOLD), with its frames; or where design wrote."),
+    ],
     tolerance: Annotated[
         float,
         typer.Option(help="Allowed error of lengths, relative to the diagonal of the flat sheet."),
@@ -28,6 +33,9 @@ def check(
     ] = False,
 ) -> None:
     """Verify a quadrilateral crease pattern: developable, rigid, fold angles, signs, contact."""
+    if file.is_dir():
+        file /= FOLD.file
+    require_one_run(file)
     inspection = inspect_fold(read_fold(file), tolerance, _watched)
     if json_report:
         typer.echo(json.dumps(inspection.as_dict(), indent=2, allow_nan=False))

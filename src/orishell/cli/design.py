@@ -65,11 +65,12 @@ def design(
     for warning in shell.report["warnings"]:
         typer.echo(f"orishell: warning: {warning}", err=True)
     settings = Settings(state=number, workshop=shell.file.workshop)
+    earlier = OutputDirectory(out).of_earlier_run()
     written = write_shell(shell, out, formats, settings, _watched)
     if json_report:
         typer.echo(json.dumps({**shell.report, "seconds": shell.seconds}, indent=2))
     else:
-        _print_summary(shell, written)
+        _print_summary(shell, written, [path for path in earlier if not path.exists()])
 
 
 def _formats(names: str) -> tuple[Format, ...]:
@@ -118,7 +119,7 @@ def _bar(what: str) -> Iterator[Callable[[float], None] | None]:
         bar.stop()
 
 
-def _print_summary(shell: Shell, written: list[Path]) -> None:
+def _print_summary(shell: Shell, written: list[Path], removed: list[Path]) -> None:
     report, unit = shell.report, shell.file.unit
     sheet, deployed, residuals = report["sheet"], report["deployed"], report["residuals"]
     grid = shell.motion.mechanism.grid
@@ -137,6 +138,7 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
         *_lock_lines(shell),
         *(f"wrote     {text}" for text in shortened(written)),
+        *(f"removed   {text}, of an earlier run" for text in shortened(removed)),
     ]
     for line in lines:
         typer.echo(line)
