@@ -26,7 +26,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq, minimize_scalar
 
 from orishell.families.longitudinal_linear_repeating.sectors import Sectors
 
@@ -228,6 +227,8 @@ def _roots(equation: _Equation, x: Array) -> list[float]:
 
 
 def _polished(equation: _Equation, low: float, high: float) -> float:
+    from scipy.optimize import brentq
+
     def residual(x: float) -> float:
         return float(equation.residual(np.asarray(x)))
 
@@ -239,6 +240,7 @@ def _polished(equation: _Equation, low: float, high: float) -> float:
 
 def _touching(equation: _Equation, low: float, high: float, sign: float) -> list[float]:
     """A double root between low and high, or two that no point of the scan separates."""
+    from scipy.optimize import minimize_scalar
 
     def size(x: float) -> float:
         return sign * float(equation.residual(np.asarray(x)))
