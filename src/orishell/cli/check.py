@@ -6,15 +6,16 @@ import json
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.inspection import TOLERANCE, Inspection, inspect_fold
-from orishell.io import FoldFrame, read_fold
-from orishell.io.manifest import require_one_run
-from orishell.io.registry import FOLD
+if TYPE_CHECKING:
+    from orishell.inspection import Inspection
+    from orishell.io import FoldFrame
 
+TOLERANCE = 1e-6
+"""That of :data:`orishell.inspection.TOLERANCE`, which ``--help`` is not to import."""
 QUIET_BELOW = 30_000
 """Vertices times frames below which no progress bar is worth showing (less than a second)."""
 
@@ -33,6 +34,11 @@ def check(
     ] = False,
 ) -> None:
     """Verify a quadrilateral crease pattern: developable, rigid, fold angles, signs, contact."""
+    from orishell.inspection import inspect_fold
+    from orishell.io import read_fold
+    from orishell.io.manifest import require_one_run
+    from orishell.io.registry import FOLD
+
     if file.is_dir():
         file /= FOLD.file
     require_one_run(file)

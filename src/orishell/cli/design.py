@@ -8,18 +8,17 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from orishell.cli.files import STATE_HELP, WRITE_HELP, shortened, state_number
 from orishell.errors import ClashError, InputError
-from orishell.io import OutputDirectory, Settings
-from orishell.io.registry import ALL, FORMATS, Format, find_formats
-from orishell.motion import FoldedState, FoldingMotion
-from orishell.quoting import in_degrees
-from orishell.report import ClashTest, Shell, design_shell
-from orishell.writing import write_shell
+
+if TYPE_CHECKING:
+    from orishell.io.registry import Format
+    from orishell.motion import FoldedState, FoldingMotion
+    from orishell.report import Shell
 
 BUILD = "make studio builds the viewer"
 QUIET_BELOW = 1_000_000
@@ -45,6 +44,11 @@ def design(
     state: Annotated[str, typer.Option(help=STATE_HELP)] = "locked",
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and two pictures."""
+    from orishell.io import OutputDirectory, Settings
+    from orishell.io.registry import ALL, FORMATS
+    from orishell.report import ClashTest, design_shell
+    from orishell.writing import write_shell
+
     OutputDirectory(out).require_usable()
     formats, number = _formats(write), state_number(state)
     if ALL in write.split(","):
@@ -74,6 +78,8 @@ def design(
 
 
 def _formats(names: str) -> tuple[Format, ...]:
+    from orishell.io.registry import find_formats
+
     try:
         return find_formats(name for name in names.split(",") if name.strip())
     except InputError as error:
@@ -169,6 +175,8 @@ def _deviation_lines(shell: Shell) -> list[str]:
 
 
 def _lock_lines(shell: Shell) -> list[str]:
+    from orishell.quoting import in_degrees
+
     lock, contact = shell.lock, shell.lock.first_contact
     if lock.proof is None:
         return ["not checked: " + "; ".join(shell.report["not_checked"])]

@@ -5,9 +5,11 @@ from __future__ import annotations
 import sys
 import traceback
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
+from orishell._version import __version__
 from orishell.cli.check import check
 from orishell.cli.convert import convert
 from orishell.cli.design import design
@@ -17,7 +19,6 @@ from orishell.cli.studio import studio
 from orishell.errors import OrishellError
 
 app = typer.Typer(
-    help="Design deployable origami shells: from two curves to a pattern that folds and locks.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
@@ -28,6 +29,24 @@ app.command()(solve)
 app.command()(check)
 app.command()(convert)
 app.command()(studio)
+
+
+def _print_version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"orishell {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Show the version and exit."
+        ),
+    ] = False,
+) -> None:
+    """Design deployable origami shells: from two curves to a pattern that folds and locks."""
 
 
 def run() -> None:

@@ -8,7 +8,6 @@ from typing import Annotated
 import typer
 
 from orishell.errors import InputError
-from orishell.spec import starter_file
 
 
 def new(
@@ -16,6 +15,8 @@ def new(
     file: Annotated[Path | None, typer.Argument(help="The file to write [FAMILY.toml].")] = None,
 ) -> None:
     """Write a starter design file."""
+    from orishell.spec import starter_file
+
     text = starter_file(family)
     path = file if file is not None else Path(f"{family}.toml")
     try:

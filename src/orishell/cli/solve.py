@@ -7,8 +7,6 @@ from typing import Annotated
 
 import typer
 
-from orishell.families.longitudinal_linear_repeating import SEARCHED, describe_solutions
-
 SECOND = ("alpha_2", "beta_2", "gamma_2", "delta_2")
 
 
@@ -22,6 +20,8 @@ def solve(
     ] = False,
 ) -> None:
     """List all solutions of equation (4) for the sector angles of column 1."""
+    from orishell.families.longitudinal_linear_repeating import SEARCHED, describe_solutions
+
     found = describe_solutions([alpha, beta, gamma, delta])
     if json_report:
         typer.echo(json.dumps(found, indent=2))

@@ -10,8 +10,6 @@ from typing import Annotated, Any
 import typer
 
 from orishell.errors import InputError
-from orishell.spec import read_design_file
-from orishell.studio.dropped import points_along
 
 CONNECTIONS = 150
 """Connections at a time, at most: all of them together must not take the machine's memory."""
@@ -63,6 +61,9 @@ def studio(
 
 def _start(path: Path) -> dict[str, Any]:
     """Name and tables of a design file that can be shown, files of curves as their points."""
+    from orishell.spec import read_design_file
+    from orishell.studio.dropped import points_along
+
     file = read_design_file(path)
     tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     for name, curve in (("f", file.f), ("g", file.g)):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell._version import __version__
 from orishell.document import Document, DocumentState
 from orishell.io.settings import DEFAULT_SETTINGS, Settings
 
@@ -52,7 +52,7 @@ def _head(document: Document) -> dict[str, Any]:
     animated = len(document.states) > 1
     return {
         "file_spec": 1.2,
-        "file_creator": f"orishell {version('orishell')}",
+        "file_creator": f"orishell {__version__}",
         "file_title": document.title,
         "file_classes": ["singleModel", "animation"] if animated else ["singleModel"],
         **({"frame_unit": document.unit} if document.unit != "unit" else {}),

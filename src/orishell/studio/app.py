@@ -7,7 +7,6 @@ import json
 from collections.abc import AsyncIterator, Collection
 from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +16,7 @@ from fastapi.responses import HTMLResponse, JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 
+from orishell._version import __version__
 from orishell.io.registry import FORMATS
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families
@@ -100,7 +100,7 @@ def make_app(
     @app.get("/api/info")
     def info() -> dict[str, Any]:
         return {
-            "version": version("orishell"),
+            "version": __version__,
             "units": list(MILLIMETRES),
             "families": describe_families(),
             "examples": describe_examples(),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
+from orishell._version import __version__
 from orishell.document import Document
 from orishell.units import MILLIMETRES
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
@@ -204,7 +204,7 @@ def _facts(document: Document, part: Part, drawn: Drawing, workshop: Workshop) -
         f"{_decimal(area[0], unit)} × {_quoted(area[1], unit)}",
         f"Creases {made}",
         "Mountains rise towards this side of the sheet",
-        f"orishell {version('orishell')}, palette {Path(workshop.palette).stem}",
+        f"orishell {__version__}, palette {Path(workshop.palette).stem}",
     ]
 
 

@@ -8,7 +8,6 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
@@ -122,6 +121,8 @@ def _fitted(polygon: Array, ideal: Array) -> Array:
 
 
 def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind) -> float:
+    from scipy.optimize import brentq
+
     end = crease_end(columns, rows, first_row)
     begin = FIRST * float(np.abs(columns.sectors[0]).max())
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -92,6 +91,8 @@ def _facts(document: Document, state: DocumentState) -> bytes:
 
 
 def _collection(files: list[str], drives: list[float], unit: str) -> str:
+    from xml.sax.saxutils import quoteattr
+
     rising = bool(np.all(np.isfinite(drives)) and np.all(np.diff(drives) > 0))
     times = drives if rising else [float(number) for number in range(len(files))]
     meaning = "drive angle in degrees" if rising else "number of the state"
