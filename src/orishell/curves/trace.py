@@ -7,12 +7,13 @@ The samples sit where the curve turns: between neighbours the tangent turns by a
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves.curve import Curve
+from orishell.curves.frames import nearby_origin
 from orishell.curves.jets import Array
 from orishell.errors import CurveError
 
@@ -55,6 +56,8 @@ class Trace:
         Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
     backwards
         Whether the curve is run through against the direction in which it was drawn.
+    origin
+        Where the origin of the points' frame lies on the drawing (2,), turned as the curve is.
     """
 
     curve: Curve
@@ -64,6 +67,7 @@ class Trace:
     heading: Array
     arriving: Array
     backwards: bool = False
+    origin: Array = field(default_factory=lambda: np.zeros(2))
 
     @property
     def length(self) -> float:
@@ -85,6 +89,7 @@ class Trace:
             self.arriving[::-1] + np.pi,
             self.heading[::-1] + np.pi,
             not self.backwards,
+            self.origin,
         )
 
     def drawn_parameter(self, t: float) -> float:
@@ -94,14 +99,31 @@ class Trace:
     def rotated(self, angle: float) -> Trace:
         """The curve's trace, turned counter-clockwise about the origin by ``angle`` (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)
+        turn = np.array([[cos, sin], [-sin, cos]])
         return Trace(
             self.curve.rotated(angle),
             self.t,
-            self.points @ np.array([[cos, sin], [-sin, cos]]),
+            self.points @ turn,
             self.arc,
             self.heading + angle,
             self.arriving + angle,
             self.backwards,
+            self.origin @ turn,
+        )
+
+    def in_own_frame(self) -> Trace:
+        """The trace in a frame beside it, so that what is made of it keeps its digits.
+
+        A curve near the origin of its drawing stays where it is.
+        """
+        shift = nearby_origin(self.points)
+        if not shift.any():
+            return self
+        return replace(
+            self,
+            curve=self.curve.shifted(-shift),
+            points=self.points - shift,
+            origin=self.origin + shift,
         )
 
     def bounding_box(self) -> tuple[Array, Array]:

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 from orishell.errors import DesignError
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.geometry import is_simple_polygon
+from orishell.motion import RESOLUTION
 from orishell.polylines import Staircase
 from orishell.quoting import in_degrees, inside
 
 Array = NDArray[np.float64]
 
-RESOLUTION = 1e-8
-"""A crease must be at least this long relative to the largest coordinate."""
 STRETCH = 0.1
 """Logarithm of the stretch of f along g that draws a warning where f's plane is perpendicular."""
 SHORTEST_EDGE = 1e-6
@@ -55,13 +54,13 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
     """
     rows = (0, len(mechanism.lengths))
     sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    size, width = float(np.abs(sheet).max()), float(np.ptp(sheet[..., :2]))
+    size = float(np.linalg.norm(np.ptp(sheet.reshape(-1, 3), axis=0)))
     if flap:
-        limits = (RESOLUTION * size * flap / min(mechanism.flaps), width)
+        limits = (RESOLUTION * size * flap / min(mechanism.flaps), size)
         if not limits[0] <= flap <= limits[1]:
             raise DesignError(
                 "the flaps are no flaps for this sheet",
-                size=f"they are {flap:.4g} wide, the sheet is {width:.4g}",
+                size=f"they are {flap:.4g} wide, the sheet's diagonal is {size:.4g}",
                 nearest=f"flap between {limits[0]:.4g} and {limits[1]:.4g}",
             )
     for name, shortest, remedy in (
@@ -76,9 +75,9 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
             raise DesignError(
                 "a panel is so small that the rounding of coordinates would bend it",
                 place=f"at the shortest {name}",
-                size=f"it is {shortest:.4g} long with coordinates up to {size:.4g}",
-                nearest=f"a length of {RESOLUTION * size:.4g}: take fewer {remedy}, another xi_deg "
-                "or curves nearer to the origin",
+                size=f"it is {shortest:.4g} long, the sheet's diagonal {size:.4g}",
+                nearest=f"a length of {RESOLUTION * size:.4g}: take fewer {remedy} or another "
+                "xi_deg",
             )
 
 
