@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.curves import nearby_origin
 from orishell.errors import InputError
 from orishell.mesh import QuadMesh
 from orishell.panels import area_vectors
@@ -27,7 +28,7 @@ class DocumentState:
     Parameters
     ----------
     positions
-        Vertices (V, 3), z up, read-only.
+        Vertices (V, 3) in the document's frame, z up, read-only.
     fold_angles_deg
         Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is
         known of them. In degrees, as files have them: not a bit is lost.
@@ -43,6 +44,9 @@ class DocumentState:
 @dataclass(frozen=True, slots=True, eq=False)
 class Document:
     """A sheet to be written.
+
+    Coordinates of states, curves and surface are in the document's frame: :meth:`in_world` makes
+    world coordinates of them, when they are written.
 
     Parameters
     ----------
@@ -68,6 +72,8 @@ class Document:
         Lattice (a, b, 3) of the surface that the last state follows, if it is known.
     distances
         Signed distances (V,) of the last state's vertices from it, NaN where they do not count.
+    origin
+        Where the document's frame stands in the world (3,).
     report
         What is known of the shell, as in ``report.json``; empty if nothing is.
     """
@@ -83,6 +89,7 @@ class Document:
     curves: Mapping[str, Array]
     surface: Array | None = None
     distances: Array | None = None
+    origin: Array = field(default_factory=lambda: np.zeros(3))
     report: Mapping[str, Any] = field(default_factory=dict)
 
     @property
@@ -108,6 +115,18 @@ class Document:
                 expected=f"a number from 0 to {count - 1}",
             )
         return self.states[number]
+
+    def in_world(self, points: Array) -> Array:
+        """World coordinates (..., 3) of points (..., 3) of the document's frame."""
+        return points + self.origin if self.origin.any() else points
+
+    @property
+    def nearby(self) -> Array:
+        """The origin (3,) of a frame beside the last state that formats in single precision use.
+
+        In the world, and zero where the shell stands near the world's origin.
+        """
+        return nearby_origin(self.in_world(self.last.positions))
 
     def require_flat(self) -> Array:
         """The flat sheet (V, 2).

@@ -19,7 +19,7 @@ from orishell.pattern import CreaseValues, Grid, crease_signs
 Array = NDArray[np.float64]
 
 RESOLUTION = 1e-8
-"""An edge must be at least this long relative to the largest coordinate."""
+"""An edge must be at least this long relative to the diagonal of the flat sheet."""
 
 
 class Mechanism(Protocol):
@@ -160,23 +160,23 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
     Raises
     ------
     DesignError
-        If an edge is shorter than :data:`RESOLUTION` of the largest coordinate.
+        If an edge is shorter than :data:`RESOLUTION` of the sheet's diagonal.
     """
     flat = mechanism.positions(0.0)
-    largest = float(np.abs(flat).max())
+    size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
     edges = {
         "a row": np.linalg.norm(np.diff(flat, axis=1), axis=-1),
         "a column": np.linalg.norm(np.diff(flat, axis=0), axis=-1),
     }
     name = min(edges, key=lambda each: float(edges[each].min()))
     shortest = float(edges[name].min())
-    if shortest < RESOLUTION * largest:
+    if shortest < RESOLUTION * size:
         row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",
-            size=f"an edge of {name} is {shortest:.4g} long with coordinates up to {largest:.4g}, "
-            f"and must be {RESOLUTION * largest:.4g}",
+            size=f"an edge of {name} is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's "
+            f"diagonal, which is {size:.4g}",
             candidates=candidates,
         )
 

@@ -265,6 +265,7 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
         file.unit,
         title=f"{file.path.stem}: {file.family}, {size} inner vertices",
         curves=design.targets,
+        origin=design.origin,
     )
 
 

@@ -28,6 +28,7 @@ def document_of_motion(
     *,
     title: str = "Origami shell",
     curves: Mapping[str, Array] | None = None,
+    origin: Array | None = None,
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
@@ -41,6 +42,8 @@ def document_of_motion(
         One line that says what it is.
     curves
         Polylines (k, 3) that the locked shell follows, by name.
+    origin
+        Where the motion's frame stands in the world (3,); None for the world's origin.
     """
     grid = motion.mechanism.grid
     states = states_of(motion)
@@ -54,6 +57,7 @@ def document_of_motion(
         states=states,
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
+        origin=np.zeros(3) if origin is None else origin,
     )
 
 

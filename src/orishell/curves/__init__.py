@@ -5,6 +5,7 @@ from orishell.curves.direction import run_along_axis
 from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
+from orishell.curves.frames import nearby_origin
 from orishell.curves.svg import read_svg
 from orishell.curves.trace import Trace, trace_curve
 
@@ -14,6 +15,7 @@ __all__ = [
     "Trace",
     "curve_from_formulas",
     "curve_from_points",
+    "nearby_origin",
     "parse_formula",
     "read_dxf",
     "read_points",

@@ -162,6 +162,15 @@ class Curve:
 
         return replace(self, jet=jet, scale=self.scale * factor)
 
+    def shifted(self, offset: Array) -> Self:
+        """The curve moved by a vector (2,)."""
+
+        def jet(t: Array) -> tuple[Array, Array, Array]:
+            position, first, second = self.jet(t)
+            return position + offset, first, second
+
+        return replace(self, jet=jet)
+
     def rotated(self, angle: float) -> Self:
         """The curve turned counter-clockwise about the origin by ``angle`` (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)

@@ -121,7 +121,8 @@ def design_longitudinal_linear_repeating(
     >>> design.mechanism.grid
     Grid(rows=11, columns=11)
     """
-    profile, line = Profile.of(trace_curve(f, "f")), Line.along(trace_curve(g, "g"))
+    profile = Profile.of(trace_curve(f, "f").in_own_frame())
+    line = Line.along(trace_curve(g, "g").in_own_frame())
     request = _Request(
         profile=profile,
         line=line,
@@ -162,6 +163,7 @@ def design_longitudinal_linear_repeating(
         closeness=placed.closeness,
         surface=placed.surface,
         approached=placed.approached,
+        origin=np.append(line.trace.origin, 0.0),
         warnings=(),
         lock_drive=mechanism.crease_end,
     )

@@ -105,7 +105,10 @@ def design_orthodiagonal(
     >>> design.mechanism.positions(np.pi).shape
     (11, 15, 3)
     """
-    f_trace, g_trace = run_along_axis(trace_curve(f, "f")), run_along_axis(trace_curve(g, "g"))
+    f_trace, g_trace = (
+        run_along_axis(trace_curve(curve, name).in_own_frame())
+        for curve, name in ((f, "f"), (g, "g"))
+    )
     zigzags = require_zigzags(f_trace, rows, depth)
     vertices = place_chords(g_trace, columns, spacing, placement).vertices
     left, right = (None if side == "auto" else side for side in flap_sides)
@@ -152,6 +155,7 @@ def design_orthodiagonal(
         closeness=closeness,
         surface=sweep(f_trace, zigzag, g_trace, mechanism),
         approached=approach(f_trace, zigzag, g_trace, mechanism),
+        origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_no_lock(mechanism.flaps[0]),

@@ -108,14 +108,14 @@ def design_parallel_repeating(
         placement=placement,
     )
     f_trace, theta = rotate_profile(
-        trace_curve(f, "f"), theta, None if xi == "auto" else xi, rows + 1
+        trace_curve(f, "f").in_own_frame(), theta, None if xi == "auto" else xi, rows + 1
     )
     require_staircase(f_trace, None if xi == "auto" else xi, theta)
     if xi == "auto":
         xi = choose_xi(f_trace, rows + 1)
     staircase = fit_staircase(f_trace, xi, rows + 1)
 
-    g_trace = trace_curve(g, "g")
+    g_trace = trace_curve(g, "g").in_own_frame()
     row = Row.on(g_trace, columns, plane, spacing, placement)
     row.require_crossing(g_trace, spacing, placement)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
@@ -151,6 +151,7 @@ def design_parallel_repeating(
         closeness=closeness,
         surface=sweep(f_trace, staircase, g_trace, plane),
         approached=approach(f_trace, staircase, g_trace, plane),
+        origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_stretched_columns(mechanism, plane),

@@ -98,5 +98,6 @@ def _too_much_turning(trace: Trace, spread: float, xi: float | None) -> DesignEr
 def _steepest_place(trace: Trace, theta: float) -> str:
     """Where on f, as it was drawn, the tangent is farthest from the axis."""
     k = int(np.argmax(np.maximum(np.abs(trace.heading), np.abs(trace.arriving))))
-    x, y = trace.rotated(-theta).points[k]
+    drawn = trace.rotated(-theta)
+    x, y = drawn.points[k] + drawn.origin
     return f"at the point ({x:.6g}, {y:.6g}) of f"

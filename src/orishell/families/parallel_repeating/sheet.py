@@ -14,12 +14,11 @@ from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, fewer, part, sizes, values
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.geometry import is_simple_polygon
+from orishell.motion import RESOLUTION
 from orishell.polylines import Staircase
 
 Array = NDArray[np.float64]
 
-RESOLUTION = 1e-8
-"""A crease must be at least this long relative to the largest coordinate."""
 STRETCH = 0.1
 """Logarithm of the stretch of f along g that draws a warning where f's plane is perpendicular."""
 PARTS = (1.0, 0.8, 0.5)
@@ -64,9 +63,9 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
     """
     rows = (0, len(mechanism.lengths))
     sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    size, width = float(np.abs(sheet).max()), float(np.ptp(sheet[..., :2]))
+    size = float(np.linalg.norm(np.ptp(sheet.reshape(-1, 3), axis=0)))
     if flap:
-        limits = (RESOLUTION * size / min(mechanism.with_flaps(1.0).flaps), width)
+        limits = (RESOLUTION * size / min(mechanism.with_flaps(1.0).flaps), size)
         if not limits[0] <= flap <= limits[1]:
             raise DesignError(
                 "the flaps are no flaps for this sheet",
@@ -86,8 +85,8 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
             raise DesignError(
                 "a panel is so small that the rounding of coordinates would bend it",
                 place=f"at the shortest {name}",
-                size=f"it is {shortest:.4g} long with coordinates up to {size:.4g}, and must be "
-                f"{RESOLUTION * size:.4g}",
+                size=f"it is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's diagonal, "
+                f"which is {size:.4g}",
                 candidates=fewer(key, count),
             )
 

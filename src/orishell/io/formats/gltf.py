@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.document import Document, DocumentState
+from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.poses import find_frames, longer_diagonals, quaternions
 from orishell.io.settings import Settings
@@ -45,7 +45,8 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     A panel must turn by less than 180 degrees from state to state.
 
     Numbers are in single precision, as viewers have them: points are off by about 1e-7 of their
-    distance from the origin. Times follow the drive angle if it rises from state to state,
+    distance from the origin. A shell far from it hangs on a root node that is moved there in double
+    precision. Times follow the drive angle if it rises from state to state,
     otherwise states are evenly spaced. With fewer than two states there is no animation.
 
     Parameters
@@ -64,8 +65,8 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     """
     import orjson
 
-    scale = _metres(document)
-    rest = _corners(document, document.state(settings.state), scale)
+    scale, nearby = _metres(document), document.nearby
+    rest = _corners(document, document.state(settings.state).positions, nearby, scale)
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
     buffers = _Buffers()
@@ -77,7 +78,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         },
         "scene": 0,
         "scenes": [{"name": document.title, "nodes": [0]}],
-        "nodes": _nodes(document, origins, axes),
+        "nodes": _nodes(document, _turned(nearby) * scale, origins, axes),
         "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest)),
         "materials": [
             {
@@ -92,7 +93,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         ],
     }
     if len(document.states) > 1:
-        content["animations"] = [_animation(buffers, document, scale, along)]
+        content["animations"] = [_animation(buffers, document, nearby, scale, along)]
     content |= buffers.described()
     text = orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
     chunks = _chunk(_JSON, text, b" ") + _chunk(_BINARY, b"".join(buffers.parts), b"\0")
@@ -150,9 +151,11 @@ class _Buffers:
         }
 
 
-def _nodes(document: Document, origins: Array, axes: Array) -> list[dict[str, Any]]:
+def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> list[dict[str, Any]]:
     places, turns = origins.astype(np.float32), quaternions(axes).astype(np.float32)
     root = {"name": document.title, "children": list(range(1, len(origins) + 1))}
+    if place.any():
+        root["translation"] = place.tolist()
     return [root] + [
         {
             "name": f"panel {document.panel_name(panel)}",
@@ -188,14 +191,14 @@ def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str,
 
 
 def _animation(
-    buffers: _Buffers, document: Document, scale: float, along: Integers
+    buffers: _Buffers, document: Document, nearby: Array, scale: float, along: Integers
 ) -> dict[str, Any]:
     """Keys of all panels at all states."""
     origins: list[Array] = []
     turns: list[Array] = []
     drives: list[float | None] = []
     for state in document.states:
-        origin, axes = find_frames(_corners(document, state, scale), along)
+        origin, axes = find_frames(_corners(document, state.positions, nearby, scale), along)
         turn = quaternions(axes)
         if turns:  # q and -q are one rotation: the one nearer to the key before is meant
             turn = np.where((turn * turns[-1]).sum(axis=1, keepdims=True) < 0, -turn, turn)
@@ -247,10 +250,16 @@ def _metres(document: Document) -> float:
     return conversion(document.unit, "m")
 
 
-def _corners(document: Document, state: DocumentState, scale: float) -> Array:
-    """Corners (F, 4, 3) of the panels in metres, y up."""
+def _corners(document: Document, positions: Array, nearby: Array, scale: float) -> Array:
+    """Corners (F, 4, 3) of the panels about a point (3,) of the world, in metres, y up."""
+    about = positions + (document.origin - nearby)
+    return np.asarray(_turned(about) * scale + 0.0)[document.mesh.faces]
+
+
+def _turned(points: Array) -> Array:
+    """Points (..., 3) with y up."""
     order, signs = _TURNED
-    return np.asarray(state.positions[:, order] * signs * scale + 0.0)[document.mesh.faces]
+    return np.asarray(points[..., order] * signs)
 
 
 def _chunk(kind: bytes, data: bytes, padding: bytes) -> bytes:

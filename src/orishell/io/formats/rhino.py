@@ -88,9 +88,9 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     model = _Model(document)
     if document.flat is not None:
         _add_pattern(model, document, document.flat)
-    _add_shell(model, document, document.state(settings.state).positions)
+    _add_shell(model, document, document.in_world(document.state(settings.state).positions))
     for name, points in document.curves.items():
-        model.add(_polyline(points), model.layer("target", name), name)
+        model.add(_polyline(document.in_world(points)), model.layer("target", name), name)
     options = rhino3dm.File3dmWriteOptions()
     options.Version = VERSION
     path.write_bytes(_without_clock(base64.b64decode(model.file.Encode(options))))

@@ -64,7 +64,7 @@ def _write_state(path: Path, document: Document, state: DocumentState) -> None:
         rows, columns = np.divmod(np.arange(count, dtype=np.int32), document.grid_shape[1] - 1)
         cell_data |= {"row": [rows], "column": [columns]}
     faces = document.mesh.faces.astype(np.int32)
-    mesh = meshio.Mesh(state.positions, [("quad", faces)], cell_data=cell_data)
+    mesh = meshio.Mesh(document.in_world(state.positions), [("quad", faces)], cell_data=cell_data)
     meshio.write(path, mesh, file_format="vtu")
     path.write_bytes(path.read_bytes().replace(_GRID, _GRID + _facts(document, state), 1))
 
