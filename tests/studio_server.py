@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import socket
 import subprocess
 import sys
@@ -25,9 +27,7 @@ class Studio:
 @contextmanager
 def running_studio(*arguments: str | Path) -> Iterator[Studio]:
     """A studio that runs as long as the context lasts."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
+    port = _free_port()
     command = [sys.executable, "-m", "orishell", "studio", "--no-browse", "--port", str(port)]
     process = subprocess.Popen([*command, *map(str, arguments)], stderr=subprocess.PIPE, text=True)
     address = f"http://127.0.0.1:{port}"
@@ -38,6 +38,16 @@ def running_studio(*arguments: str | Path) -> Iterator[Studio]:
         process.terminate()
         _, words = process.communicate(timeout=30)
         assert "Traceback" not in words, words
+
+
+def _free_port() -> int:
+    """A port that no client is given (those begin at 32768) nor a test of another process takes."""
+    first = 10_000 + 41 * os.getpid() % 20_000
+    for port in range(first, first + 41):
+        with contextlib.suppress(OSError), socket.socket() as free:
+            free.bind(("127.0.0.1", port))
+            return port
+    raise RuntimeError(f"no port from {first} on is free")
 
 
 def _await_answer(process: subprocess.Popen[str], address: str) -> None:

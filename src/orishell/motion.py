@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from orishell.errors import DesignError, InputError, Remedy
+from orishell.panels import lengths
 from orishell.pattern import CreaseValues, Grid, crease_signs
 
 Array = NDArray[np.float64]
@@ -165,8 +166,8 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
     flat = mechanism.positions(0.0)
     size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
     edges = {
-        "a row": np.linalg.norm(np.diff(flat, axis=1), axis=-1),
-        "a column": np.linalg.norm(np.diff(flat, axis=0), axis=-1),
+        "a row": lengths(np.diff(flat, axis=1)),
+        "a column": lengths(np.diff(flat, axis=0)),
     }
     name = min(edges, key=lambda each: float(edges[each].min()))
     shortest = float(edges[name].min())
@@ -175,8 +176,8 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",
-            size=f"an edge of {name} is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's "
-            f"diagonal, which is {size:.4g}",
+            size=f"an edge of {name} is {shortest:.4g} long, and must be {RESOLUTION:g} of the "
+            f"sheet's diagonal, which is {size:.4g}",
             candidates=candidates,
         )
 
@@ -192,7 +193,7 @@ def panel_normals(positions: Array) -> Array:
     p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
     r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
     normal = np.cross(r - p, s - q)
-    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    normal /= lengths(normal)[..., None]
     return np.asarray(normal)
 
 
@@ -224,7 +225,7 @@ def measure_fold_angles(positions: Array) -> CreaseValues:
 
 def _angle_about(first: Array, second: Array, axis: Array) -> Array:
     """Angle (...) that turns unit vectors ``first`` into ``second`` about ``axis`` (..., 3)."""
-    axis = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    axis = axis / lengths(axis)[..., None]
     sine = np.einsum("...i,...i->...", np.cross(first, second), axis)
     angle: Array = np.arctan2(sine, np.einsum("...i,...i->...", first, second))
     return angle

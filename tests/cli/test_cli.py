@@ -2,32 +2,21 @@
 
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from command_line import orishell, orishell_process
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
 
 
-def orishell(*arguments: str | Path, cwd: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "orishell", *map(str, arguments)],
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
-
-
 def test_new_then_design(tmp_path: Path) -> None:
-    made = orishell("new", "parallel-repeating", cwd=tmp_path)
+    made = orishell_process("new", "parallel-repeating", cwd=tmp_path)
     assert made.returncode == 0
     assert (tmp_path / "parallel-repeating.toml").exists()
-    done = orishell("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
+    done = orishell_process("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert sorted(path.name for path in (tmp_path / "a" / "b").iterdir()) == [
         ".orishell.json",
@@ -57,7 +46,7 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text("mine")
-    done = orishell("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
+    done = orishell_process("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
     assert done.returncode == 2
     assert "exists already" in done.stderr
     assert (tmp_path / "mine.toml").read_text() == "mine"

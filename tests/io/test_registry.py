@@ -1,8 +1,5 @@
 """All formats by one test: what is written is what is read back, in any unit."""
 
-import hashlib
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -96,40 +93,6 @@ def test_fold_is_lossless_to_the_bit(family: str, tmp_path: Path) -> None:
         np.testing.assert_array_equal(ours.positions, theirs.positions)
         np.testing.assert_array_equal(ours.fold_angles_deg, theirs.fold_angles_deg)
         assert ours.drive_deg == theirs.drive_deg
-
-
-WRITE_ALL = """
-import sys
-from pathlib import Path
-sys.path[:0] = [{tests!r}]
-from documents import demo_document
-from orishell.io import Settings
-from orishell.io.registry import find_formats
-for each in find_formats(["all"]):
-    each.write(Path({out!r}) / each.file, demo_document(), Settings())
-"""
-
-
-def test_the_same_bytes_whatever_the_hash_seed(tmp_path: Path) -> None:
-    tests = str(Path(__file__).parents[1])
-    digests = []
-    for seed in ("1", "2"):
-        out = tmp_path / seed
-        out.mkdir()
-        subprocess.run(
-            [sys.executable, "-c", WRITE_ALL.format(tests=tests, out=str(out))],
-            env={"PYTHONHASHSEED": seed, "PATH": ""},
-            check=True,
-            timeout=120,
-        )
-        digests.append(
-            {
-                path.name: hashlib.sha256(path.read_bytes()).hexdigest()
-                for path in sorted(out.iterdir())
-            }
-        )
-    assert len(digests[0]) >= len(find_formats([ALL]))
-    assert digests[0] == digests[1]
 
 
 def test_names_and_endings() -> None:

@@ -85,8 +85,8 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
             raise DesignError(
                 "a panel is so small that the rounding of coordinates would bend it",
                 place=f"at the shortest {name}",
-                size=f"it is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's diagonal, "
-                f"which is {size:.4g}",
+                size=f"it is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's "
+                f"diagonal, which is {size:.4g}",
                 candidates=fewer(key, count),
             )
 
