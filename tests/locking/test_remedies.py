@@ -1,4 +1,4 @@
-"""Values that a message offers have been tried: typed into the file, they give a shell that locks."""
+"""What a message offers has been tried: typed into the design file, it gives a shell that locks."""
 
 from __future__ import annotations
 
@@ -112,15 +112,15 @@ def random_design(rng: np.random.Generator) -> Tables:
     size = {"rows": 2 * int(rng.integers(0, 4)) + 1, "columns": int(rng.integers(2, 9))}
     flap = [{}, {"flap": number(0.01, 1.5)}][rng.integers(2)]
     pattern: dict[str, Any]
-    match rng.integers(5):
-        case 0 | 1:
+    match rng.integers(10):
+        case 0 | 1 | 2 | 3:
             family, g = "parallel-repeating", curve(number(1, 6))
             pattern = {
                 "xi_deg": number(5, 170),
                 "theta_deg": number(-30, 30),
                 "plane_deg": number(30, 150),
             }
-        case 2 | 3:
+        case 4 | 5 | 6 | 7 | 8:
             family, g = "orthodiagonal", curve(number(0.3, 3))
             pattern = {"depth": number(0.01, 0.8), "heading_deg": number(20, 160)}
         case _:

@@ -86,11 +86,12 @@ def _too_much_turning(trace: Trace, spread: float, xi: float | None) -> DesignEr
     for room in ROOM:
         k = int(np.flatnonzero(so_far < room * allowed)[-1])
         candidates.append(part("f", trace.curve, trace.t[0], trace.t[k]) | rotated)
-    candidates.append(ORTHODIAGONAL)
+    walls = spread >= np.pi
+    candidates.insert(0 if walls else len(candidates), ORTHODIAGONAL)
     return DesignError(
         "f turns too much for a staircase, whatever its rotation",
         size=f"its tangents spread over {in_degrees(spread)} degrees and may spread over less than "
-        f"{in_degrees(allowed)}",
+        f"{in_degrees(allowed)}" + ("; the orthodiagonal family takes such an f" if walls else ""),
         candidates=candidates,
     )
 
