@@ -1,11 +1,12 @@
 """Planar curves: from formulas, from points, from drawings."""
 
-from orishell.curves.curve import Curve, curve_from_formulas, curve_from_points
+from orishell.curves.curve import Curve, curve_from_formulas
 from orishell.curves.direction import run_along_axis
 from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
 from orishell.curves.frames import nearby_origin
+from orishell.curves.interpolation import curve_from_points
 from orishell.curves.svg import read_svg
 from orishell.curves.trace import Trace, trace_curve
 
