@@ -96,7 +96,7 @@ class Curve:
         return type(self)(jet, self.start, self.stop, self.breaks)
 
     def shifted(self, offset: Array) -> Self:
-        """The curve moved by a vector (2,)."""
+        """The curve moved by a vector (2,) in its unit, ``offset``."""
 
         def jet(t: Array) -> tuple[Array, Array, Array]:
             position, first, second = self.jet(t)
