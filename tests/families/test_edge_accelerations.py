@@ -29,12 +29,15 @@ from orishell.families.longitudinal_linear_repeating.tessellation import (
     flat_foldable_rows,
     repeat_columns,
 )
+from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.metrics import diagonal
 from orishell.motion import Mechanism
 from orishell.spec import read_design_file
 from strategies import (
     Request,
+    graph,
     orthodiagonal_requests,
+    pair,
     requests,
 )
 
@@ -91,6 +94,17 @@ def shares_of_bounds(
         assert (true <= bound * (1 + 1e-9) + rounding).all()
         shares.append(true.sum(axis=-1) / bound.sum(axis=-1))
     return shares[0], shares[1]
+
+
+def test_cut_flaps_stay_within_the_bounds() -> None:
+    """Their outlines are no edges of columns: they slant where the flap is cut."""
+    f = pair("1.55*cos(t)", "2.3*sin(t)", 0, np.pi)
+    design = design_orthodiagonal(f, graph("0.1*cos(2*pi*x)", 0, 6), rows=11, columns=13)
+    assert isinstance(design.mechanism, Orthodiagonal)
+    assert (design.mechanism.kept < 1).any()
+    rows, columns = shares_of_bounds(design.mechanism, count=60)
+    assert rows.mean() > 0.5
+    assert columns.mean() > 0.3
 
 
 @pytest.mark.parametrize("number", [1, 2, 3])

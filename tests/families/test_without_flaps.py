@@ -85,8 +85,8 @@ def test_a_design_without_flaps_does_not_lock(make: Any) -> None:
 
 
 def test_ends_are_trimmed_for_the_columns_that_there_are() -> None:
-    # Wide flaps keep the shell from ending level, and wider ones are refused.
-    assert orthodiagonal(flap=0.35).parameters["ends"] == ["level", "untrimmed"]
+    # Wide flaps are cut off so that the shell ends level, and wider ones are refused.
+    assert orthodiagonal(flap=0.35).parameters["ends"] == ["level", "level"]
     assert orthodiagonal(flap=0).parameters["ends"] == ["level", "level"]
     with pytest.raises(DesignError, match="flaps are too wide"):
         orthodiagonal(flap=0.45)

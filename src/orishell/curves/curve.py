@@ -179,7 +179,7 @@ class Curve:
         return replace(self, jet=jet, enclosure=enclosure, scale=self.scale * factor)
 
     def shifted(self, offset: Array) -> Self:
-        """The curve moved by a vector (2,)."""
+        """The curve moved by a vector (2,) in its unit, ``offset``."""
 
         def jet(t: Array) -> tuple[Array, Array, Array]:
             position, first, second = self.jet(t)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
 from orishell.families.candidates import fewer
+from orishell.families.orthodiagonal.flaps import cut_flaps, sunk
 from orishell.families.orthodiagonal.headings import (
     Headings,
     SideChoice,
@@ -39,6 +40,8 @@ Auto = Literal["auto"]
 
 FLAP_SHARE = 0.5
 """An "auto" flap takes at most this share of the width that there is room for."""
+MUCH_NARROWER = 0.5
+"""Flaps that become narrower by this do not change sides to stay above the feet."""
 LEVEL = 1e-12
 """A middle row that rises by less than this is level (radians)."""
 
@@ -77,7 +80,8 @@ def design_orthodiagonal(
         or half of what there is room for if that is less. 0 leaves them out: then nothing locks the
         shell.
     flap_sides
-        End of f to which the left and the right flap fold; "auto" is where there is more room.
+        End of f to which the left and the right flap fold; "auto" is where there is more room,
+        unless they would reach below the feet there and not at the other end.
     spacing
         How g's vertices are spread along g.
     placement
@@ -94,7 +98,8 @@ def design_orthodiagonal(
     -----
     Six zigzags are tried, that begin to either side of f with end edges of three lengths. Of those
     that admit the heading the one is taken whose shell can be cut off level at f's ends, or at
-    least straight, and of equals the one that allows g the widest stretch along f's plane.
+    least straight, and of equals the one that allows g the widest stretch along f's plane. Flaps
+    are cut off there, too.
 
     Examples
     --------
@@ -123,7 +128,7 @@ def design_orthodiagonal(
     ]
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading)
-    zigzag, headings, mechanism, ends = max(candidates, key=lambda candidate: _ground(candidate[3]))
+    zigzag, headings, mechanism, ends = max(candidates, key=lambda each: _footing(*each[2:]))
     require_resolution(mechanism, chain(fewer("rows", rows), fewer("columns", columns)))
 
     # Any of the zigzags would do: a heading is admissible where one of them admits it.
@@ -186,28 +191,62 @@ def _choose_heading(demands: Sequence[Headings]) -> float:
 def _assemble(
     f: Trace, zigzag: Zigzag, headings: Headings, heading: float, flap: float | None
 ) -> tuple[Zigzag, Headings, Orthodiagonal, list[End]]:
-    """The mechanism of one zigzag, and the planes in which it ends."""
-    if flap is None:
-        flap = float(min(zigzag.lengths.mean(), FLAP_SHARE * headings.room(heading)))
+    """The mechanism of one zigzag, and the planes in which it ends.
+
+    Where it is left open to which side flaps fold, it is one on which they stay above the feet,
+    unless they would have to be much narrower there.
+    """
+    found: list[tuple[Orthodiagonal, list[End]]] = []
+    for sides in headings.side_choices(heading):
+        room = replace(headings, sides=sides).room(heading)
+        width = float(min(zigzag.lengths.mean(), FLAP_SHARE * room)) if flap is None else flap
+        if found and not (width < room and width >= MUCH_NARROWER * found[0][0].flaps[0]):
+            continue
+        found.append(_with_flaps(f, zigzag, headings.points, heading, width=width, sides=sides))
+        if not sunk(found[-1][0]):
+            break
+    return zigzag, headings, *min(found, key=lambda each: sunk(each[0]))
+
+
+def _with_flaps(
+    f: Trace,
+    zigzag: Zigzag,
+    points: NDArray[np.complex128],
+    heading: float,
+    *,
+    width: float,
+    sides: tuple[FlapSide, FlapSide],
+) -> tuple[Orthodiagonal, list[End]]:
+    """The mechanism with its ends trimmed, and its flaps cut off there.
+
+    Where flaps cannot be cut, or would reach less far below the feet if the ends were trimmed so
+    that they need no cut, that is done.
+    """
     tilt = zigzag.axis
-    mechanism = Orthodiagonal(
+    whole = Orthodiagonal(
         lengths=zigzag.lengths,
         angles=zigzag.angles,
         first=zigzag.first,
         tilt=0.0 if abs(tilt) < LEVEL else tilt,
-        points=headings.points,
+        points=points,
         heading=heading,
-        flaps=(flap, flap),
-        flap_sides=headings.flap_sides(heading),
+        flaps=(width, width),
+        flap_sides=sides,
     )
-    ends, trims = trim_ends(f, zigzag, mechanism.shifts())
-    return zigzag, headings, replace(mechanism, trims=trims), ends
+    shifts = whole.shifts()
+    ends, trims, planes = trim_ends(f, zigzag, shifts[whole.inner_columns])
+    cut = cut_flaps(replace(whole, trims=trims), planes)
+    if cut is not None and not sunk(cut):
+        return cut, ends
+    others, trims, _ = trim_ends(f, zigzag, shifts)
+    uncut = replace(whole, trims=trims)
+    return (uncut, others) if cut is None or sunk(uncut) < sunk(cut) else (cut, ends)
 
 
-def _ground(ends: list[End]) -> float:
-    """How well a shell stands: on level ground, or at least on straight ends."""
+def _footing(mechanism: Orthodiagonal, ends: list[End]) -> float:
+    """How well a shell stands: on level ground, or at least on straight ends, not on its flaps."""
     value = {"level": 1.0, "square": 0.6, "untrimmed": 0.0}
-    return sum(value[end] for end in ends)
+    return sum(value[end] for end in ends) - (1.0 if sunk(mechanism) else 0.0)
 
 
 def _alpha_0(headings: Headings, zigzag: Zigzag, heading: float) -> float:

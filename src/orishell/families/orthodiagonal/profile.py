@@ -96,7 +96,9 @@ def _candidates(trace: Trace, rows: int, depth: float | None) -> Iterator[Remedy
             return
 
 
-def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], tuple[float, float]]:
+def trim_ends(
+    trace: Trace, zigzag: Zigzag, shifts: Array
+) -> tuple[list[End], tuple[float, float], list[complex | None]]:
     """The planes in which the locked shell ends, and the growth by K of the end edges.
 
     Parameters
@@ -106,7 +108,7 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
     zigzag
         Its zigzag.
     shifts
-        K of all columns that there are, flaps too.
+        K of the columns that are to end there.
 
     Returns
     -------
@@ -117,6 +119,8 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
         as long as those of column 1: the first of these that keeps them in :data:`TRIM_RANGE`.
     trims
         The growth of the end edges' lengths by K.
+    normals
+        Normals of the planes, in complex numbers of f's plane; None where there is none.
     """
     edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
     lengths = np.abs(edges)
@@ -139,7 +143,8 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
         end, trim = _trim(direction, spread, length / sign, shifts, planes)
         ends.append(end)
         trims.append(trim)
-    return ends, (trims[0], trims[1])
+    normals = {"level": level[1], "square": square[1], "untrimmed": None}
+    return ends, (trims[0], trims[1]), [normals[end] for end in ends]
 
 
 def _trim(
