@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from orishell.cli.files import STATE_HELP, shortened, state_number
+from orishell.cli.printing import say
 from orishell.errors import InputError
 from orishell.io import Settings
 from orishell.spec import read_workshop
@@ -42,4 +43,4 @@ def convert(
         workshop=DEFAULT if workshop is None else read_workshop(workshop),
     )
     for text in shortened(convert_fold(file, out, settings, unit)):
-        typer.echo(f"wrote {text}")
+        say(f"wrote {text}")

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import InputError
+from orishell.errors import InputError, printable
 from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
@@ -116,7 +116,7 @@ def _read(path: Path, frames: Frames) -> FoldFile:
     mesh = build_mesh(faces, vertex_count, edges, cut)
     return FoldFile(
         path,
-        read_title(frames) or path.stem,
+        read_title(frames) or printable(path.stem),
         read_unit(frames),
         mesh,
         assignment,
