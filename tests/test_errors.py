@@ -1,6 +1,6 @@
 """One form for every message."""
 
-from orishell.errors import DesignError, FormulaError, InputError, Remedy
+from orishell.errors import DesignError, FormulaError, InputError, Remedy, printable
 
 
 def test_input_error_says_all_it_knows() -> None:
@@ -37,3 +37,11 @@ def test_caret_stands_under_the_fault_also_in_long_formulas() -> None:
     text = "x + " * 40 + "$"
     lines = str(FormulaError("this is wrong", text, len(text) - 1)).splitlines()
     assert lines[1][lines[2].index("^")] == "$"
+
+
+def test_nothing_in_a_message_gives_orders_to_a_terminal() -> None:
+    hostile = "a\x1b[2J\r\n\x9b31m\x07\u202eb\ud800"
+    error = InputError(hostile, where=hostile, got=hostile, expected=hostile, remedy=hostile)
+    assert str(error).isprintable()
+    assert r"\x1b[2J\r\n\x9b31m\x07\u202eb\ud800" in str(error)
+    assert printable("Größe 3 µm – “f”") == "Größe 3 µm – “f”"

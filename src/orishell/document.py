@@ -20,6 +20,9 @@ from orishell.panels import area_vectors
 
 Array = NDArray[np.float64]
 
+LARGEST = 1e36
+"""Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DocumentState:
@@ -91,6 +94,18 @@ class Document:
     distances: Array | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
     report: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        flat = () if self.flat is None else (self.flat,)
+        largest = max(
+            (float(np.abs(each).max()) for each in (*flat, *self.curves.values())), default=0
+        )
+        if not largest <= LARGEST:
+            raise InputError(
+                "the sheet or its curves are too large for files",
+                got=f"coordinates up to {largest:.3g}",
+                expected=f"up to {LARGEST:g}",
+            )
 
     @property
     def last(self) -> DocumentState:

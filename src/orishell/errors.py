@@ -12,6 +12,21 @@ from dataclasses import dataclass
 from typing import Self
 
 
+def printable(text: str) -> str:
+    """A line of text in which every character that a terminal would obey is an escape.
+
+    Parameters
+    ----------
+    text
+        The line.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        each if each.isprintable() else each.encode("unicode_escape").decode() for each in text
+    )
+
+
 class OrishellError(Exception):
     """The root of the family; ``exit_status`` is what the command line returns."""
 
@@ -77,6 +92,7 @@ class InputError(OrishellError):
             sentence += f" Remedy: {self.remedy}."
         if self.where:
             sentence = f"{self.where.removesuffix(':')}: {sentence}"
+        sentence = printable(sentence)
         return f"{sentence}\n{self.detail}" if self.detail else sentence
 
 

@@ -20,7 +20,7 @@ from orishell.deviation import (
     measure_deviation,
 )
 from orishell.document import Document
-from orishell.errors import DesignError, InputError, VerificationError
+from orishell.errors import DesignError, InputError, VerificationError, printable
 from orishell.locking import (
     Lock,
     Request,
@@ -263,7 +263,7 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
     return document_of_motion(
         motion,
         file.unit,
-        title=f"{file.path.stem}: {file.family}, {size} inner vertices",
+        title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
         curves=design.targets,
         origin=design.origin,
     )

@@ -59,6 +59,9 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
         ("rows = 9 ", "rows = 8 ", 2, "(7 or 9)"),
         ("rows = 9 ", "rows = 1000000001 ", 2, "312 GB"),
         ("rows = 9 ", 'rows = "many" ', 2, "a whole number"),
+        ("rows = 9 ", f"rows = 0x{'f' * 9000} ", 2, "36000 bits"),
+        ("columns", r'"\u001b[2Jcolumns"', 2, r"[pattern] \x1b[2Jcolumns: unknown key"),
+        ("columns", '"a\x1b[2J"', 2, "not TOML"),
         ("flap = 0.3 ", "flap = nan ", 2, "a finite number"),
         ("columns", "colums", 2, "write columns"),
         ("[0, 20]", "[20, 0]", 2, "reversed"),
@@ -79,6 +82,7 @@ def test_faults_are_one_message_and_nothing_is_written(
     assert done.returncode == status, done.stderr
     assert says in done.stderr
     assert "Traceback" not in done.stderr
+    assert "\x1b" not in done.stderr
     assert done.stdout == ""
     assert [path.name for path in tmp_path.iterdir()] == ["shell.toml"]
 
@@ -96,6 +100,34 @@ def test_a_file_in_the_way_of_the_output(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "is a file" in done.stderr
     assert (tmp_path / "out").read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["", "x" * 300, f"a/{'x' * 300}/b"])
+def test_names_that_no_directory_can_have(tmp_path: Path, name: str) -> None:
+    for command in (["design", str(EXAMPLE), "--out", name], ["check", name]):
+        done = orishell(*command, cwd=tmp_path)
+        assert done.returncode == 2
+        assert done.stderr.count("\n") == 1
+        assert "a fault of the program" not in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_files_and_their_names_say_is_printable(tmp_path: Path) -> None:
+    (tmp_path / "a\x1b[2J\udcff.toml").write_text(EXAMPLE.read_text())
+    options = ["--no-clash-test", "--write", "svg,pdf,dxf,glb,vtu"]
+    done = orishell(
+        "design", "a\x1b[2J\udcff.toml", "--out", "b\x1b[2J\udcff", *options, cwd=tmp_path
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert r"wrote     b\x1b[2J\udcff/shell.fold" in done.stdout
+    for path in (tmp_path / "b\x1b[2J\udcff").iterdir():
+        if path.suffix not in {".png", ".glb", ".vtu"}:  # these are not all text
+            assert b"\x1b" not in path.read_bytes()
+    fold = json.loads((tmp_path / "b\x1b[2J\udcff" / "shell.fold").read_text())
+    (tmp_path / "c.fold").write_text(json.dumps({**fold, "frame_unit": "\x1b[2J"}))
+    said = orishell("check", "c.fold", cwd=tmp_path)
+    assert r"\x1b[2J" in said.stdout
+    assert "\x1b" not in said.stdout + said.stderr
 
 
 def test_warnings_go_to_standard_error(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from orishell.cli.files import STATE_HELP, shortened, state_number
+from orishell.cli.printing import say
 from orishell.errors import InputError
 from orishell.units import MILLIMETRES
 
@@ -43,4 +44,4 @@ def convert(
         workshop=DEFAULT if workshop is None else read_workshop(workshop),
     )
     for text in shortened(convert_fold(file, out, settings, unit)):
-        typer.echo(f"wrote {text}")
+        say(f"wrote {text}")

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, WRITE_HELP, shortened, state_number
+from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, shortened, state_number
+from orishell.cli.printing import say
 from orishell.errors import ClashError, InputError
 
 if TYPE_CHECKING:
@@ -27,7 +28,9 @@ QUIET_BELOW = 1_000_000
 
 def design(
     file: Annotated[Path, typer.Argument(help="The design file (TOML).")],
-    out: Annotated[Path, typer.Option(help="Directory for the files; made if needed.")],
+    out: Annotated[
+        Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
+    ],
     *,
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
@@ -54,7 +57,7 @@ def design(
     if ALL in write.split(","):
         for each in FORMATS:
             if each not in formats:
-                typer.echo(f"orishell: warning: {each.file} is left out: {BUILD}", err=True)
+                say(f"orishell: warning: {each.file} is left out: {BUILD}", err=True)
     with (
         _bar("choosing rows and columns") as searched,
         _bar("looking for contact") as advanced,
@@ -67,12 +70,12 @@ def design(
             error.add_note("--allow-clash writes it as it is.")
             raise
     for warning in shell.report["warnings"]:
-        typer.echo(f"orishell: warning: {warning}", err=True)
+        say(f"orishell: warning: {warning}", err=True)
     settings = Settings(state=number, workshop=shell.file.workshop)
     earlier = OutputDirectory(out).of_earlier_run()
     written = write_shell(shell, out, formats, settings, _watched)
     if json_report:
-        typer.echo(json.dumps({**shell.report, "seconds": shell.seconds}, indent=2))
+        say(json.dumps({**shell.report, "seconds": shell.seconds}, indent=2))
     else:
         _print_summary(shell, written, [path for path in earlier if not path.exists()])
 
@@ -147,7 +150,7 @@ def _print_summary(shell: Shell, written: list[Path], removed: list[Path]) -> No
         *(f"removed   {text}, of an earlier run" for text in shortened(removed)),
     ]
     for line in lines:
-        typer.echo(line)
+        say(line)
 
 
 def _choice_lines(shell: Shell) -> list[str]:

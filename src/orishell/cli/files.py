@@ -18,6 +18,19 @@ WRITE_HELP = (
 STATE_HELP = "State for formats that show one: flat, locked, or the number of a frame from 0."
 
 
+def directory(text: str) -> Path:
+    """A directory by its name.
+
+    Raises
+    ------
+    InputError
+        If the name is empty, which would be where the command was given.
+    """
+    if not text:
+        raise InputError("the name is empty", where="--out", expected="the name of a directory")
+    return Path(text)
+
+
 def state_number(text: str) -> int:
     """The number of a state by its name or number.
 

@@ -14,6 +14,7 @@ from orishell.cli.check import check
 from orishell.cli.convert import convert
 from orishell.cli.design import design
 from orishell.cli.new import new
+from orishell.cli.printing import say
 from orishell.cli.solve import solve
 from orishell.cli.studio import studio
 from orishell.errors import OrishellError
@@ -54,16 +55,15 @@ def run() -> None:
     try:
         app()
     except OrishellError as error:
-        print(
-            f"orishell: {' '.join([str(error), *getattr(error, '__notes__', [])])}", file=sys.stderr
-        )
+        notes = getattr(error, "__notes__", [])
+        say(f"orishell: {' '.join([str(error), *notes])}", err=True)
         sys.exit(error.exit_status)
     except Exception as error:
         place = traceback.extract_tb(error.__traceback__)[-1]
-        print(
+        say(
             f"orishell: a fault of the program, please report it: {type(error).__name__}: {error} "
             f"({Path(place.filename).name}, line {place.lineno})",
-            file=sys.stderr,
+            err=True,
         )
         sys.exit(1)
 

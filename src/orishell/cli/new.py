@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from orishell.cli.printing import say
 from orishell.errors import InputError
 
 
@@ -30,5 +31,5 @@ def new(
         raise InputError(
             "the file cannot be written", where=str(path), got=error.strerror or str(error)
         ) from None
-    typer.echo(f"wrote {path}")
-    typer.echo(f"next: orishell design {path} --out {path.stem}")
+    say(f"wrote {path}")
+    say(f"next: orishell design {path} --out {path.stem}")

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
+from orishell.cli.printing import say
 from orishell.errors import InputError
 
 CONNECTIONS = 150
@@ -34,6 +34,7 @@ def studio(
     import uvicorn
 
     from orishell.studio.app import PAGES, make_app
+    from orishell.studio.protocol import ImpatientProtocol
 
     start = None if file is None else _start(file)
     local = host in {"127.0.0.1", "localhost", "::1"}
@@ -41,18 +42,19 @@ def studio(
     app = make_app(hosts=names if local or host != "0.0.0.0" else None, start=start)
     address = f"http://{'127.0.0.1' if host == '0.0.0.0' else host}:{port}/"
     if not (PAGES / "index.html").exists():
-        typer.echo(
+        say(
             "orishell: warning: the studio's pages are not built; with Node.js 18 or newer, "
             "make studio builds and starts them",
             err=True,
         )
-    typer.echo(f"studio at {address} (Ctrl-C ends it)", err=True)
+    say(f"studio at {address} (Ctrl-C ends it)", err=True)
     if browse:
         typer.launch(address)
     uvicorn.run(
         app,
         host=host,
         port=port,
+        http=ImpatientProtocol,
         log_level="warning",
         server_header=False,
         limit_concurrency=CONNECTIONS,
@@ -63,9 +65,10 @@ def _start(path: Path) -> dict[str, Any]:
     """Name and tables of a design file that can be shown, files of curves as their points."""
     from orishell.spec import read_design_file
     from orishell.studio.dropped import points_along
+    from orishell.toml_file import read_toml
 
     file = read_design_file(path)
-    tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    tables = read_toml(path)
     for name, curve in (("f", file.f), ("g", file.g)):
         table = tables["target"][name]
         if "formula" not in table and not isinstance(table.get("points"), list):

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import InputError
+from orishell.document import LARGEST
+from orishell.errors import InputError, printable
 from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
@@ -20,9 +21,6 @@ Integers = NDArray[np.int64]
 
 LETTERS = frozenset("BMVFUCJ")
 """Assignments of FOLD 1.2: border, mountain, valley, flat, unassigned, cut, join."""
-
-LARGEST = 1e50
-"""Coordinates above this are refused: their products would overflow."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,7 +114,7 @@ def _read(path: Path, frames: Frames) -> FoldFile:
     mesh = build_mesh(faces, vertex_count, edges, cut)
     return FoldFile(
         path,
-        read_title(frames) or path.stem,
+        read_title(frames) or printable(path.stem),
         read_unit(frames),
         mesh,
         assignment,

@@ -19,8 +19,8 @@ from orishell.spec.families import FAMILIES, Pattern, require_family
 from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
 from orishell.spec.target import Target, Targets
-from orishell.spec.toml_file import read_toml
 from orishell.spec.workshop import WorkshopTable
+from orishell.toml_file import read_toml
 from orishell.units import Unit
 from orishell.workshop import Workshop
 
@@ -118,7 +118,8 @@ def read_design_file(path: Path) -> DesignFile:
     InputError
         Naming the file, the key, what was found and what is expected.
     """
-    return check_design(read_toml(path), path)
+    remedy = "orishell new parallel-repeating writes one to begin with"
+    return check_design(read_toml(path, "design file", remedy), path)
 
 
 def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> DesignFile:

@@ -6,7 +6,6 @@ import base64
 import io
 import tempfile
 import time
-import tomllib
 import zipfile
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -25,6 +24,7 @@ from orishell.spec import DesignFile, check_design
 from orishell.studio.dropped import read_dropped
 from orishell.studio.ranges import find_ranges
 from orishell.studio.workers import Payload, Progress, Task
+from orishell.toml_file import parse_toml
 from orishell.units import MILLIMETRES
 from orishell.writing import write_format
 
@@ -177,10 +177,7 @@ def parse(payload: Payload, advanced: Progress) -> dict[str, Any]:
     InputError
         If it is not TOML, or no design.
     """
-    try:
-        tables = tomllib.loads(str(payload.get("text", "")))
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise InputError("this is not TOML", got=str(error)) from None
+    tables = parse_toml(str(payload.get("text", "")))
     _read({**payload, "design": tables})
     return {"design": tables}
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import multiprocessing
+import os
 import shutil
 import tempfile
 from collections.abc import AsyncGenerator, Callable
@@ -235,5 +236,6 @@ def _serve(pipe: Connection, files: str) -> None:
         except OrishellError as error:
             answer = ("refusal", describe_error(error))
         except Exception as error:
-            answer = ("fault", f"{type(error).__name__}: {error}")
+            words = f"{type(error).__name__}: {error}"
+            answer = ("fault", words.replace(f"{files}{os.sep}", ""))
         pipe.send(answer)
