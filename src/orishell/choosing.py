@@ -9,6 +9,7 @@ from itertools import product, repeat
 
 from orishell.design import Design
 from orishell.errors import DesignError
+from orishell.quoting import in_one_line
 
 MOST = 201
 """Rows and columns tried at most, unless said otherwise."""
@@ -101,6 +102,8 @@ class Choice:
     trial: Trial
     tradeoff: tuple[Trial, ...]
     tried: int
+
+    __repr__ = in_one_line
 
 
 def choose(

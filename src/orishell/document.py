@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from orishell.errors import InputError
 from orishell.mesh import QuadMesh
 from orishell.panels import area_vectors
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 
@@ -38,6 +39,8 @@ class DocumentState:
     positions: Array
     fold_angles_deg: Array | None = None
     drive_deg: float | None = None
+
+    __repr__ = in_one_line
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,6 +87,8 @@ class Document:
     surface: Array | None = None
     distances: Array | None = None
     report: Mapping[str, Any] = field(default_factory=dict)
+
+    __repr__ = in_one_line
 
     @property
     def last(self) -> DocumentState:

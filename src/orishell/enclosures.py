@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from orishell.quoting import in_one_line
+
 Array = NDArray[np.float64]
 
 
@@ -27,6 +29,8 @@ class Interval:
 
     low: Array
     high: Array
+
+    __repr__ = in_one_line
 
     @classmethod
     def between(cls, first: ArrayLike, second: ArrayLike) -> Interval:
@@ -87,6 +91,8 @@ class Enclosure:
     value: Interval
     first: Interval
     second: Interval
+
+    __repr__ = in_one_line
 
     @classmethod
     def half_cosine(cls, start: Array, stop: Array) -> Enclosure:

@@ -22,6 +22,7 @@ from orishell.curves.jets import (
     times,
 )
 from orishell.errors import FormulaError
+from orishell.quoting import in_one_line
 
 MAX_LENGTH = 500
 MAX_DEPTH = 100
@@ -56,6 +57,8 @@ class Formula:
     text: str
     variable: str | None
     _run: Run
+
+    __repr__ = in_one_line
 
     def jet(self, t: Array) -> Jet:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""

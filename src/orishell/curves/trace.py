@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from orishell.curves.curve import Curve
 from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.quoting import in_one_line
 
 MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""
@@ -64,6 +65,8 @@ class Trace:
     heading: Array
     arriving: Array
     backwards: bool = False
+
+    __repr__ = in_one_line
 
     @property
     def length(self) -> float:

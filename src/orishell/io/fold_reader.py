@@ -14,6 +14,7 @@ from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
 from orishell.mesh import QuadMesh, build_mesh
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -50,6 +51,8 @@ class FoldFrame:
     fold_angles_deg: Array | None
     drive_deg: float | None
 
+    __repr__ = in_one_line
+
     @property
     def fold_angles(self) -> Array | None:
         """Fold angles (E,) that the frame itself gives (radians)."""
@@ -85,6 +88,8 @@ class FoldFile:
     assignment: tuple[str, ...] | None
     grid_shape: tuple[int, int] | None
     frames: tuple[FoldFrame, ...]
+
+    __repr__ = in_one_line
 
 
 def read_fold(path: Path) -> FoldFile:

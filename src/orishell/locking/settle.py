@@ -12,7 +12,7 @@ from orishell.curves import Curve
 from orishell.design import Design
 from orishell.errors import DesignError
 from orishell.locking.lock import CONTACT_TOLERANCE, Contact, Lock, find_lock
-from orishell.quoting import in_degrees
+from orishell.quoting import in_degrees, in_one_line
 
 Auto = Literal["auto"]
 Progress = Callable[[float], None]
@@ -46,6 +46,8 @@ class Request:
     g: Curve
     flap: float | Auto
     tolerance: float = CONTACT_TOLERANCE
+
+    __repr__ = in_one_line
 
     def made(self) -> Design:
         """The design."""

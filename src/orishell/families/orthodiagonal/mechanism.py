@@ -32,6 +32,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from orishell.design import FlapSide
 from orishell.families.orthodiagonal.acceleration import bound_edges
+from orishell.motion import mechanism_in_one_line
 from orishell.pattern import CreaseValues, Grid
 from orishell.polylines import alternating
 from orishell.vertex import half_turns, row_fold_angle
@@ -77,6 +78,8 @@ class Orthodiagonal:
     flaps: tuple[float, float]
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
     trims: tuple[float, float] = (0.0, 0.0)
+
+    __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
         for name in ("lengths", "angles", "points"):
