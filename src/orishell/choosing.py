@@ -9,7 +9,7 @@ from itertools import product, repeat
 
 from orishell.design import Design
 from orishell.errors import DesignError, Remedy
-from orishell.quoting import rounded
+from orishell.quoting import in_one_line, rounded
 
 MOST = 201
 """Rows and columns tried at most, unless said otherwise."""
@@ -104,6 +104,8 @@ class Choice:
     trial: Trial
     tradeoff: tuple[Trial, ...]
     tried: int
+
+    __repr__ = in_one_line
 
 
 def choose(

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from orishell.motion import Mechanism
 from orishell.polylines import Closeness
+from orishell.quoting import in_one_line
 from orishell.surface import Surface
 
 Array = NDArray[np.float64]
@@ -35,6 +36,8 @@ class Approached:
 
     what: str
     surface: Surface | None
+
+    __repr__ = in_one_line
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,6 +78,12 @@ class Design:
     approached: Approached | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
     lock_drive: float | None = None
+
+    def __repr__(self) -> str:
+        met = ", ".join(f"{name} to {near.max:.4g}" for name, near in self.closeness.items())
+        count = len(self.warnings)
+        warned = f"; {count} warning{'s' * (count > 1)}" if count else ""
+        return f"{type(self).__name__}({self.mechanism!r}; meets {met}{warned})"
 
 
 def warn_of_no_lock(flap: float) -> tuple[str, ...]:

@@ -17,6 +17,7 @@ from orishell.curves import nearby_origin
 from orishell.errors import InputError
 from orishell.mesh import QuadMesh
 from orishell.panels import area_vectors
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 
@@ -42,6 +43,8 @@ class DocumentState:
     positions: Array
     fold_angles_deg: Array | None = None
     drive_deg: float | None = None
+
+    __repr__ = in_one_line
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,6 +97,8 @@ class Document:
     distances: Array | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
     report: Mapping[str, Any] = field(default_factory=dict)
+
+    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         flat = () if self.flat is None else (self.flat,)

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from orishell.errors import DesignError, InputError, Remedy
 from orishell.panels import lengths
 from orishell.pattern import CreaseValues, Grid, crease_signs
+from orishell.quoting import in_degrees, in_one_line
 
 Array = NDArray[np.float64]
 
@@ -86,6 +87,8 @@ class FoldedState:
     positions: Array
     fold_angles: CreaseValues
 
+    __repr__ = in_one_line
+
     @classmethod
     def of(cls, mechanism: Mechanism, drive: float) -> FoldedState:
         """The state of a mechanism at one drive angle (radians)."""
@@ -110,8 +113,19 @@ class FoldingMotion:
     frames: int
 
     def __post_init__(self) -> None:
+        if not hasattr(self.mechanism, "positions"):
+            raise InputError(
+                "this is no folding sheet",
+                where="FoldingMotion",
+                got=type(self.mechanism).__name__,
+                expected="a mechanism",
+                remedy="take design.mechanism of a design",
+            )
         if self.frames < 2:
             raise InputError("too few frames", got=str(self.frames), expected="at least 2")
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.frames} states of {self.mechanism!r})"
 
     @property
     def drives(self) -> Array:
@@ -146,6 +160,21 @@ def find_assignment(mechanism: Mechanism) -> CreaseValues:
         The sheet.
     """
     return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
+
+
+def mechanism_in_one_line(mechanism: Mechanism) -> str:
+    """A mechanism as a prompt shows it: the ``__repr__`` of every family's.
+
+    Parameters
+    ----------
+    mechanism
+        The folding sheet.
+    """
+    grid = mechanism.grid
+    return (
+        f"{type(mechanism).__name__}({grid.rows} x {grid.columns} vertices, {grid.panel_count} "
+        f"panels, drive to {in_degrees(mechanism.lock_drive)} degrees)"
+    )
 
 
 def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> None:

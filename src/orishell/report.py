@@ -128,6 +128,11 @@ class Shell:
     report: dict[str, Any]
     seconds: dict[str, float]
 
+    def __repr__(self) -> str:
+        file = self.file
+        size = f"{file.pattern.rows} x {file.pattern.columns} inner vertices"
+        return f"{type(self).__name__}({file.path.stem!r}, {file.family}, {size}; {self.lock!r})"
+
 
 def design_shell(
     path: Path,

@@ -9,11 +9,12 @@ from typing import overload
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.design import Design
 from orishell.document import Document, DocumentState
 from orishell.mesh import build_mesh
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.pattern import CreaseValues, edges_assignment
-from orishell.quoting import tidy_degrees
+from orishell.quoting import in_one_line, tidy_degrees
 
 Array = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
@@ -61,6 +62,22 @@ def document_of_motion(
     )
 
 
+def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) -> Document:
+    """The document of what a family's design function returns: to be shown, or written.
+
+    Parameters
+    ----------
+    design
+        The design.
+    unit
+        Unit of length of the coordinates; "unit" if none is known.
+    frames
+        Number of states from flat to locked.
+    """
+    motion = FoldingMotion(design.mechanism, frames)
+    return document_of_motion(motion, unit, curves=design.targets)
+
+
 def _passed_on(motion: FoldingMotion) -> Iterable[FoldedState]:
     return motion
 
@@ -95,6 +112,8 @@ class States(Sequence[DocumentState]):
     motion: FoldingMotion
     passing: Passing
     folds: Booleans
+
+    __repr__ = in_one_line
 
     def __len__(self) -> int:
         return len(self.motion)

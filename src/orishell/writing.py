@@ -47,6 +47,7 @@ def write_shell(
     InputError
         If the directory cannot be written to, or a setting does not fit the sheet.
     """
+    _require_shell(shell)
     clock = Clock()
     if settings is None:
         settings = Settings(workshop=shell.file.workshop)
@@ -94,11 +95,23 @@ def write_format(
     InputError
         If a setting does not fit the sheet.
     """
+    _require_shell(shell)
     states = states_of(shell.motion, partial(watched, what=f"writing {format_.file}"))
     document = replace(shell.document, states=states, report=shell.report)
     if format_.lays_surface:
         document = lay_surface(document, shell.design)
     _write(format_, draft / format_.file, document, settings, str(shell.file.path))
+
+
+def _require_shell(shell: object) -> None:
+    if not isinstance(shell, Shell):
+        raise InputError(
+            "only a shell has all that is written",
+            got=type(shell).__name__,
+            expected="a Shell, which design_shell makes from a design file",
+            remedy="write a design by itself in one format: orishell.io.write_fold(path, "
+            "orishell.shell_document.document_of_design(design, unit))",
+        )
 
 
 def convert_fold(

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from command_line import orishell, orishell_process
+from orishell import __version__
+from orishell.spec import FAMILIES
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
@@ -42,6 +44,23 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     assert printed == json.loads((tmp_path / "one" / "report.json").read_text())
     for name in (".orishell.json", *FILES):
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
+
+
+def test_new_without_a_family_lists_them(tmp_path: Path) -> None:
+    listed = orishell("new", cwd=tmp_path)
+    assert (listed.returncode, listed.stdout) == (2, "")
+    first, *lines = listed.stderr.splitlines()
+    assert first.startswith("orishell: no family is named. Remedy: orishell new FAMILY")
+    assert [line.split()[0] for line in lines] == list(FAMILIES)
+    assert all(FAMILIES[line.split()[0]].what in line for line in lines)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_version(tmp_path: Path) -> None:
+    said = orishell("--version", cwd=tmp_path)
+    assert (said.returncode, said.stdout) == (0, f"orishell {__version__}\n")
+    citation = (EXAMPLE.parents[1] / "CITATION.cff").read_text()
+    assert f"\nversion: {__version__}\n" in citation
 
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:

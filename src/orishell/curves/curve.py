@@ -71,6 +71,15 @@ class Curve:
                 remedy=f"write [{self.stop:g}, {self.start:g}]" if self.start != self.stop else "",
             )
 
+    def __repr__(self) -> str:
+        first, last = (
+            "({:.6g}, {:.6g})".format(*self.position(t)) for t in (self.start, self.stop)
+        )
+        count = len(self.breaks)
+        broken = f", {count} corner{'s' * (count > 1)}" if count else ""
+        span = f"{self.start:.6g} to {self.stop:.6g}"
+        return f"{type(self).__name__}(from {first} to {last}, parameter {span}{broken})"
+
     def position(self, t: ArrayLike) -> Array:
         """Points (..., 2) at parameters t (...)."""
         return self.jet(np.asarray(t, dtype=np.float64))[0]

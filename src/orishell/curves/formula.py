@@ -14,6 +14,7 @@ from orishell.curves.jets import FUNCTIONS, Array, Jet
 from orishell.curves.rules import ENCLOSURES, JETS, J, Rules
 from orishell.errors import FormulaError
 from orishell.intervals import Enclosure, Interval
+from orishell.quoting import in_one_line
 
 MAX_LENGTH = 500
 MAX_DEPTH = 100
@@ -54,6 +55,8 @@ class Formula:
     text: str
     variable: str | None
     _run: Run
+
+    __repr__ = in_one_line
 
     def jet(self, t: Array) -> Jet:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""

@@ -18,6 +18,7 @@ from orishell.curves.curve import Curve
 from orishell.curves.frames import nearby_origin
 from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.quoting import in_one_line
 
 MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""
@@ -67,6 +68,8 @@ class Trace:
     heading: Array
     arriving: Array
     origin: Array = field(default_factory=lambda: np.zeros(2))
+
+    __repr__ = in_one_line
 
     @property
     def length(self) -> float:

@@ -16,6 +16,7 @@ from orishell.inspection.folds import AssignmentTest, FoldAngleTest
 from orishell.inspection.rigidity import ConvexTest, DevelopableTest, FlatTest, RigidTest
 from orishell.inspection.sheet import Sheet, State
 from orishell.io import FoldFile, FoldFrame
+from orishell.quoting import in_one_line
 
 TOLERANCE = 1e-6
 """Allowed error of lengths relative to the diagonal of the flat sheet's bounding box."""
@@ -68,6 +69,8 @@ class Inspection:
     tolerance: float
     checks: tuple[Check, ...]
     not_checked: tuple[str, ...]
+
+    __repr__ = in_one_line
 
     @property
     def passed(self) -> bool:

@@ -15,6 +15,7 @@ from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
 from orishell.mesh import QuadMesh, build_mesh
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -47,6 +48,8 @@ class FoldFrame:
     positions: Array
     fold_angles_deg: Array | None
     drive_deg: float | None
+
+    __repr__ = in_one_line
 
     @property
     def fold_angles(self) -> Array | None:
@@ -83,6 +86,8 @@ class FoldFile:
     assignment: tuple[str, ...] | None
     grid_shape: tuple[int, int] | None
     frames: tuple[FoldFrame, ...]
+
+    __repr__ = in_one_line
 
 
 def read_fold(path: Path) -> FoldFile:

@@ -10,6 +10,7 @@ from orishell.curves import Curve, curve_from_formulas, parse_formula
 from orishell.design import Design
 from orishell.errors import Remedy, Value
 from orishell.locking.lock import CONTACT_TOLERANCE
+from orishell.quoting import in_one_line
 
 
 class Pattern(Protocol):
@@ -47,6 +48,8 @@ class Request:
     f: Curve
     g: Curve
     tolerance: float = CONTACT_TOLERANCE
+
+    __repr__ = in_one_line
 
     @property
     def quick(self) -> bool:

@@ -21,6 +21,7 @@ from orishell.curves import Trace
 from orishell.curves.jets import Array
 from orishell.polylines.closeness import measure_closeness
 from orishell.polylines.edge_errors import measure_edges
+from orishell.quoting import in_one_line
 
 Spacing = Literal["curvature", "equal"]
 Placement = Literal["inscribed", "balanced"]
@@ -65,6 +66,8 @@ class Chords:
 
     parameters: Array
     vertices: Array
+
+    __repr__ = in_one_line
 
 
 def place_chords(

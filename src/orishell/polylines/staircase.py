@@ -20,6 +20,7 @@ import numpy as np
 from orishell.curves import Trace
 from orishell.curves.jets import Array
 from orishell.curves.nearest import Nearest
+from orishell.quoting import in_one_line
 
 MAX_ITERATIONS = 60
 SMALLEST_STEP = 1e-3
@@ -55,6 +56,8 @@ class Staircase:
     vertices: Array
     distance: float
     balanced: bool
+
+    __repr__ = in_one_line
 
     @property
     def evenness(self) -> float:

@@ -15,6 +15,7 @@ from orishell.choosing import Tolerance
 from orishell.curves import Curve
 from orishell.errors import InputError
 from orishell.locking import CONTACT_TOLERANCE
+from orishell.quoting import in_one_line
 from orishell.spec.families import FAMILIES, Pattern, require_family
 from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
@@ -103,6 +104,8 @@ class DesignFile:
     frames: int
     contact_tolerance: float
     workshop: Workshop
+
+    __repr__ = in_one_line
 
 
 def read_design_file(path: Path) -> DesignFile:

@@ -211,17 +211,44 @@ class LongitudinalPattern(Pattern):
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """What the design file needs to know of a family: its table and a starter file."""
+    """What the design file and whoever lists families need to know of one.
+
+    Parameters
+    ----------
+    pattern
+        Its table.
+    starter
+        A design file to begin with.
+    label
+        What headings call it.
+    what
+        What it makes, in a few words.
+    """
 
     pattern: type[Pattern]
     starter: str
+    label: str
+    what: str
 
 
 FAMILIES: Mapping[str, Family] = {
-    "parallel-repeating": Family(ParallelRepeatingPattern, starters.PARALLEL_REPEATING),
-    "orthodiagonal": Family(OrthodiagonalPattern, starters.ORTHODIAGONAL),
+    "parallel-repeating": Family(
+        ParallelRepeatingPattern,
+        starters.PARALLEL_REPEATING,
+        "Parallel repeating",
+        "Any f along any g, at right angles or oblique",
+    ),
+    "orthodiagonal": Family(
+        OrthodiagonalPattern,
+        starters.ORTHODIAGONAL,
+        "Orthodiagonal",
+        "A wavy cylinder: f along g, in parallel planes",
+    ),
     "longitudinal-linear-repeating": Family(
-        LongitudinalPattern, starters.LONGITUDINAL_LINEAR_REPEATING
+        LongitudinalPattern,
+        starters.LONGITUDINAL_LINEAR_REPEATING,
+        "Longitudinal",
+        "A convex f along a line, growing",
     ),
 }
 

@@ -22,6 +22,7 @@ from orishell.families.longitudinal_linear_repeating.solutions import (
     Version,
     find_solutions,
 )
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 RowKind = Literal["F", "S"]
@@ -45,6 +46,8 @@ class Columns:
     version: Version
     sectors: Array
     multipliers: Array
+
+    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         for array in (self.sectors, self.multipliers):

@@ -33,6 +33,7 @@ from numpy.typing import ArrayLike, NDArray
 from orishell.design import FlapSide
 from orishell.families.orthodiagonal.acceleration import bound_edges
 from orishell.families.orthodiagonal.columns import Columns, product, running
+from orishell.motion import mechanism_in_one_line
 from orishell.pattern import CreaseValues, Grid
 from orishell.polylines import alternating
 from orishell.vertex import half_turns, row_fold_angle
@@ -82,6 +83,8 @@ class Orthodiagonal:
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
     trims: tuple[float, float] = (0.0, 0.0)
     kept: Array = field(default_factory=lambda: np.ones((2, 1)))
+
+    __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
         for name in ("lengths", "angles", "points", "kept"):
