@@ -5,8 +5,12 @@ from orishell.curves.direction import run_along_axis
 from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
+from orishell.curves.remembered import remembered
 from orishell.curves.svg import read_svg
-from orishell.curves.trace import Trace, trace_curve
+from orishell.curves.trace import Trace
+from orishell.curves.trace import trace_curve as _trace_curve
+
+trace_curve = remembered(_trace_curve)
 
 __all__ = [
     "Curve",
@@ -18,6 +22,7 @@ __all__ = [
     "read_dxf",
     "read_points",
     "read_svg",
+    "remembered",
     "run_along_axis",
     "trace_curve",
 ]
