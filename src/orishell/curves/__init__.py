@@ -7,8 +7,12 @@ from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
 from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
+from orishell.curves.remembered import remembered
 from orishell.curves.svg import read_svg
-from orishell.curves.trace import Trace, trace_curve
+from orishell.curves.trace import Trace
+from orishell.curves.trace import trace_curve as _trace_curve
+
+trace_curve = remembered(_trace_curve)
 
 __all__ = [
     "Curve",
@@ -21,6 +25,7 @@ __all__ = [
     "read_dxf",
     "read_points",
     "read_svg",
+    "remembered",
     "run_along_axis",
     "trace_curve",
 ]

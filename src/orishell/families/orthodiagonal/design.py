@@ -29,6 +29,7 @@ from orishell.polylines import (
     Placement,
     Spacing,
     Zigzag,
+    measure_chords,
     measure_closeness,
     place_chords,
     warn_of_coarse_row,
@@ -115,7 +116,8 @@ def design_orthodiagonal(
         for curve, name in ((f, "f"), (g, "g"))
     )
     zigzags = require_zigzags(f_trace, rows, depth)
-    vertices = place_chords(g_trace, columns, spacing, placement).vertices
+    chords = place_chords(g_trace, columns, spacing, placement)
+    vertices = chords.vertices
     left, right = (None if side == "auto" else side for side in flap_sides)
     width = None if flap == "auto" else flap
     demands = [headings_of(zigzag, vertices, width, (left, right)) for zigzag in zigzags]
@@ -136,7 +138,7 @@ def design_orthodiagonal(
     interval = nearest_interval(admissible, heading) or (heading, heading)
     closeness = {
         "f": measure_closeness(f_trace, zigzag.vertices),
-        "g": measure_closeness(g_trace, vertices),
+        "g": measure_chords(g_trace, chords),
     }
     of_zigzag = headings.interval(heading)
     alpha = [_alpha_0(headings, zigzag, angle) for angle in (heading, *of_zigzag)]

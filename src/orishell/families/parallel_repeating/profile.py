@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import chain
 from typing import Literal
 
 import numpy as np
 
-from orishell.curves import Trace, run_along_axis
+from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, part
-from orishell.polylines import choose_theta, theta_interval, xi_limit
+from orishell.polylines import (
+    Closeness,
+    Staircase,
+    choose_theta,
+    choose_xi,
+    fit_staircase,
+    measure_closeness,
+    theta_interval,
+    xi_limit,
+)
 from orishell.quoting import in_degrees
 
 Auto = Literal["auto"]
@@ -28,7 +38,47 @@ ORTHODIAGONAL = Remedy(
 """The family that takes an f of walls near vertical, or beyond."""
 
 
-def rotate_profile(
+@dataclass(frozen=True, slots=True, eq=False)
+class Profile:
+    """f as it is swept, and the staircase that takes its place.
+
+    Parameters
+    ----------
+    trace
+        f, rotated and run through along its x axis.
+    theta
+        Its rotation (radians).
+    staircase
+        Column 1 at lock.
+    closeness
+        The staircase's distance from f.
+    """
+
+    trace: Trace
+    theta: float
+    staircase: Staircase
+    closeness: Closeness
+
+
+@remembered
+def fit_profile(f: Curve, edges: int, xi: float | Auto, theta: float | Auto) -> Profile:
+    """Rotate f and fit its staircase.
+
+    Raises
+    ------
+    CurveError
+        If f is not a usable curve.
+    DesignError
+        If it has no staircase of this angle.
+    """
+    angle = None if xi == "auto" else xi
+    trace, theta = _rotated(trace_curve(f, "f").in_own_frame(), theta, angle, edges)
+    require_staircase(trace, angle, theta)
+    staircase = fit_staircase(trace, choose_xi(trace, edges) if angle is None else angle, edges)
+    return Profile(trace, theta, staircase, measure_closeness(trace, staircase.vertices))
+
+
+def _rotated(
     trace: Trace, theta: float | Auto, xi: float | None, edges: int
 ) -> tuple[Trace, float]:
     """The rotated trace, run through along the x axis, and the rotation."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from orishell.curves import Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
-from orishell.polylines import Placement, Spacing, place_chords
+from orishell.polylines import Chords, Placement, Spacing, place_chords
 from orishell.quoting import in_degrees, rounded, tidy_degrees
 
 Array = NDArray[np.float64]
@@ -27,18 +27,27 @@ class Row:
 
     Parameters
     ----------
-    parameters, heading
-        Parameters (n,) on g of the vertices, and g's directions (n,) there (radians).
-    vertices
-        Vertices (n, 2) of g's polyline.
+    chords
+        g's polyline.
+    heading
+        g's directions (n,) at its vertices (radians).
     plane
         Angle from f's plane to g's tangent (radians).
     """
 
-    parameters: Array
-    vertices: Array
+    chords: Chords
     heading: Array
     plane: float
+
+    @property
+    def parameters(self) -> Array:
+        """Parameters (n,) on g of the vertices."""
+        return self.chords.parameters
+
+    @property
+    def vertices(self) -> Array:
+        """Vertices (n, 2) of g's polyline."""
+        return self.chords.vertices
 
     @classmethod
     def on(
@@ -46,8 +55,7 @@ class Row:
     ) -> Row:
         """Place the vertices along g."""
         chords = place_chords(trace, columns, spacing, placement)
-        t = chords.parameters
-        return cls(t, chords.vertices, trace.heading_at(t), plane)
+        return cls(chords, trace.heading_at(chords.parameters), plane)
 
     def turns(self) -> Array:
         """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
