@@ -158,6 +158,7 @@ def unseen(curve: Curve, samples: Samples, turn: float, smallest: float) -> Arra
     reach = NEAR * float(np.hypot(*np.diff(samples.points, axis=0).T).sum())
     widths = np.diff(t)
     smooth = samples.distinct() & (widths > 2 * smallest)
+    missing, lacking = [t[:0]], np.zeros(len(widths), dtype=np.bool_)
     parts = _Parts(t[:-1], t[1:], samples.leaving, samples.arriving, np.arange(len(widths)))
     with np.errstate(all="ignore"):
         parts = parts.take(~parts.bend_little(*_largest_bends(curve, t), turn))
@@ -170,21 +171,23 @@ def unseen(curve: Curve, samples: Samples, turn: float, smallest: float) -> Arra
             rough = ~(tame | (near & (narrow | ~known)))
             # What is that narrow and away from the chord gets a chord of its own.
             away = rough & narrow & (whole > 2 * smallest)
-            if away.any():
-                return np.setdiff1d(np.concatenate([parts.low[away], parts.high[away]]), t)
+            missing += [parts.low[away], parts.high[away]]
+            lacking[parts.cell[away]] = True
+            rough &= ~lacking[parts.cell]
             parts = parts.take(rough)
             middle = 0.5 * (parts.low + parts.high)
-            _require_divisible(curve, parts, middle, boxes[0].value + boxes[1].value, rough)
+            _require_divisible(curve, parts, middle, _bounded(boxes)[rough])
             point, tangent, _ = checked_jet(curve, middle)
             off = np.where(
                 smooth[parts.cell],
                 _angles(samples.leaving[parts.cell], tangent) > turn,
                 ~samples.near_chords(_as_boxes(point), parts.cell, reach),
             )
-            if off.any():
-                return np.unique(middle[off])
+            missing.append(middle[off])
+            lacking[parts.cell[off]] = True
             parts = parts.halved(middle, tangent)
-    return np.zeros(0)
+            parts = parts.take(~lacking[parts.cell])
+    return np.setdiff1d(np.concatenate(missing), t)
 
 
 def _largest_bends(curve: Curve, t: Array) -> tuple[Array, Array]:
@@ -199,6 +202,11 @@ def _largest_bends(curve: Curve, t: Array) -> tuple[Array, Array]:
     return x.second.magnitude()[block], y.second.magnitude()[block]
 
 
+def _bounded(boxes: Boxes) -> Flags:
+    reach = boxes[0].value.magnitude() + boxes[1].value.magnitude()
+    return np.asarray(np.isfinite(reach))
+
+
 def _as_boxes(points: Array) -> Boxes:
     x, y = (Enclosure(*[Interval(each, each)] * 3) for each in points.T)
     return x, y
@@ -210,25 +218,23 @@ def _angles(a: Array, b: Array) -> Array:
     return np.asarray(np.abs(np.arctan2(cross, (a * b).sum(axis=1))))
 
 
-def _require_divisible(
-    curve: Curve, parts: _Parts, middle: Array, reach: Interval, rough: Flags
-) -> None:
-    """Refuse parts that are too narrow to be halved, and too many of them."""
+def _require_divisible(curve: Curve, parts: _Parts, middle: Array, known: Flags) -> None:
+    """Refuse parts that are too narrow to be halved, and too many of them.
+
+    ``known`` tells where positions are bounded.
+    """
     stuck = parts.high - parts.low <= FINEST * (curve.stop - curve.start)
     stuck |= ~((parts.low < middle) & (middle < parts.high))
-    if stuck.any():
-        k = int(np.argmax(stuck))
-        finite = np.isfinite(reach.low[rough][k]) and np.isfinite(reach.high[rough][k])
-        raise CurveError(
-            "the curve jumps, or swings faster than it can be followed"
-            if finite
-            else "the curve is not bounded, or not defined",
-            where=f"at parameter {curve.as_drawn(middle[k]):.10g}",
-            remedy="choose a range without this point",
-        )
-    if len(middle) > MOST:
-        raise CurveError(
-            "the curve turns too often to be followed, or large terms of its formula cancel",
-            where=f"at parameter {curve.as_drawn(middle[0]):.10g}",
-            remedy="write it with terms that cancel less, or choose a shorter range",
-        )
+    many = len(middle) > MOST
+    if not (many or stuck.any()):
+        return
+    k = int(np.argmax(~known if many else stuck))
+    raise CurveError(
+        "the curve is not bounded, or not defined"
+        if not known[k]
+        else "the curve turns too often to be followed, or large terms of its formula cancel"
+        if many
+        else "the curve jumps, or swings faster than it can be followed",
+        where=f"at parameter {curve.as_drawn(middle[k]):.10g}",
+        remedy="choose a range without this point",
+    )

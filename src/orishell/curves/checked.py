@@ -37,7 +37,7 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
             k = int(np.argmin(good))
             raise CurveError(
                 what,
-                where=f"at parameter {curve.as_drawn(t[k]):g}",
+                where=f"at parameter {curve.as_drawn(t[k]):.10g}",
                 got=f"({array[k, 0]:g}, {array[k, 1]:g})",
                 remedy="choose a range without this point"
                 + (", or give x(t) and y(t)" if what.startswith("the tangent") else ""),

@@ -200,7 +200,7 @@ def _trace(curve: Curve) -> Trace:
         if len(t) + len(missing) > MAX_SAMPLES:
             raise CurveError(
                 "the curve turns too often to be followed",
-                where=f"at parameter {curve.as_drawn(missing[0]):g}",
+                where=f"at parameter {curve.as_drawn(missing[0]):.10g}",
                 expected=f"at most {MAX_SAMPLES * MAX_TURN:g} radians of turning in all",
                 remedy="smooth it, give fewer points, or set smooth = false",
             )
@@ -261,7 +261,7 @@ def _headings(curve: Curve, t: Array, position: Array, first: Array) -> tuple[Ar
         at = t[np.argmax(sharp)]
         raise CurveError(
             "the curve turns back on itself",
-            where=f"at parameter {curve.as_drawn(at):g}",
+            where=f"at parameter {curve.as_drawn(at):.10g}",
             remedy="split it there",
         )
     smooth_turn = np.where(inside, 0.0, turn)
@@ -280,7 +280,7 @@ def _check_leaps(curve: Curve, samples: Samples) -> None:
     if leap.any():
         raise CurveError(
             "the curve jumps, or swings faster than it can be followed",
-            where=f"at parameter {curve.as_drawn(t[np.argmax(leap)]):g}",
+            where=f"at parameter {curve.as_drawn(t[np.argmax(leap)]):.10g}",
             remedy="choose a range without this point",
         )
 
@@ -332,7 +332,7 @@ def _check_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
     if least[k] < MIN_SPEED * mean:
         raise CurveError(
             "the curve is not regular: its tangent is zero",
-            where=f"at parameter {curve.as_drawn(where[k]):g}",
+            where=f"at parameter {curve.as_drawn(where[k]):.10g}",
             remedy="use a parametrisation that does not stand still",
         )
 

@@ -29,7 +29,7 @@ class Enclosure:
 
     @classmethod
     def constant(cls, value: float) -> Enclosure:
-        """A number, for all ranges alike."""
+        """The number ``value``, for all ranges alike."""
         exact, zero = np.asarray(value), np.zeros(())
         flat = Interval(zero, zero)
         return cls(Interval(exact, exact), flat, flat)
