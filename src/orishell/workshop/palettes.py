@@ -10,6 +10,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from orishell.colours import LIGHT
 from orishell.errors import InputError
 from orishell.toml_file import parse_toml, read_toml
 from orishell.workshop.drawing import LAYERS, Layer
@@ -142,6 +143,7 @@ def _pen(where: str, value: Any) -> Pen:
             "a layer has a colour, an aci and a width_mm, or is false", where=where, got=repr(value)
         )
     colour, aci, width = value["colour"], value["aci"], value["width_mm"]
+    colour = LIGHT.get(colour, colour) if isinstance(colour, str) else colour
     if not isinstance(colour, str) or not _COLOUR.fullmatch(colour.lower()):
         raise InputError(
             "no colour", where=f"{where} colour", got=repr(colour), expected='as in "#ff0000"'

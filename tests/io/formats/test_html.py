@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
+from orishell.colours import rgb
 from orishell.errors import InputError
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
@@ -170,7 +171,7 @@ def test_colours_overlays_and_theme_are_seen(browser: Browser, tmp_path: Path) -
         picture = pixels(page, ".orishell-scene canvas")
         return float((np.abs(picture - [red, green, blue]).max(axis=-1) < 0.1).mean())
 
-    mountain, valley, curve_g = (0.81, 0.23, 0.17), (0.14, 0.39, 0.78), (0.24, 0.55, 0.12)
+    mountain, valley, curve_g = (rgb(name) for name in ("mountain", "valley", "curve-g"))
     with watched_page(browser, color_scheme="light") as page:
         opened(page, tmp_path / "viewer.html")
         before = share(*mountain), share(*valley), share(*curve_g)

@@ -10,6 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import MEANINGS, linear_rgb
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.poses import find_frames, longer_diagonals, quaternions
@@ -23,10 +24,8 @@ Singles = NDArray[np.float32]
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""
-COLOUR: Final = (0.80, 0.76, 0.68, 1.0)
-"""Colour of the panels, linear red, green, blue, opacity."""
-
 _FLOAT, _SHORT = 5126, 5123
+_LINES = 1
 _VERTICES, _INDICES = 34962, 34963
 _JSON, _BINARY = b"JSON", b"BIN\0"
 _TURNED = [0, 2, 1], [1.0, 1.0, -1.0]
@@ -43,6 +42,9 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     neighbours part by less than s²L/8 if their diagonals are L long and they turn by s radians
     from one state to the next: some thousandths of L with 13 states, a quarter of that with 25.
     A panel must turn by less than 180 degrees from state to state.
+
+    Edges are lines in the colours of mountains and valleys (:mod:`orishell.colours`), each with
+    the panel on one side of it.
 
     Numbers are in single precision, as viewers have them: points are off by about 1e-7 of their
     distance from the origin. A shell far from it hangs on a root node that is moved there in double
@@ -69,6 +71,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     rest = _corners(document, document.state(settings.state).positions, nearby, scale)
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
+    inks = _inks(document)
     buffers = _Buffers()
     content = {
         "asset": {
@@ -79,18 +82,8 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         "scene": 0,
         "scenes": [{"name": document.title, "nodes": [0]}],
         "nodes": _nodes(document, _turned(nearby) * scale, origins, axes),
-        "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest)),
-        "materials": [
-            {
-                "name": "panel",
-                "doubleSided": True,
-                "pbrMetallicRoughness": {
-                    "baseColorFactor": COLOUR,
-                    "metallicFactor": 0.0,
-                    "roughnessFactor": 0.9,
-                },
-            }
-        ],
+        "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks),
+        "materials": [_material("panel-front"), *map(_material, inks)],
     }
     if len(document.states) > 1:
         content["animations"] = [_animation(buffers, document, nearby, scale, along)]
@@ -167,8 +160,38 @@ def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> lis
     ]
 
 
-def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str, Any]]:
-    """One mesh for each panel with corners (F, 4, 3) in its own frame."""
+def _material(meaning: str) -> dict[str, Any]:
+    return {
+        "name": meaning,
+        "doubleSided": True,
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [*linear_rgb(meaning), 1.0],
+            "metallicFactor": 0.0,
+            "roughnessFactor": 0.9,
+        },
+    }
+
+
+def _inks(document: Document) -> dict[str, Integers]:
+    """Sides (F,) of every panel that are drawn in a colour, by its meaning: 1, 2, 4, 8 for a side.
+
+    An edge between two panels is drawn with one of them, and moves with it.
+    """
+    mesh = document.mesh
+    edges = mesh.faces_edges()
+    drawn = mesh.edge_faces.max(axis=1)[edges] == np.arange(len(edges))[:, None]
+    meanings = np.array([MEANINGS[letter] for letter in document.assignment])[edges]
+    found = {
+        str(each): ((drawn & (meanings == each)) * [1, 2, 4, 8]).sum(axis=1)
+        for each in np.unique(meanings)
+    }
+    return {meaning: sides for meaning, sides in found.items() if sides.any()}
+
+
+def _meshes(
+    buffers: _Buffers, local: Array, splits: Integers, inks: dict[str, Integers]
+) -> list[dict[str, Any]]:
+    """One mesh for each panel with corners (F, 4, 3) in its own frame: its area and its lines."""
     corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=_VERTICES, byteStride=12)
     upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
     normals = buffers.add(upright, "VEC3", target=_VERTICES, byteStride=12)
@@ -176,7 +199,7 @@ def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str,
     triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
     first = buffers.add(triangles, "SCALAR", target=_INDICES)
     indices = (first + np.searchsorted(used, splits)).tolist()
-    return [
+    meshes: list[dict[str, Any]] = [
         {
             "primitives": [
                 {
@@ -188,6 +211,23 @@ def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str,
         }
         for panel, index in enumerate(indices)
     ]
+    sides = np.stack([np.arange(4), (np.arange(4) + 1) % 4], axis=1).astype(np.uint16)
+    shared: dict[int, int] = {}
+    for material, drawn in enumerate(inks.values(), start=1):
+        for panel in np.flatnonzero(drawn).tolist():
+            which = int(drawn[panel])
+            if which not in shared:
+                ends = sides[[side for side in range(4) if which >> side & 1]].reshape(1, -1)
+                shared[which] = buffers.add(ends, "SCALAR", target=_INDICES)
+            meshes[panel]["primitives"].append(
+                {
+                    "attributes": {"POSITION": corners + panel},
+                    "indices": shared[which],
+                    "mode": _LINES,
+                    "material": material,
+                }
+            )
+    return meshes
 
 
 def _animation(
