@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from orishell.motion import FoldedState, FoldingMotion
     from orishell.report import Shell
 
-BUILD = "make studio builds the viewer"
 QUIET_BELOW = 1_000_000
 """Vertices times states below which no progress bar is worth showing (less than a second)."""
 
@@ -48,6 +47,7 @@ def design(
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and two pictures."""
     from orishell.io import OutputDirectory, Settings
+    from orishell.io.formats.html import BUILD_PAGES
     from orishell.io.registry import ALL, FORMATS
     from orishell.report import ClashTest, design_shell
     from orishell.writing import write_shell
@@ -57,7 +57,7 @@ def design(
     if ALL in write.split(","):
         for each in FORMATS:
             if each not in formats:
-                say(f"orishell: warning: {each.file} is left out: {BUILD}", err=True)
+                say(f"orishell: warning: {each.file} is left out: {BUILD_PAGES}", err=True)
     with (
         _bar("choosing rows and columns") as searched,
         _bar("looking for contact") as advanced,

@@ -93,7 +93,7 @@ def test_what_stands_in_the_page_stays_where_it_is(tmp_path: Path) -> None:
 
 def test_says_what_to_do_where_the_viewer_is_not_built(tmp_path: Path, stub: Path) -> None:
     stub.unlink()
-    with pytest.raises(InputError, match="make studio") as caught:
+    with pytest.raises(InputError, match="npm run pages") as caught:
         write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
     assert caught.value.what == "the viewer has not been built"
     assert not (tmp_path / "viewer.html").exists()
