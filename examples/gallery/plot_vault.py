@@ -40,7 +40,7 @@ for k in range(sections.shape[1]):
 axes.plot(*shell.design.targets["f"][:, 1:].T, color="#0a8f3c", linewidth=2, label="f")
 axes.set_aspect("equal")
 axes.axis("off")
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 
 # %%
 # The crease pattern: F rows and S rows alternate, columns repeat every four.

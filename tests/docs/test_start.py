@@ -6,13 +6,12 @@ import doctest
 import re
 import shlex
 import shutil
-import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
 import pytest
 
+from command_line import orishell
 from orishell.spec import starter_file
 
 ROOT = Path(__file__).parents[2]
@@ -40,10 +39,7 @@ def calls(page: str) -> list[tuple[list[str], str]]:
 def assert_answers(call: tuple[list[str], str], where: Path) -> None:
     """A call prints what the page says, "..." standing for anything within a line."""
     words, printed = call
-    ran = subprocess.run(
-        [sys.executable, "-m", "orishell", *words],
-        cwd=where, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+    ran = orishell(*words, cwd=where)
     got = ran.stdout if ran.returncode == 0 else ran.stderr
     pattern = re.escape(printed.strip()).replace(re.escape("..."), "[^\n]*")
     if printed:

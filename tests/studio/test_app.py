@@ -8,8 +8,6 @@ import io
 import json
 import socket
 import struct
-import subprocess
-import sys
 import tempfile
 import time
 import tomllib
@@ -22,6 +20,7 @@ import httpx
 import numpy as np
 import pytest
 
+from command_line import orishell
 from orishell.spec import FAMILIES, starter_file
 from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard
@@ -224,13 +223,20 @@ def test_dropped_files(client: httpx.Client) -> None:
         assert answer.json()["error"]["message"].isprintable()
 
 
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command line writes."""
+    place = tmp_path_factory.mktemp("mine")
+    (place / "mine.toml").write_text(starter_file("orthodiagonal"))
+    command = ("design", "mine.toml", "--out", "out", "--write", "dxf,glb,csv")
+    assert orishell(*command, cwd=place).returncode == 0
+    return place / "out"
+
+
 @pytest.mark.parametrize("name", ["dxf", "glb", "csv"])
 def test_export_is_what_the_command_line_writes(
-    client: httpx.Client, name: str, tmp_path: Path
+    client: httpx.Client, name: str, written: Path
 ) -> None:
-    (tmp_path / "mine.toml").write_text(starter_file("orthodiagonal"))
-    command = [sys.executable, "-m", "orishell", "design", "mine.toml", "--out", "out"]
-    subprocess.run([*command, "--write", name], cwd=tmp_path, check=True, capture_output=True)
     design = starter("orthodiagonal")
     answer = client.post("/api/export", json={"design": design, "format": name, "name": "mine"})
     assert answer.status_code == 200
@@ -240,7 +246,7 @@ def test_export_is_what_the_command_line_writes(
     else:
         found = {answer.headers["content-disposition"].split('"')[1]: answer.content}
     for each, content in found.items():
-        assert content == (tmp_path / "out" / each).read_bytes()
+        assert content == (written / each).read_bytes()
     assert len(found) == (2 if name == "csv" else 1)
 
 

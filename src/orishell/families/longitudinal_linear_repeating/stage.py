@@ -13,7 +13,7 @@ from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
 from orishell.families.longitudinal_linear_repeating.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.mechanism import crease_end
-from orishell.families.longitudinal_linear_repeating.section import Section
+from orishell.families.longitudinal_linear_repeating.section import Section, turnings
 from orishell.families.longitudinal_linear_repeating.sheet import sheet_exists
 from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.families.longitudinal_linear_repeating.tessellation import Columns, RowKind
@@ -153,7 +153,9 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
             candidates=candidates(-1),
         )
     at = np.geomspace(begin, end, STEPS)
-    for low, high in pairwise(at):
+    enough = turnings(columns, rows, first_row, at, profile.side) >= profile.turning
+    found = int(enough.argmax()) if enough.any() else STEPS
+    for low, high in pairwise(at[max(found - 2, 0) :]):  # rounding may have moved it by one
         if turning(high) >= profile.turning:
             return float(
                 brentq(lambda x: turning(x) - profile.turning, low, high, xtol=1e-15, rtol=1e-14)
