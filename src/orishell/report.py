@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -25,6 +26,7 @@ from orishell.locking import (
     Lock,
     Request,
     describe_lock,
+    end_motion,
     settle,
     unexamined_lock,
     warn_of_lock,
@@ -102,7 +104,8 @@ class Shell:
     motion
         Its states.
     deviation
-        How close the locked shell is to the surface asked for; None if that was not measured.
+        How close the locked shell is to the surface asked for; None if that was not measured, or
+        there is no target.
     choice
         What rows and columns were chosen from, if there was a tolerance.
     document
@@ -184,19 +187,8 @@ def make_shell(
         pattern, choice = meet_tolerance(file, file.tolerance, searched)
         file = replace(file, pattern=pattern)
         clock.lap("choose")
-    request = Request(
-        file.pattern.designed, file.f, file.g, file.pattern.flap, file.contact_tolerance
-    )
     try:
-        design = request.made()
-        clock.lap("design")
-        if clash_test.skipped:
-            lock = unexamined_lock(design)
-        else:
-            design, lock = settle(
-                request, design, allow_clash=clash_test.allowed, advanced=clash_test.advanced
-            )
-            clock.lap("clash")
+        design, lock = _settled(file, clash_test, clock)
     except InputError as error:
         raise error.located(f"{file.path}:") from None
 
@@ -213,8 +205,9 @@ def make_shell(
     _require_verified(residuals, assignment)
     clock.lap("fold")
 
-    deviation = measure_deviation(design) if measured else None
-    approach = measure_approach(design) if measured else None
+    compared = design.swept is not None
+    deviation = measure_deviation(design) if measured and compared else None
+    approach = measure_approach(design) if measured and compared else None
     clock.lap("deviation")
 
     document = _document(file, design, motion)
@@ -239,15 +232,33 @@ def make_shell(
         "lock": describe_lock(lock),
         "not_checked": [
             *(["contact between panels before lock"] if clash_test.skipped else []),
-            *([] if measured else ["distance from the surface"]),
+            *([] if measured or not compared else ["distance from the surface"]),
         ],
-        "deviation": describe_deviation(design, deviation, approach),
+        "deviation": describe_deviation(design, deviation, approach) if compared else None,
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),
         "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},
         "quantities": describe_quantities(quantities),
     }
     return Shell(file, design, lock, motion, deviation, choice, document, report, clock.seconds)
+
+
+def _settled(file: DesignFile, test: ClashTest, clock: Clock) -> tuple[Design, Lock]:
+    """The design, and how its motion ends."""
+    if file.target is None:
+        design = file.pattern.design_without_target()
+        ended = partial(end_motion, tolerance=file.contact_tolerance)
+    else:
+        request = Request(
+            file.pattern.designed, *file.target, file.pattern.flap, file.contact_tolerance
+        )
+        design, ended = request.made(), partial(settle, request)
+    clock.lap("design")
+    if test.skipped:
+        return design, unexamined_lock(design)
+    found = ended(design, allow_clash=test.allowed, advanced=test.advanced)
+    clock.lap("clash")
+    return found
 
 
 def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Document:

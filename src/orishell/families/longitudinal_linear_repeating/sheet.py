@@ -137,8 +137,8 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating, rows_key: str = "
     border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2:0:-1, 0]])
     if not is_simple_polygon(border):
         raise DesignError(
-            "the flat sheet overlaps itself: its rows fan out too far",
-            nearest="fewer rows, or sector angles nearer to 90 degrees",
+            "the flat sheet overlaps itself: its rows or columns fan out too far",
+            nearest="fewer rows or columns, or sector angles nearer to 90 degrees",
         )
 
 

@@ -81,13 +81,7 @@ def find_stage(
     """
     if drive is None:
         drive = _drive_for(profile, columns, rows, first_row)
-    end = crease_end(columns, rows, first_row)
-    if drive > end:
-        raise DesignError(
-            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
-            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
-            nearest=f"stage_deg = {np.floor(np.rad2deg(end) * 1e4) / 1e4:.4f}",
-        )
+    require_before_end(drive, crease_end(columns, rows, first_row))
     side = profile.side
     found = Section.of(columns, rows, first_row, drive, side)
     if found.turning * side > 0:
@@ -109,6 +103,16 @@ def find_stage(
     edges = lengths * found.across * np.exp(1j * directions)
     polygon = np.concatenate([[0.0], np.cumsum(edges)])
     return Stage(drive, found, _fitted(polygon, ideal @ np.array([1, 1j])), lengths, side)
+
+
+def require_before_end(drive: float, end: float, nearest: str = "") -> None:
+    """Refuse a stage beyond the end of the motion (radians), and offer that or something else."""
+    if drive > end:
+        raise DesignError(
+            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
+            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
+            nearest=nearest or f"stage_deg = {np.floor(np.rad2deg(end) * 1e4) / 1e4:.4f}",
+        )
 
 
 def _fitted(polygon: Array, ideal: Array) -> Array:

@@ -148,7 +148,7 @@ def design_orthodiagonal(
         },
         targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
         closeness=closeness,
-        surface=sweep(f_trace, zigzag, g_trace, mechanism),
+        swept=sweep(f_trace, zigzag, g_trace, mechanism),
         approached=approach(f_trace, zigzag, g_trace, mechanism),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),

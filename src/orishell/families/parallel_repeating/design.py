@@ -149,7 +149,7 @@ def design_parallel_repeating(
         },
         targets=_place_targets(f_trace, staircase, g_trace, row),
         closeness=closeness,
-        surface=sweep(f_trace, staircase, g_trace, plane),
+        swept=sweep(f_trace, staircase, g_trace, plane),
         approached=approach(f_trace, staircase, g_trace, plane),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
