@@ -39,6 +39,18 @@ def test_figure_2(capsys: pytest.CaptureFixture[str]) -> None:
     assert "heading_deg between" in lines[3]
 
 
+def test_sectors(capsys: pytest.CaptureFixture[str]) -> None:
+    """The paper's Figure 3 from angles and lengths alone: the radius goes from r to 1.67 r."""
+    runpy.run_path(str(EXAMPLES / "sectors.py"), run_name="__main__")
+    lines = capsys.readouterr().out.splitlines()
+    first, last = (float(line.split()[0]) for line in lines[0].split("radius ")[1].split(", "))
+    assert first / last == pytest.approx(1.67, abs=0.02)
+    assert lines[1] == "panels first touch at 8.7802 degrees of v_1: the last frame"
+    assert lines[2].startswith("sine version: panels keep their lengths to ")
+    assert float(lines[2].split()[-1]) < 1e-14
+    assert lines[3] == "it goes on to 119.7471 degrees, where it is ended by a crease"
+
+
 class Example:
     """An example's module, its shell, and what it measures of it."""
 

@@ -25,7 +25,7 @@ from orishell.locking import (
     Lock,
     Request,
     describe_lock,
-    fit_flaps,
+    end_of,
     unexamined_lock,
     warn_of_lock,
     with_remedies,
@@ -107,7 +107,8 @@ class Shell:
     motion
         Its states.
     deviation
-        How close the locked shell is to the surface asked for; None if that was not measured.
+        How close the locked shell is to the surface asked for; None if that was not measured, or
+        there is no target.
     choice
         What rows and columns were chosen from, if there was a tolerance.
     document
@@ -196,13 +197,13 @@ def make_shell(
             pattern, choice = meet_tolerance(file, file.tolerance, searched)
             file = replace(file, pattern=pattern)
             clock.lap("choose")
-        request = Request(file.pattern, file.f, file.g, file.contact_tolerance)
+        request = Request(file.pattern, file.target, file.contact_tolerance)
         design = request.designed()
         clock.lap("design")
         if clash_test.skipped:
             lock = unexamined_lock(design)
         else:
-            design, lock = fit_flaps(
+            design, lock = end_of(
                 request, design, allow_clash=clash_test.allowed, advanced=clash_test.advanced
             )
             clock.lap("clash")
@@ -226,8 +227,9 @@ def make_shell(
     _require_verified(residuals, assignment)
     clock.lap("fold")
 
-    deviation = measure_deviation(design) if measured else None
-    approach = measure_approach(design) if measured else None
+    compared = design.swept is not None
+    deviation = measure_deviation(design) if measured and compared else None
+    approach = measure_approach(design) if measured and compared else None
     clock.lap("deviation")
 
     document = _document(file, design, motion)
@@ -252,9 +254,9 @@ def make_shell(
         "lock": describe_lock(lock),
         "not_checked": [
             *(["contact between panels before lock"] if clash_test.skipped else []),
-            *([] if measured else ["distance from the surface"]),
+            *([] if measured or not compared else ["distance from the surface"]),
         ],
-        "deviation": describe_deviation(design, deviation, approach),
+        "deviation": describe_deviation(design, deviation, approach) if compared else None,
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),
         "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},

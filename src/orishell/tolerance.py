@@ -77,7 +77,7 @@ class SearchRequest(Request):
 
     Parameters
     ----------
-    pattern, f, g, tolerance
+    pattern, target, tolerance
         As for any request.
     file
         The design file.
@@ -110,9 +110,9 @@ class SearchRequest(Request):
     def sized(self) -> Request:
         """The request with the fewest rows and columns that meet the tolerance."""
         assert isinstance(self.pattern, FamilyPattern)
-        file = replace(self.file, pattern=self.pattern, f=self.f, g=self.g)
+        file = replace(self.file, pattern=self.pattern, target=self.target)
         pattern, _ = meet_tolerance(file, self.limits)
-        return Request(pattern, self.f, self.g, self.tolerance)
+        return Request(pattern, self.target, self.tolerance)
 
 
 def request_of(file: DesignFile) -> Request:
@@ -123,7 +123,7 @@ def request_of(file: DesignFile) -> Request:
     file
         The design file.
     """
-    limits, values = file.tolerance, (file.pattern, file.f, file.g, file.contact_tolerance)
+    limits, values = file.tolerance, (file.pattern, file.target, file.contact_tolerance)
     return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 
 

@@ -16,7 +16,7 @@ from strategies import graph, pair
 
 
 def request(f: Curve, g: Curve, flap: Any, **keys: Any) -> Request:
-    return Request(ParallelRepeatingPattern(flap=flap, **keys), f, g)
+    return Request(ParallelRepeatingPattern(flap=flap, **keys), (f, g))
 
 
 def bend(flap: Any) -> Request:

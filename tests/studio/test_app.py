@@ -180,6 +180,16 @@ def test_refusals_are_said_field_by_field_with_the_curves(client: httpx.Client) 
     assert "[pattern] rows" in error["where"]
 
 
+@pytest.mark.parametrize("task", ["design", "ranges", "format"])
+def test_a_design_without_a_target_is_refused(client: httpx.Client, task: str) -> None:
+    design = starter("longitudinal-linear-repeating")
+    del design["target"]
+    answer = client.post(f"/api/{task}", json={"design": design})
+    assert answer.status_code == 422
+    error = answer.json()["error"]
+    assert error["message"].startswith("[target]: there is no target. Remedy: add [target.f] and")
+
+
 @pytest.mark.parametrize("key", ["points", "svg", "dxf"])
 def test_no_path_of_a_request_is_opened(client: httpx.Client, key: str) -> None:
     design = starter()

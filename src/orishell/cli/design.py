@@ -140,8 +140,6 @@ def _print_summary(shell: Shell, written: list[Path], removed: list[Path]) -> No
         f"area {sheet['area']:.4g} {unit}2",
         f"deployed  {deployed['width']:.4g} x {deployed['depth']:.4g} x "
         f"{deployed['height']:.4g} {unit}",
-        f"deviation f {report['deviation']['f']['max']:.4g} {unit}, "
-        f"g {report['deviation']['g']['max']:.4g} {unit}",
         *_deviation_lines(shell),
         f"rigid     panel lengths to {residuals['panel_length']:.1e}, fold angles to "
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
@@ -165,10 +163,13 @@ def _choice_lines(shell: Shell) -> list[str]:
 
 def _deviation_lines(shell: Shell) -> list[str]:
     deviation, unit = shell.report["deviation"], shell.file.unit
+    if deviation is None:
+        return ["no target: nothing to compare the shell with"]
     surface, approached = deviation["surface"], deviation["approached"]
     lines = [
+        f"deviation f {deviation['f']['max']:.4g} {unit}, g {deviation['g']['max']:.4g} {unit}",
         f"surface   max {surface['max']:.4g} {unit} (known to {surface['sample_spacing']:.1g}), "
-        f"rms {surface['rms']:.4g} {unit}"
+        f"rms {surface['rms']:.4g} {unit}",
     ]
     if approached is not None:
         size = approached["max"]
@@ -188,7 +189,9 @@ def _lock_lines(shell: Shell) -> list[str]:
         return [f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"]
     if lock.cause == "clash":
         first, second = (list(panel) for panel in contact.panels)
-        met = "" if lock.early else f", beyond the target at {in_degrees(lock.target)} deg"
+        aim = "target" if shell.design.swept is not None else "stage"
+        beyond = not lock.early and shell.design.stopped is None
+        met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
         return [
             f"lock      at {in_degrees(lock.drive)} deg{met}: panels {first} and {second} clash "
             f"({contact.kind}), none before: {proved}"

@@ -115,6 +115,11 @@ def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
     samples
         Samples each way, about: all corners, edges and insides of panels are sampled at least.
 
+    Raises
+    ------
+    InputError
+        If the design has no target.
+
     Examples
     --------
     >>> from orishell import curve_from_formulas, design_parallel_repeating, parse_formula

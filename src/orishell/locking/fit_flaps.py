@@ -52,7 +52,7 @@ def fit_flaps(
             design = request.changed(Remedy({"pattern.flap": width})).designed()
             lock = find_lock(design, tolerance=request.tolerance, advanced=advanced)
     if lock.early and not allow_clash:
-        raise _clash(lock, _width(design))
+        raise clash(lock, "the shell reaches its target", _width(design))
     return design, lock
 
 
@@ -128,7 +128,18 @@ def _width(design: Design) -> float:
     return float(width)
 
 
-def _clash(lock: Lock, flap: float) -> ClashError:
+def clash(lock: Lock, aim: str, flap: float = 0.0) -> ClashError:
+    """The refusal of a motion that panels end.
+
+    Parameters
+    ----------
+    lock
+        How it ends.
+    aim
+        What it does not come to.
+    flap
+        Width of the flaps.
+    """
     contact = lock.first_contact
     assert contact is not None
     first, second = (list(panel) for panel in contact.panels)
@@ -139,7 +150,7 @@ def _clash(lock: Lock, flap: float) -> ClashError:
         )
     at, target = in_degrees(contact.drive), in_degrees(lock.target)
     return ClashError(
-        f"panels {first} and {second} meet before the shell reaches its target ({contact.kind})",
+        f"panels {first} and {second} meet before {aim} ({contact.kind})",
         place=f"at drive {at} of {target} degrees",
         size=f"the corrugation is {contact.depth:.4g} deep there, {lock.depth:.4g} at the target",
         flap=flap if "flap" in contact.kind else 0.0,

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from itertools import chain
 
 from orishell.errors import ClashError, DesignError, InputError, Remedy
-from orishell.locking.fit_flaps import fit_flaps, largest, locks, widest_flap
+from orishell.locking.end import end_of
+from orishell.locking.fit_flaps import largest, locks, widest_flap
 from orishell.locking.request import Request
 from orishell.quoting import rounded
 
@@ -61,7 +63,8 @@ class _Search:
 
     def run(self, refusal: DesignError) -> tuple[Remedy, ...]:
         if isinstance(refusal, ClashError):
-            found = self._working(Remedy({}), _apart(self.request, refusal), 1)
+            apart = chain(refusal.candidates, _apart(self.request, refusal))
+            found = self._working(Remedy({}), apart, 1)
         else:
             found = self._working(Remedy({}), iter(refusal.candidates), MOST)
         for remedy, reason in list(self.failures):
@@ -93,7 +96,7 @@ class _Search:
             request = self.request.changed(remedy).sized()
             design = request.designed()
             self.tried += design.mechanism.grid.panel_count * TRIALS // PANELS
-            fit_flaps(request, design)
+            end_of(request, design)
         except DesignError as error:
             return error
         except InputError as error:
@@ -110,6 +113,8 @@ class _Search:
 
 def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
     """The widest flaps, the largest f and the longest part of g that meet nothing."""
+    if request.target is None:
+        return
     design = request.designed() if request.quick else None
     if design is None or design.mechanism.grid.panel_count > PANELS / TRIALS:
         yield from _shrunk(request, clash.flap)
@@ -131,6 +136,8 @@ def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
 
 def _shrunk(request: Request, flap: float) -> Iterator[Remedy]:
     """Much narrower flaps, a much smaller f, a much shorter g."""
+    if request.target is None:
+        return
     if flap:
         yield from (Remedy({"pattern.flap": rounded(share * flap)}) for share in SHARES)
     yield from (_scaled_f(request, share) for share in SHARES)
@@ -141,10 +148,12 @@ Resized = Callable[[Request, float], Remedy]
 
 
 def _scaled_f(request: Request, share: float) -> Remedy:
-    return Remedy({"target.f.scale": rounded(share * request.f.scale)})
+    assert request.target is not None
+    return Remedy({"target.f.scale": rounded(share * request.target[0].scale)})
 
 
 def _shortened_g(request: Request, share: float) -> Remedy:
-    g = request.g
+    assert request.target is not None
+    _, g = request.target
     low, high = g.drawn_part(g.start, g.start + share * (g.stop - g.start))
     return Remedy({f"target.g.{g.key}": [rounded(low, 10), rounded(high, 10)]})

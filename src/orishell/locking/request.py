@@ -25,6 +25,10 @@ class Pattern(Protocol):
         """Design the shell that these parameters and the curves f and g ask for."""
         ...
 
+    def design_without_target(self) -> Design:
+        """Design what these parameters alone ask for."""
+        ...
+
     def changed(self, values: Mapping[str, Value | None]) -> Pattern:
         """The same with other values of its keys, None for a key removed, or of another family."""
         ...
@@ -32,21 +36,20 @@ class Pattern(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Request:
-    """Two curves, a family's parameters, and when panels touch.
+    """A target, a family's parameters, and when panels touch.
 
     Parameters
     ----------
     pattern
         The family's parameters.
-    f, g
-        The target curves.
+    target
+        The target curves f and g, or None.
     tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     """
 
     pattern: Pattern
-    f: Curve
-    g: Curve
+    target: tuple[Curve, Curve] | None
     tolerance: float = CONTACT_TOLERANCE
 
     __repr__ = in_one_line
@@ -62,7 +65,9 @@ class Request:
 
     def designed(self) -> Design:
         """The design, its path not examined yet."""
-        return self.pattern.design(self.f, self.g)
+        if self.target is None:
+            return self.pattern.design_without_target()
+        return self.pattern.design(*self.target)
 
     def changed(self, remedy: Remedy) -> Self:
         """The request with other values at keys of the design file.
@@ -80,8 +85,11 @@ class Request:
         return replace(
             self,
             pattern=self.pattern.changed(values) if values else self.pattern,
-            f=_changed(self.f, tables.get("target.f", {})),
-            g=_changed(self.g, tables.get("target.g", {})),
+            target=self.target
+            and (
+                _changed(self.target[0], tables.get("target.f", {})),
+                _changed(self.target[1], tables.get("target.g", {})),
+            ),
         )
 
 

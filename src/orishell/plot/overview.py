@@ -74,7 +74,7 @@ def plot_overview(
     motion
         Its flat, half folded and locked states are shown.
     targets
-        Target curves "f" and "g" (N, 3), drawn with the locked shell.
+        Target curves "f" and "g" (N, 3), drawn with the locked shell; may be empty.
     title
         Heading.
     last
@@ -115,7 +115,8 @@ def plot_overview(
     _draw_shell(shell, locked, camera, width / 2)
     draw_targets(shell, targets, camera)
     sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
-    shell.set_title(f"{last}, with f and g, {sizes} {unit}")
+    shown = f"{last}, with f and g" if targets else last
+    shell.set_title(f"{shown}, {sizes} {unit}")
     frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(count)]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
         _draw_shell(axes, positions, camera, width / count)

@@ -76,7 +76,8 @@ def draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> No
             outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.8), Normal()]
             colour = LIGHT[f"curve-{name}"]
             axes.plot(*curve.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
+    if targets:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
 
 
 def frame(axes: Axes, picture: Array) -> None:

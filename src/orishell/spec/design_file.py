@@ -8,7 +8,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, Field, ValidationError, model_validator
+from pydantic import (
+    BaseModel,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from orishell.choosing import Tolerance
@@ -61,11 +68,20 @@ class _Tolerance(Table):
 
 class _File(Table):
     shell: _Shell
-    target: Targets
+    target: Annotated[Targets | None, Field(validate_default=True)] = None
     pattern: dict[str, Any] = Field(default_factory=dict)
     tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
     workshop: WorkshopTable = WorkshopTable()
+
+    @field_validator("target")
+    @classmethod
+    def _require_target(cls, target: Targets | None, info: ValidationInfo) -> Targets | None:
+        shell = info.data.get("shell")
+        family = FAMILIES.get(shell.family) if shell is not None else None
+        if target is None and (family is None or family.pattern.needs_target):
+            raise PydanticCustomError("missing", "Field required")
+        return target
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,8 +96,8 @@ class DesignFile:
         The family's name.
     unit
         Unit of length of the curves and of all files written.
-    f, g
-        The target curves.
+    target
+        The target curves f and g, or None.
     pattern
         The family's parameters; its rows and columns have no meaning if there is a tolerance.
     tolerance
@@ -97,8 +113,7 @@ class DesignFile:
     path: Path
     family: str
     unit: str
-    f: Curve
-    g: Curve
+    target: tuple[Curve, Curve] | None
     pattern: Pattern
     tolerance: Tolerance | None
     frames: int
@@ -106,6 +121,32 @@ class DesignFile:
     workshop: Workshop
 
     __repr__ = in_one_line
+
+    @property
+    def f(self) -> Curve:
+        """The swept curve."""
+        return self.require_target()[0]
+
+    @property
+    def g(self) -> Curve:
+        """The curve that it is swept along."""
+        return self.require_target()[1]
+
+    def require_target(self) -> tuple[Curve, Curve]:
+        """Both target curves.
+
+        Raises
+        ------
+        InputError
+            If the file has none.
+        """
+        if self.target is None:
+            raise InputError(
+                "there is no target",
+                where=f"{self.path}: [target]",
+                remedy="add [target.f] and [target.g], or use orishell design, which needs none",
+            )
+        return self.target
 
 
 def read_design_file(path: Path) -> DesignFile:
@@ -149,28 +190,30 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
     table = file.pattern
     if file.tolerance is not None:
+        if file.target is None:
+            raise InputError(
+                "a tolerance needs a target to be measured from",
+                where=f"{path}: [tolerance]",
+                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
+                "rows and columns",
+            )
         table = {**_require_no_size(path, table), **ANY_SIZE}
     try:
         pattern = family.pattern.model_validate(table)
     except ValidationError as error:
         raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
     require_memory(path, pattern, file.motion.frames)
+    directory = path.parent if files else None
     try:
-        workshop = file.workshop.settings(path.parent if files else None)
+        workshop = file.workshop.settings(directory)
+        target = None if file.target is None else file.target.curves(directory, file.shell.unit)
     except InputError as error:
         raise error.located(f"{path}:") from None
-    curves = {}
-    for name, target in (("f", file.target.f), ("g", file.target.g)):
-        try:
-            curves[name] = target.curve(path.parent if files else None, file.shell.unit)
-        except InputError as error:
-            raise error.located(f"{path}: [target.{name}]") from None
     return DesignFile(
         path,
         file.shell.family,
         file.shell.unit,
-        curves["f"],
-        curves["g"],
+        target,
         pattern,
         None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
         file.motion.frames,

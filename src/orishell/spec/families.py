@@ -43,9 +43,15 @@ class Pattern(Table):
 
     most: ClassVar[int] = 201
     """Rows and columns that are tried at most to meet a tolerance."""
+    needs_target: ClassVar[bool] = True
+    """Whether there is no design without f and g."""
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for."""
+        raise NotImplementedError
+
+    def design_without_target(self) -> Design:
+        """Design what these parameters alone ask for, in a family that needs no target."""
         raise NotImplementedError
 
     def sized(self, rows: int, columns: int) -> Self:
@@ -165,6 +171,7 @@ class LongitudinalPattern(Pattern):
     """Parameters of the longitudinal linear repeating family."""
 
     most: ClassVar[int] = 25
+    needs_target: ClassVar[bool] = False
 
     sector_deg: Annotated[list[Angle], Field(min_length=4, max_length=4)] | Auto
     solution: Annotated[int, Field(ge=0)] = 0
@@ -192,6 +199,13 @@ class LongitudinalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
+        return self._design(f, g)
+
+    def design_without_target(self) -> Design:
+        """Design the sheet alone."""
+        return self._design(None, None)
+
+    def _design(self, f: Curve | None, g: Curve | None) -> Design:
         angles = self.sector_deg
         return design_longitudinal_linear_repeating(
             f,

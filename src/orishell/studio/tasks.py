@@ -278,6 +278,7 @@ def _read(payload: Payload, *, tolerated: bool = False) -> DesignFile:
         each for each in str(payload.get("name", NAME)) if each.isalnum() or each in "-_ "
     )
     file = check_design(design, Path(f"{name or NAME}.toml"), files=False)
+    file.require_target()
     if file.tolerance is not None and not tolerated:
         return file
     vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,15 +25,50 @@ APART = 0.02
 AUTO_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01)
 """Sector angles "auto" are the paper's, their deviations from 90 degrees reduced to such a share:
 the smaller, the larger are the sheets that exist and the less the radius grows."""
-
+EVEN_ENOUGH = 8.0
+"""Sector angles "auto" are the widest whose longest inner crease is at most this many times the
+shortest."""
 AUTO_SECTORS = Remedy({"pattern.sector_deg": "auto"})
 SMALLEST_ANGLE = 1e-4
 """Sector angles are looked for no nearer to 0 and 180 (degrees)."""
+
+Made = TypeVar("Made")
 
 
 def auto_sectors(share: float) -> Sectors:
     """The paper's (85, 80, 95, 100) degrees, nearer to 90 by a share."""
     return Sectors.from_degrees(90 + share * np.array([-5.0, -10.0, 5.0, 10.0]))
+
+
+def choose_auto(
+    make: Callable[[Solution], Made], ratio: Callable[[Made], float]
+) -> tuple[Solution, Made]:
+    """The widest angles for which a sheet exists: the fewest panels would do with them.
+
+    Parameters
+    ----------
+    make
+        Makes the sheet of a solution.
+    ratio
+        Its longest inner crease over the shortest.
+
+    Raises
+    ------
+    DesignError
+        If there is none even with the narrowest.
+    """
+    failure: DesignError | None = None
+    for share in AUTO_SHARES:
+        solution = choose_solution(auto_sectors(share))
+        try:
+            made = make(solution)
+        except DesignError as error:
+            failure = error
+            continue
+        if ratio(made) <= EVEN_ENOUGH or share == AUTO_SHARES[-1]:
+            return solution, made
+    assert failure is not None
+    raise failure
 
 
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:

@@ -51,6 +51,12 @@ class EdgeLengths:
         """The shortest crease."""
         return float(min(self.row.min(), self.column.min()))
 
+    @property
+    def inner_ratio(self) -> float:
+        """The longest inner crease over the shortest."""
+        inner = np.concatenate([self.row[:, 1:-1].ravel(), self.column[1:-1].ravel()])
+        return float(inner.max() / inner.min())
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PanelFactors:

@@ -143,9 +143,11 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
     border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2:0:-1, 0]])
     if not is_simple_polygon(border):
         raise DesignError(
-            "the flat sheet overlaps itself: its rows fan out too far",
+            "the flat sheet overlaps itself: its rows or columns fan out too far",
             candidates=chain(
-                fewer("rows", len(turns) - 1), nearer_to_90(mechanism.columns.sectors[0])
+                fewer("rows", len(turns) - 1),
+                fewer("columns", turns.shape[1] - 1),
+                nearer_to_90(mechanism.columns.sectors[0]),
             ),
         )
 

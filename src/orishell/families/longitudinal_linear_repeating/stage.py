@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,13 +82,7 @@ def find_stage(
     """
     if drive is None:
         drive = _drive_for(profile, columns, rows, first_row)
-    end = crease_end(columns, rows, first_row)
-    if drive > end:
-        raise DesignError(
-            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
-            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
-            candidates=angles("stage_deg", 0.0, end, drive),
-        )
+    require_before_end(drive, crease_end(columns, rows, first_row))
     side = profile.side
     found = Section.of(columns, rows, first_row, drive, side)
     if found.turning * side > 0:
@@ -110,6 +104,18 @@ def find_stage(
     edges = lengths * found.across * np.exp(1j * directions)
     polygon = np.concatenate([[0.0], np.cumsum(edges)])
     return Stage(drive, found, _fitted(polygon, ideal @ np.array([1, 1j])), lengths, side)
+
+
+def require_before_end(drive: float, end: float) -> None:
+    """Refuse a stage beyond the end of the motion (radians)."""
+    if drive > end:
+        raise DesignError(
+            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
+            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
+            candidates=chain(
+                angles("stage_deg", 0.0, end, drive), [Remedy({"pattern.stage_deg": "auto"})]
+            ),
+        )
 
 
 def _fitted(polygon: Array, ideal: Array) -> Array:

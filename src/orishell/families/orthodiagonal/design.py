@@ -160,7 +160,7 @@ def design_orthodiagonal(
         },
         targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
         closeness=closeness,
-        surface=sweep(f_trace, zigzag, g_trace, mechanism),
+        swept=sweep(f_trace, zigzag, g_trace, mechanism),
         approached=approach(f_trace, zigzag, g_trace, mechanism),
         origin=np.append(g_trace.origin, 0.0),
         warnings=(

@@ -144,7 +144,7 @@ def design_parallel_repeating(
         },
         targets=_place_targets(f_trace, staircase, g_trace, row),
         closeness=closeness,
-        surface=sweep(f_trace, staircase, g_trace, plane),
+        swept=sweep(f_trace, staircase, g_trace, plane),
         approached=approach(f_trace, staircase, g_trace, plane),
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
