@@ -122,6 +122,7 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
         f"area {sheet['area']:.4g} {unit}2",
         f"deployed  {deployed['width']:.4g} x {deployed['depth']:.4g} x "
         f"{deployed['height']:.4g} {unit}",
+        _standing_line(shell),
         f"deviation f {report['deviation']['f']['max']:.4g} {unit}, "
         f"g {report['deviation']['g']['max']:.4g} {unit}",
         *_deviation_lines(shell),
@@ -132,6 +133,20 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
     ]
     for line in lines:
         typer.echo(line)
+
+
+def _standing_line(shell: Shell) -> str:
+    stands, unit = shell.report["stands"], shell.file.unit
+    if stands is None:
+        return (
+            "stands    nowhere: f's ends are not its lowest part, so g is left in the plane z = 0"
+        )
+    rows = "rows {} and {}".format(*stands["rows"])
+    if stands["level"]:
+        return f"stands    level on z = {stands['z']:.4g} on {rows}"
+    return (
+        f"stands    on {rows}, from z = {stands['z']:.4g} up to {stands['uneven']:.4g} {unit} above"
+    )
 
 
 def _choice_lines(shell: Shell) -> list[str]:

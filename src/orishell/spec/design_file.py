@@ -21,6 +21,7 @@ from orishell.spec.table import Number, Table
 from orishell.spec.target import Target, Targets
 from orishell.spec.toml_file import read_toml
 from orishell.spec.workshop import WorkshopTable
+from orishell.standing import Ground
 from orishell.units import Unit
 from orishell.workshop import Workshop
 
@@ -35,6 +36,7 @@ ANY_SIZE = {"rows": 1, "columns": 2}
 class _Shell(Table):
     family: str
     unit: Unit
+    ground: Ground = "z0"
 
 
 class _Motion(Table):
@@ -91,6 +93,8 @@ class DesignFile:
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     workshop
         How the flat sheet is drawn and cut.
+    ground
+        Where a shell that can stand is put.
     """
 
     path: Path
@@ -103,6 +107,7 @@ class DesignFile:
     frames: int
     contact_tolerance: float
     workshop: Workshop
+    ground: Ground = "z0"
 
 
 def read_design_file(path: Path) -> DesignFile:
@@ -172,6 +177,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         file.motion.frames,
         file.motion.contact_tolerance,
         workshop,
+        file.shell.ground,
     )
 
 
