@@ -80,7 +80,8 @@ def test_ends_as_it_says(example: Example) -> None:
     """The flaps lock it, or it is stopped at f; on the way nothing touches."""
     lock = example.shell.report["lock"]
     assert example.shell.report["feasible"]
-    assert example.shell.report["warnings"] == []
+    assert example.shell.design.warnings == ()
+    assert not example.shell.lock.early
     if example.name == "vault":
         assert lock["cause"] == "clash"
         assert lock["target_drive_deg"] < lock["drive_deg"]

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from orishell.caveats import find_caveats
 from orishell.choosing import Choice
 from orishell.design import Design
 from orishell.deviation import (
@@ -37,6 +38,7 @@ from orishell.quantities import describe_quantities, measure_quantities
 from orishell.quoting import tidy_degrees
 from orishell.shell_document import document_of_motion
 from orishell.spec import DesignFile, read_design_file
+from orishell.standing import describe_feet, find_feet, stand
 from orishell.tolerance import describe_choice, meet_tolerance, request_of
 
 LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
@@ -214,6 +216,8 @@ def make_shell(
     except InputError as error:
         raise error.located(f"{file.path}:") from None
 
+    design = stand(design, file.ground)
+    feet = find_feet(design)
     motion = FoldingMotion(design.mechanism, file.frames)
     boxes: list[tuple[float, tuple[float, float, float]]] = []
 
@@ -248,7 +252,11 @@ def make_shell(
         "parameters": dict(design.parameters),
         **_chosen(file, choice),
         "feasible": None if clash_test.skipped else not lock.early,
-        "warnings": [*design.warnings, *warn_of_lock(lock)],
+        "warnings": [
+            *design.warnings,
+            *warn_of_lock(lock),
+            *find_caveats(design, lock, feet, file.unit, file.workshop),
+        ],
         "residuals": asdict(residuals),
         "assignment": {**_count(signs), **asdict(assignment)},
         "lock": describe_lock(lock),
@@ -256,6 +264,7 @@ def make_shell(
             *(["contact between panels before lock"] if clash_test.skipped else []),
             *([] if measured or not compared else ["distance from the surface"]),
         ],
+        "stands": describe_feet(design, feet),
         "deviation": describe_deviation(design, deviation, approach) if compared else None,
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),

@@ -25,7 +25,7 @@ export interface Tolerance {
 
 /** The tables of a design file. */
 export interface Design {
-  shell: { family: string; unit: string };
+  shell: { family: string; unit: string; ground?: "z0" | "as-drawn" };
   target: { f: CurveTable; g: CurveTable };
   pattern: Record<string, Value>;
   tolerance?: Tolerance;

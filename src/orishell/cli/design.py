@@ -140,6 +140,7 @@ def _print_summary(shell: Shell, written: list[Path], removed: list[Path]) -> No
         f"area {sheet['area']:.4g} {unit}2",
         f"deployed  {deployed['width']:.4g} x {deployed['depth']:.4g} x "
         f"{deployed['height']:.4g} {unit}",
+        *_standing_lines(shell),
         *_deviation_lines(shell),
         f"rigid     panel lengths to {residuals['panel_length']:.1e}, fold angles to "
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
@@ -149,6 +150,22 @@ def _print_summary(shell: Shell, written: list[Path], removed: list[Path]) -> No
     ]
     for line in lines:
         say(line)
+
+
+def _standing_lines(shell: Shell) -> list[str]:
+    stands, unit = shell.report["stands"], shell.file.unit
+    if shell.file.target is None:
+        return []
+    if stands is None:
+        return [
+            "stands    nowhere: f's ends are not its lowest part, so g is left in the plane z = 0"
+        ]
+    rows = "rows {} and {}".format(*stands["rows"])
+    if stands["level"]:
+        return [f"stands    level on z = {stands['z']:.4g} on {rows}"]
+    return [
+        f"stands    on {rows}, from z = {stands['z']:.4g} up to {stands['uneven']:.4g} {unit} above"
+    ]
 
 
 def _choice_lines(shell: Shell) -> list[str]:

@@ -28,6 +28,7 @@ from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
 from orishell.spec.target import Target, Targets
 from orishell.spec.workshop import WorkshopTable
+from orishell.standing import Ground
 from orishell.toml_file import read_toml
 from orishell.units import Unit
 from orishell.workshop import Workshop
@@ -43,6 +44,7 @@ ANY_SIZE = {"rows": 1, "columns": 2}
 class _Shell(Table):
     family: str
     unit: Unit
+    ground: Ground = "z0"
 
 
 class _Motion(Table):
@@ -108,6 +110,8 @@ class DesignFile:
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     workshop
         How the flat sheet is drawn and cut.
+    ground
+        Where a shell that can stand is put.
     """
 
     path: Path
@@ -119,6 +123,7 @@ class DesignFile:
     frames: int
     contact_tolerance: float
     workshop: Workshop
+    ground: Ground = "z0"
 
     __repr__ = in_one_line
 
@@ -219,6 +224,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         file.motion.frames,
         file.motion.contact_tolerance,
         workshop,
+        file.shell.ground,
     )
 
 
