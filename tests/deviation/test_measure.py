@@ -155,7 +155,9 @@ def test_distances_from_a_sweep_by_newton() -> None:
         near = np.linalg.norm(lattice - point, axis=-1)
         starts = [np.unravel_index(k, near.shape) for k in near.argsort(axis=None)[:4]]
         best = min(
-            np.linalg.norm(least_squares(away, (u[i], v[j]), bounds=([0, low], [1, high])).fun)
+            np.linalg.norm(
+                least_squares(away, np.array([u[i], v[j]]), bounds=([0, low], [1, high])).fun
+            )
             for i, j in starts
         )
         assert abs(best - distance) <= sagitta + 1e-9
