@@ -90,8 +90,7 @@ $(PAGES): $(FRONTEND)
 	  echo "Node.js 18 or newer and npm are needed: on Debian, apt-get install nodejs npm." >&2; \
 	  exit 1; }
 	@echo "building the pages ..."
-	@cd frontend && npm install --loglevel=error --prefer-offline --ignore-scripts >/dev/null
-	@cd frontend && npm run --silent check && npm run --silent build >/dev/null
+	@cd frontend && npm run --silent pages >/dev/null
 
 $(VENV)/.test: $(VENV)/.run
 	@echo "installing into $(VENV) ..."

@@ -8,12 +8,27 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
+
+from orishell.io.formats.html import viewer_is_built
+
+WITHOUT_PAGES = """
+import tempfile
+from pathlib import Path
+from orishell.cli.main import run
+from orishell.studio import app
+with tempfile.TemporaryDirectory() as place:
+    app.PAGES = Path(place)
+    (app.PAGES / "index.html").touch()
+    run()
+"""
+"""A studio whose pages have not been built does not start; what it answers can be tested all the
+same, with an empty page."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +40,19 @@ class Studio:
 
 
 @contextmanager
-def running_studio(*arguments: str | Path) -> Iterator[Studio]:
-    """A studio that runs as long as the context lasts."""
+def running_studio(
+    *arguments: str | Path,
+    python: str | Path = sys.executable,
+    environment: Mapping[str, str] | None = None,
+) -> Iterator[Studio]:
+    """A studio that runs as long as the context lasts, of the orishell that a Python has."""
     port = _free_port()
-    command = [sys.executable, "-m", "orishell", "studio", "--no-browse", "--port", str(port)]
-    process = subprocess.Popen([*command, *map(str, arguments)], stderr=subprocess.PIPE, text=True)
+    built = python != sys.executable or viewer_is_built()
+    program = ["-m", "orishell"] if built else ["-c", WITHOUT_PAGES]
+    command = [str(python), *program, "studio", "--no-browse", "--port", str(port)]
+    process = subprocess.Popen(
+        [*command, *map(str, arguments)], env=environment, stderr=subprocess.PIPE, text=True
+    )
     address = f"http://127.0.0.1:{port}"
     try:
         _await_answer(process, address)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from orishell.motion import Mechanism
 from orishell.polylines import Closeness
+from orishell.quoting import in_one_line
 from orishell.surface import Surface
 
 Array = NDArray[np.float64]
@@ -36,6 +37,8 @@ class Approached:
     what: str
     surface: Surface | None
 
+    __repr__ = in_one_line
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Design:
@@ -49,8 +52,7 @@ class Design:
         What the family used and found, in the units of files: degrees (``_deg``) and the unit of
         the curves.
     targets
-        The target curves "f" and "g" in world coordinates (N, 3), placed as the locked shell
-        meets them.
+        The target curves "f" and "g" (N, 3), placed as the locked shell meets them.
     closeness
         Distance of the polylines the shell locks on to the target curves, by the same names.
     surface
@@ -59,6 +61,9 @@ class Design:
         Sentences a user should read: the design is made, but may not be what was meant.
     approached
         What the family approaches instead of the surface, if it does.
+    origin
+        Where the frame of all these coordinates stands in the world (3,): it is added when world
+        coordinates are written, so that a shell far from the origin keeps its digits until then.
     lock_drive
         Drive at which a crease ends the motion beyond the stage that meets the target (radians),
         or None if the mechanism's ``lock_drive`` is the end.
@@ -71,7 +76,14 @@ class Design:
     surface: Surface
     warnings: tuple[str, ...]
     approached: Approached | None = None
+    origin: Array = field(default_factory=lambda: np.zeros(3))
     lock_drive: float | None = None
+
+    def __repr__(self) -> str:
+        met = ", ".join(f"{name} to {near.max:.4g}" for name, near in self.closeness.items())
+        count = len(self.warnings)
+        warned = f"; {count} warning{'s' * (count > 1)}" if count else ""
+        return f"{type(self).__name__}({self.mechanism!r}; meets {met}{warned})"
 
 
 def warn_of_no_lock(flap: float) -> tuple[str, ...]:

@@ -20,14 +20,15 @@ from orishell.deviation import (
     measure_deviation,
 )
 from orishell.document import Document
-from orishell.errors import InputError, VerificationError
+from orishell.errors import DesignError, InputError, VerificationError, printable
 from orishell.locking import (
     Lock,
     Request,
     describe_lock,
-    settle,
+    fit_flaps,
     unexamined_lock,
     warn_of_lock,
+    with_remedies,
 )
 from orishell.metrics import AssignmentCheck, Residuals, extents, measure_residuals, sheet_area
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
@@ -36,7 +37,7 @@ from orishell.quantities import describe_quantities, measure_quantities
 from orishell.quoting import tidy_degrees
 from orishell.shell_document import document_of_motion
 from orishell.spec import DesignFile, read_design_file
-from orishell.tolerance import describe_choice, meet_tolerance
+from orishell.tolerance import describe_choice, meet_tolerance, request_of
 
 LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
 """Residuals above these (relative lengths, radians) mean that the program, not the design, is
@@ -77,11 +78,15 @@ class ClashTest:
         Go on with a shell whose panels meet before it locks, and say so.
     advanced
         Called with the share of the path that is done.
+    mended
+        Called with the share that is done of the search for what works, if the design is refused;
+        without contact being looked for, there is none.
     """
 
     skipped: bool = False
     allowed: bool = False
     advanced: Callable[[float], None] | None = None
+    mended: Callable[[float], None] | None = None
 
 
 CLASH_TEST = ClashTest()
@@ -122,6 +127,11 @@ class Shell:
     document: Document
     report: dict[str, Any]
     seconds: dict[str, float]
+
+    def __repr__(self) -> str:
+        file = self.file
+        size = f"{file.pattern.rows} x {file.pattern.columns} inner vertices"
+        return f"{type(self).__name__}({file.path.stem!r}, {file.family}, {size}; {self.lock!r})"
 
 
 def design_shell(
@@ -180,23 +190,26 @@ def make_shell(
     """
     clock = Clock()
     choice: Choice | None = None
-    if file.tolerance is not None:
-        pattern, choice = meet_tolerance(file, file.tolerance, searched)
-        file = replace(file, pattern=pattern)
-        clock.lap("choose")
-    request = Request(
-        file.pattern.designed, file.f, file.g, file.pattern.flap, file.contact_tolerance
-    )
+    asked = request_of(file)
     try:
-        design = request.made()
+        if file.tolerance is not None:
+            pattern, choice = meet_tolerance(file, file.tolerance, searched)
+            file = replace(file, pattern=pattern)
+            clock.lap("choose")
+        request = Request(file.pattern, file.f, file.g, file.contact_tolerance)
+        design = request.designed()
         clock.lap("design")
         if clash_test.skipped:
             lock = unexamined_lock(design)
         else:
-            design, lock = settle(
+            design, lock = fit_flaps(
                 request, design, allow_clash=clash_test.allowed, advanced=clash_test.advanced
             )
             clock.lap("clash")
+    except DesignError as error:
+        if clash_test.skipped:
+            raise
+        raise with_remedies(asked, error, clash_test.mended) from None
     except InputError as error:
         raise error.located(f"{file.path}:") from None
 
@@ -255,8 +268,9 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
     return document_of_motion(
         motion,
         file.unit,
-        title=f"{file.path.stem}: {file.family}, {size} inner vertices",
+        title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
         curves=design.targets,
+        origin=design.origin,
     )
 
 

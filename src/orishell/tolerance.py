@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, field, replace
+from typing import Self
 
 import numpy as np
 
 from orishell.choosing import Choice, Measured, Tolerance, Trial, choose
 from orishell.design import Design
 from orishell.deviation import measure_deviation
-from orishell.errors import DesignError
-from orishell.spec import DesignFile, Pattern, require_memory
+from orishell.errors import DesignError, Remedy
+from orishell.locking import Request
+from orishell.spec import DesignFile, require_memory
+from orishell.spec import Pattern as FamilyPattern
 
 QUICK, CAREFUL = 1_000, 15_000
 """Samples each way of the measure in the search, and of the one that decides."""
@@ -19,7 +22,7 @@ QUICK, CAREFUL = 1_000, 15_000
 
 def meet_tolerance(
     file: DesignFile, tolerance: Tolerance, advanced: Callable[[float], None] | None = None
-) -> tuple[Pattern, Choice]:
+) -> tuple[FamilyPattern, Choice]:
     """Choose rows, columns and what else a design file leaves open.
 
     Parameters
@@ -43,12 +46,12 @@ def meet_tolerance(
     InputError
         If the pattern would be too large for its frames.
     """
-    found: list[tuple[Pattern, Choice]] = []
+    found: list[tuple[FamilyPattern, Choice]] = []
     refusals: list[DesignError] = []
     variants = file.pattern.variants(tolerance)
     for number, variant in enumerate(variants):
 
-        def make(rows: int, columns: int, variant: Pattern = variant) -> Design:
+        def make(rows: int, columns: int, variant: FamilyPattern = variant) -> Design:
             return variant.sized(rows, columns).design(file.f, file.g)
 
         def shown(share: float, number: int = number) -> None:
@@ -66,6 +69,62 @@ def meet_tolerance(
     pattern, choice = min(found, key=lambda each: each[1].trial.panels)
     require_memory(file.path, pattern, file.frames)
     return pattern, choice
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SearchRequest(Request):
+    """A request whose rows and columns are to be chosen.
+
+    Parameters
+    ----------
+    pattern, f, g, tolerance
+        As for any request.
+    file
+        The design file.
+    limits
+        How near the shell is to be to its surface.
+    """
+
+    file: DesignFile = field(kw_only=True)
+    limits: Tolerance = field(kw_only=True)
+
+    @property
+    def quick(self) -> bool:
+        """Whether it takes no search to know the number of rows and columns: no."""
+        return False
+
+    def changed(self, remedy: Remedy) -> Self:
+        """The request with other values at keys of the design file.
+
+        Parameters
+        ----------
+        remedy
+            The keys and their values.
+        """
+        surface = remedy.changes.get("tolerance.surface", self.limits.surface)
+        assert isinstance(surface, float)
+        others = {key: value for key, value in remedy.changes.items() if key != "tolerance.surface"}
+        changed = super(SearchRequest, self).changed(Remedy(others))
+        return replace(changed, limits=replace(self.limits, surface=surface))
+
+    def sized(self) -> Request:
+        """The request with the fewest rows and columns that meet the tolerance."""
+        assert isinstance(self.pattern, FamilyPattern)
+        file = replace(self.file, pattern=self.pattern, f=self.f, g=self.g)
+        pattern, _ = meet_tolerance(file, self.limits)
+        return Request(pattern, self.f, self.g, self.tolerance)
+
+
+def request_of(file: DesignFile) -> Request:
+    """What a design file asks for.
+
+    Parameters
+    ----------
+    file
+        The design file.
+    """
+    limits, values = file.tolerance, (file.pattern, file.f, file.g, file.contact_tolerance)
+    return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 
 
 def measure(design: Design, careful: bool) -> Measured:

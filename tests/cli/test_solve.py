@@ -37,7 +37,7 @@ def test_near_90_degrees_the_search_has_an_end() -> None:
 @pytest.mark.parametrize(
     ("angles", "status", "says"),
     [
-        (("70", "80", "100", "75"), 1, "Nearest that works: sector_deg = [70, 80, 100, 7"),
+        (("70", "80", "100", "75"), 1, "Nearest found that works: sector_deg = [70, 80, 100, 7"),
         (("200", "80", "95", "100"), 2, "alpha is out of range"),
         (("85", "80", "95", "nan"), 2, "delta is out of range"),
         (("85", "80", "95"), 2, "Missing argument"),

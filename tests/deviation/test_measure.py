@@ -30,9 +30,7 @@ from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.surface import Path, Surface, Turning
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
     graph,
     orthodiagonal_requests,
     pair,
@@ -297,13 +295,13 @@ def agrees_with_dense_samples(design: Design) -> None:
 @settings(max_examples=25, deadline=None)
 @given(requests())
 def test_random_designs_against_dense_samples(request: Request) -> None:
-    agrees_with_dense_samples(feasible_design(request))
+    agrees_with_dense_samples(request.feasible())
 
 
 @pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(orthodiagonal_requests())
 def test_random_orthodiagonal_designs_against_dense_samples(
-    request: OrthodiagonalRequest,
+    request: Request,
 ) -> None:
     agrees_with_dense_samples(request.feasible())

@@ -47,6 +47,16 @@ def assert_answers(call: tuple[list[str], str], where: Path) -> None:
     assert ran.returncode == (1 if printed.startswith("orishell:") else 0), ran.stderr
 
 
+def test_two_commands_are_two() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    section = text.split("\n## Two commands\n")[1].split("\n## ")[0]
+    (block,) = re.findall(r"^```sh\n(.*?)^```$", section, re.DOTALL | re.MULTILINE)
+    assert [line.split("#")[0].split() for line in block.splitlines()] == [
+        ["make", "demo"],
+        ["make", "test"],
+    ]
+
+
 def test_the_first_file_is_the_starter() -> None:
     shown = tomllib.loads(blocks("first-shell.md", "toml")[0])
     starter = tomllib.loads(starter_file("parallel-repeating"))
@@ -61,7 +71,7 @@ def test_first_shell(tmp_path: Path) -> None:
     made, designed, chosen, refused = calls("first-shell.md")
     assert_answers(made, tmp_path)
     assert_answers(designed, tmp_path)
-    assert {"overview.png", "deviation.png", "shell.fold", "report.json"} == {
+    assert {"overview.png", "deviation.png", "shell.fold", "report.json", ".orishell.json"} == {
         each.name for each in (tmp_path / "shell").iterdir()
     }
     file = tmp_path / "shell.toml"

@@ -1,5 +1,6 @@
 """All formats by one test: what is written is what is read back, in any unit."""
 
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from documents import FAMILIES, demo_document
 from io_readers import READERS
 from node_tools import lacking
-from orishell.document import Document
+from orishell.document import LARGEST, Document
 from orishell.errors import InputError
 from orishell.io import Settings, document_of_fold, read_fold, write_fold
 from orishell.io.registry import ALL, FORMATS, Format, find_formats, format_of
@@ -107,3 +108,22 @@ def test_names_and_endings() -> None:
     for path in ("b.dwg", "b", ".svg"):
         with pytest.raises(InputError, match="no format has this ending"):
             format_of(Path(path))
+
+
+def test_what_no_format_holds_is_refused() -> None:
+    """Single precision, which STL, glTF and the pages have, ends at 3.4e38."""
+    document = demo_document()
+    assert document.flat is not None
+    for size in (1e37, math.inf, math.nan):
+        with pytest.raises(InputError, match="too large for files"):
+            replace(document, flat=document.flat * size)
+    replace(document, flat=document.flat / np.abs(document.flat).max() * LARGEST)
+
+
+def test_a_paper_model_of_what_is_larger_than_all_measure_is_refused(tmp_path: Path) -> None:
+    document = demo_document()
+    assert document.flat is not None
+    huge = replace(document, flat=document.flat * 1e20)
+    (pdf,) = find_formats(["pdf"])
+    with pytest.raises(InputError, match="too large for a paper model"):
+        pdf.write(tmp_path / "a.pdf", huge, Settings())

@@ -9,7 +9,7 @@ import pytest
 from ezdxf.filemanagement import new
 
 from orishell.curves import Curve, trace_curve
-from orishell.errors import InputError
+from orishell.errors import DesignError, InputError
 from orishell.motion import FoldingMotion
 from orishell.spec import DesignFile, read_design_file
 
@@ -132,6 +132,88 @@ def test_reverse_turns_any_source_round(drawings: Path) -> None:
         np.testing.assert_allclose(ends[1], ends[0][::-1], atol=1e-12)
 
 
+def test_a_range_takes_formulas_of_constants(drawings: Path) -> None:
+    curve = profile(drawings, 'formula = "cos(x)"\nrange = ["-pi/2", "2*pi/3 + 0.5"]')
+    assert (curve.start, curve.stop) == (-np.pi / 2, 2 * np.pi / 3 + 0.5)
+    part = profile(drawings, 'dxf = "arc.dxf"\npart = ["1/3", "pi/2"]')
+    assert (part.start, part.stop) == (1 / 3, np.pi / 2)
+
+
+@pytest.mark.parametrize("name", SOURCES)
+@pytest.mark.parametrize("options", ["", "reverse = true", "scale = 0.5\nreverse = true"])
+@pytest.mark.parametrize("unit", ["m", "ft"])
+def test_what_messages_quote_is_typed_and_gives_that_part(
+    drawings: Path, name: str, options: str, unit: str
+) -> None:
+    """Parameters of a traced curve, whichever way it runs, as the key of its source takes them."""
+    source = "\n".join(
+        line for line in SOURCES[name][0].splitlines() if not line.startswith("range")
+    )
+    whole = profile(drawings, f"{SOURCES[name][0]}\n{options}", unit)
+    for trace in (trace_curve(whole), trace_curve(whole).reversed()):
+        ends = trace.t[[len(trace.t) // 5, len(trace.t) // 2]]
+        low, high = trace.curve.drawn_part(*ends)
+        typed = f"{source}\n{whole.key} = [{low!r}, {high!r}]\n{options}"
+        part = profile(drawings, typed, unit)
+        found = part.position(np.array([part.start, part.stop]))
+        wanted = trace.curve.position(ends)
+        forwards = trace.curve.drawn == whole.drawn
+        np.testing.assert_allclose(found if forwards else found[::-1], wanted, atol=1e-9)
+
+
+WAVE = 'formula = ["t", "t**3 - 0.2*t**2"]\nrange = [-0.6, 1]'
+SPIRAL = 'formula = ["(3 + t/9)*cos(t)", "(3 + t/9)*sin(t)"]\nrange = [1, 6]'
+TURNING = {
+    "parallel-repeating": ("f", SPIRAL, 'theta_deg = "auto"\nxi_deg = 60\nflap = 0'),
+    "orthodiagonal": ("g", SPIRAL, 'heading_deg = "auto"\nflap = 0'),
+    "longitudinal-linear-repeating": ("f", WAVE, 'sector_deg = "auto"\ncolumns = 2'),
+}
+
+
+@pytest.mark.parametrize("options", ["", "scale = 1.5\nreverse = true"])
+@pytest.mark.parametrize("drawn", [False, True], ids=["range", "part"])
+@pytest.mark.parametrize("family", TURNING)
+def test_an_offered_part_is_the_part_that_was_meant(
+    tmp_path: Path, family: str, drawn: bool, options: str
+) -> None:
+    """A curve that turns too far, from its formula and from points along it, either way round:
+    what the message quotes, typed into its key, is made."""
+    name, curve, pattern = TURNING[family]
+    if drawn:
+        (tmp_path / "curve.toml").write_text(
+            SHELL.format(f=curve, unit="m", size=1, length=10, flap=0.2)
+        )
+        points = trace_curve(read_design_file(tmp_path / "curve.toml").f).points[::8]
+        curve = f"points = {points.tolist()}"
+    other = {"f": "g", "g": "f"}[name]
+    text = (
+        f'[shell]\nfamily = "{family}"\nunit = "m"\n[pattern]\nrows = 3\n{pattern}\n'
+        + ("" if "columns" in pattern else "columns = 5\n")
+        + f'[target.{other}]\nformula = "{"0*x" if other == "g" else "-0.1*x**2"}"\n'
+        + f"range = [0, 2]\n[target.{name}]\n{options}\n"
+    )
+    path = tmp_path / "shell.toml"
+    path.write_text(f"{text}{curve}")
+    file = read_design_file(path)
+    with pytest.raises(DesignError) as caught:
+        file.pattern.design(file.f, file.g)
+    key = "part" if drawn else "range"
+    changes = (each.changes for each in caught.value.candidates)
+    quoted = next(each[place] for each in changes if (place := f"target.{name}.{key}") in each)
+    kept = "\n".join(line for line in curve.splitlines() if not line.startswith("range"))
+    path.write_text(f"{text}{kept}\n{key} = {quoted}")
+    file = read_design_file(path)
+    file.pattern.design(file.f, file.g)
+
+
+def test_an_end_quoted_in_few_digits_is_the_end(drawings: Path) -> None:
+    whole = profile(drawings, 'points = "arc.csv"')
+    assert profile(drawings, f'points = "arc.csv"\npart = [0, {whole.stop:.6g}]').stop in (
+        whole.stop,
+        float(f"{whole.stop:.6g}"),
+    )
+
+
 def test_drawings_are_taken_as_drawn_and_points_are_smoothed_unless_told(drawings: Path) -> None:
     assert len(profile(drawings, 'svg = "segments.svg"').breaks) == 79
     assert profile(drawings, 'svg = "segments.svg"\nsmooth = true').breaks == ()
@@ -149,6 +231,31 @@ FAULTS = {
         "goes with formula",
     ),
     "an id for a dxf": ('dxf = "a.dxf"\nid = "x"', "[target.f] id", "goes with svg, not with dxf"),
+    "a part of a formula": (
+        f"{FORMULA}\npart = [0, 1]",
+        "[target.f] part",
+        "goes with points or svg",
+    ),
+    "a reversed part": ('dxf = "arc.dxf"\npart = [2, 1]', "[target.f] part", "within [0, 2.4]"),
+    "an empty part": ('svg = "arc.svg"\npart = [1, 1]', "[target.f] part", "within [0, 2.4]"),
+    "a part beyond": ('svg = "arc.svg"\npart = [1, 2.5]', "[target.f] part", "within [0, 2.4]"),
+    "a part before": ('dxf = "arc.dxf"\npart = [-1, 1]', "[target.f] part", "within [0, 2.4]"),
+    "a variable in a range": (
+        'formula = "x"\nrange = [0, "x"]',
+        "[target.f] range[1]",
+        "a formula of constants",
+    ),
+    "no number in a range": (
+        'formula = "x"\nrange = ["1/0", 1]',
+        "[target.f] range[0]",
+        "no number",
+    ),
+    "no formula in a range": (
+        'formula = "x"\nrange = ["2^3", 9]',
+        "[target.f] range[0]",
+        "write **",
+    ),
+    "a variable in a part": ('svg = "arc.svg"\npart = ["t", 1]', "[target.f] part[0]", "constants"),
     "a layer for an svg": ('svg = "a.svg"\nlayer = "0"', "[target.f] layer", "goes with dxf"),
     "a unit for a formula": (f'{FORMULA}\nunit = "mm"', "[target.f] unit", "points or svg or dxf"),
     "smooth for a formula": (f"{FORMULA}\nsmooth = true", "[target.f] smooth", "not with formula"),

@@ -8,6 +8,7 @@ import io
 import json
 import socket
 import struct
+import tempfile
 import time
 import tomllib
 import zipfile
@@ -21,6 +22,7 @@ import pytest
 
 from command_line import orishell
 from orishell.spec import FAMILIES, starter_file
+from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard
 from studio_server import Studio, running_studio
 
@@ -135,6 +137,24 @@ def test_text_and_tables(client: httpx.Client) -> None:
     wrong = client.post("/api/parse", json={"text": "[shell"})
     assert wrong.status_code == 422
     assert "not TOML" in wrong.json()["error"]["message"]
+    for number in ("0x" + "f" * 9000, "9" * 9000):
+        wrong = client.post("/api/parse", json={"text": f"[pattern]\nrows = {number}"})
+        assert wrong.status_code == 422
+        assert "too large" in wrong.json()["error"]["message"]
+
+
+def test_parts_of_curves_are_kept_as_they_are_typed(client: httpx.Client) -> None:
+    """A range of constants and the part of a drawing go through text and back, and are drawn."""
+    design = starter("orthodiagonal")
+    points = [[x / 10, -((x / 10) ** 2)] for x in range(-15, 16)]
+    design["target"]["f"] = {"points": points, "part": [0.7, "pi"]}
+    design["target"]["g"]["range"] = [0, "5*pi/4"]
+    text = client.post("/api/format", json={"design": design}).json()["text"]
+    assert tomllib.loads(text) == design
+    assert client.post("/api/parse", json={"text": text}).json()["design"] == design
+    design["target"]["g"]["range"] = [0, "x"]
+    error = client.post("/api/design", json={"design": design}).json()["error"]
+    assert "[target.g] range" in error["where"]
 
 
 def test_refusals_are_said_field_by_field_with_the_curves(client: httpx.Client) -> None:
@@ -145,8 +165,15 @@ def test_refusals_are_said_field_by_field_with_the_curves(client: httpx.Client) 
     error = answer.json()["error"]
     assert error["kind"] == "design"
     assert "too large" in error["what"]
-    assert error["nearest"].startswith("xi_deg below")
+    assert "must stay below" in error["size"]
     assert len(answer.json()["curves"]["f"]) > 50
+    # What works is found by trying it, which takes longer than a page waits for a design.
+    assert error["remedies"] == []
+    lines = client.post("/api/verify", json={"design": design}).text.splitlines()
+    first, *_ = json.loads(lines[-1])["error"]["remedies"]
+    assert first["text"] == f"xi_deg = {first['changes']['pattern.xi_deg']}"
+    design["pattern"].update(xi_deg=first["changes"]["pattern.xi_deg"])
+    assert client.post("/api/design", json={"design": design}).status_code == 200
     design["pattern"]["rows"] = 8
     error = client.post("/api/design", json={"design": design}).json()["error"]
     assert error["kind"] == "input"
@@ -182,10 +209,18 @@ def test_dropped_files(client: httpx.Client) -> None:
     assert arc["smooth"]
     centre = np.array([0.05, -0.05])
     np.testing.assert_allclose(np.linalg.norm(arc["points"] - centre, axis=1), 0.05, rtol=1e-9)
-    for name, content in (("p.exe", b""), ("p.svg", b"<svg"), ("p.csv", b"1,2\n")):
+    for name, content in (
+        ("p.exe", b""),
+        ("p.svg", b"<svg"),
+        ("p.svg", svg % b'<path d="M0 0L1 1"/><path d="M5 5L6 6"/>'),
+        ("p.dxf", b"  0\nSECTION\n  2\n\x1b[2J\n  0\nLINE\n 10\n\x1b[2J\n"),
+        ("p.csv", b"1,2\n"),
+    ):
         answer = drop(name, content)
         assert answer.status_code == 422
         assert name in answer.json()["error"]["message"]
+        assert tempfile.gettempdir() not in answer.text
+        assert answer.json()["error"]["message"].isprintable()
 
 
 @pytest.fixture(scope="module")
@@ -228,6 +263,8 @@ def test_an_export_is_of_one_format(client: httpx.Client, name: str | None) -> N
         ({"host": "evil.example"}, 403),
         ({"origin": "http://evil.example"}, 403),
         ({"origin": "null"}, 403),
+        ({"origin": "http://[::1"}, 403),
+        ({"origin": "http://[v1.x]y"}, 403),
         ({"content-type": "text/plain"}, 415),
         ({"content-type": "application/json"}, 400),
     ],
@@ -254,6 +291,18 @@ def test_sizes_are_limited(client: httpx.Client) -> None:
         yield from (body[k : k + 100_000] for k in range(0, len(body), 100_000))
 
     assert client.post("/api/design", content=pieces(), headers=headers).status_code == 413
+
+
+def test_millions_of_values_are_not_read(client: httpx.Client) -> None:
+    """Python would hold up everybody for a second while it made 1.5 million lists."""
+    body = b'{"design": {"shell": [' + b"[]," * 1_490_000 + b"[]]}}"
+    assert 4_400_000 < len(body) < LIMITS.bytes
+    for task in ("design", "verify", "parse"):
+        answer = client.post(
+            f"/api/{task}", content=body, headers={"content-type": "application/json"}
+        )
+        assert answer.status_code == 413
+        assert "values" in answer.json()["error"]["message"]
 
 
 @pytest.mark.parametrize(
@@ -343,6 +392,9 @@ def test_a_files_name_leads_nowhere(client: httpx.Client, name: str) -> None:
 def test_hundreds_of_thousands_of_points(client: httpx.Client) -> None:
     design = starter()
     design["target"]["f"] = {"points": [[k, k * k % 7] for k in range(150_000)], "smooth": True}
+    answer = client.post("/api/design", json={"design": design})
+    assert answer.status_code == 413
+    design["target"]["f"]["points"] = design["target"]["f"]["points"][:90_000]
     answer = client.post("/api/design", json={"design": design})
     assert answer.status_code == 422
     assert answer.json()["error"]["message"]

@@ -272,6 +272,21 @@ def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> Non
     assert page.get_by_test_id("refusal").is_hidden()
 
 
+def test_ends_of_a_range_are_numbers_or_formulas_of_constants(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    for typed, kept in (("5*pi/4", "5*pi/4"), ("3.5", 3.5)):
+        box = page.get_by_test_id("range-g-high")
+        box.fill(typed)
+        box.press("Enter")
+        settle(page)
+        assert page.evaluate("window.__orishell.store.design.value.target.g.range") == [0, kept]
+        assert page.get_by_test_id("refusal").is_hidden()
+    page.get_by_test_id("formula-g").focus()
+    page.evaluate("window.__orishell.store.undo()")
+    settle(page)
+    assert page.get_by_test_id("range-g-high").input_value() == "5*pi/4"
+
+
 def test_accessibility(browser: Browser, address: str) -> None:
     axe = PACKAGES / "axe-core" / "axe.min.js"
     if not axe.is_file():

@@ -1,9 +1,9 @@
 // A curve by its formula: y(x), or x(t) and y(t), and a range.
 
-import { numberBox, segmented, setNumber } from "./controls.ts";
+import { segmented } from "./controls.ts";
 import { h } from "./dom.ts";
 import { short } from "./numbers.ts";
-import type { CurveName, CurveTable } from "./types.ts";
+import type { Bound, CurveName, CurveTable } from "./types.ts";
 
 /** Typing rests this long before the formula is read, in milliseconds. */
 const TYPING = 250;
@@ -33,15 +33,10 @@ export class FormulaFields {
     private readonly name: CurveName,
     private readonly changed: (table: CurveTable, gesture: string) => void,
   ) {
-    this.x = this.text("x", "x of t");
-    this.y = this.text("y", "y");
-    const range = (end: "low" | "high", label: string): HTMLInputElement =>
-      numberBox(
-        { step: "any", "aria-label": `${name}, ${label}`, "data-testid": `range-${name}-${end}` },
-        () => this.publish(`range-${name}`),
-      );
-    this.low = range("low", "range begins at");
-    this.high = range("high", "range ends at");
+    this.x = this.text("formula", `formula-${name}-x`, "formula of x of t");
+    this.y = this.text("formula", `formula-${name}`, "formula of y");
+    this.low = this.text("range", `range-${name}-low`, "range begins at");
+    this.high = this.text("range", `range-${name}-high`, "range ends at");
     this.xLine = h("div", { class: "formula-line" }, h("span", { class: "formula-name" }, "x(t) ="), this.x);
     this.element = h(
       "div",
@@ -68,8 +63,8 @@ export class FormulaFields {
     this.dress(pair);
     if (pair) put(this.x, formula[0]);
     put(this.y, pair ? formula[1] : formula);
-    setNumber(this.low, short(range?.[0] ?? 0, 12));
-    setNumber(this.high, short(range?.[1] ?? 1, 12));
+    put(this.low, shown(range?.[0] ?? 0));
+    put(this.high, shown(range?.[1] ?? 1));
   }
 
   private dress(pair: boolean): void {
@@ -91,31 +86,32 @@ export class FormulaFields {
     this.publish("");
   }
 
-  private text(axis: "x" | "y", label: string): HTMLInputElement {
+  private text(key: "formula" | "range", testid: string, label: string): HTMLInputElement {
+    const gesture = `${key}-${this.name}`;
     const input = h("input", {
       type: "text",
-      class: "formula",
+      class: key === "range" ? "formula number" : "formula",
       spellcheck: "false",
       autocomplete: "off",
       autocapitalize: "off",
-      "aria-label": `${this.name}, formula of ${label}`,
-      "data-testid": axis === "y" ? `formula-${this.name}` : `formula-${this.name}-x`,
+      "aria-label": `${this.name}, ${label}`,
+      "data-testid": testid,
     });
     input.addEventListener("input", () => {
       clearTimeout(this.timer);
-      this.timer = window.setTimeout(() => this.publish(`formula-${this.name}`), TYPING);
+      this.timer = window.setTimeout(() => this.publish(gesture), TYPING);
     });
     input.addEventListener("change", () => {
       clearTimeout(this.timer);
-      this.publish(`formula-${this.name}`);
+      this.publish(gesture);
     });
     return input;
   }
 
   private publish(gesture: string): void {
-    const low = this.low.valueAsNumber;
-    const high = this.high.valueAsNumber;
-    if (!Number.isFinite(low) || !Number.isFinite(high)) return;
+    const low = bound(this.low.value);
+    const high = bound(this.high.value);
+    if (low === "" || high === "") return;
     const formula: CurveTable["formula"] = this.xLine.hidden
       ? this.y.value
       : [this.x.value, this.y.value];
@@ -125,6 +121,16 @@ export class FormulaFields {
     if (same) return;
     this.changed({ ...table, formula, range: [low, high] }, gesture);
   }
+}
+
+/** What is typed as an end of a range: a number, or a formula of constants as in "pi/2". */
+function bound(text: string): Bound {
+  const typed = text.trim();
+  return typed && Number.isFinite(Number(typed)) ? Number(typed) : typed;
+}
+
+function shown(end: Bound): string {
+  return typeof end === "number" ? short(end, 12) : end;
 }
 
 function put(input: HTMLInputElement, text: string): void {

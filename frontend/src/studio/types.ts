@@ -3,11 +3,14 @@
 export type Value = string | number | boolean | Value[];
 export type CurveName = "f" | "g";
 export type Point = [number, number];
+export type Bound = number | string;
 
 /** A table [target.f] or [target.g] of a design file; points may be given in place of a path. */
 export interface CurveTable {
   formula?: string | [string, string];
-  range?: [number, number];
+  /** Numbers, or formulas of constants. */
+  range?: [Bound, Bound];
+  part?: [Bound, Bound];
   points?: Point[] | string;
   smooth?: boolean;
   scale?: number;
@@ -85,7 +88,18 @@ export interface Fault {
   remedy: string;
   place: string;
   size: string;
-  nearest: string;
+  /** What limits, where nothing was found that works. */
+  limit: string;
+  /** What was tried and works, the nearest first. */
+  remedies: Remedy[];
+  /** Whether what works is still being looked for. */
+  searching: boolean;
+}
+
+/** Values of keys of the design file, the tables in front of them; null removes a key. */
+export interface Remedy {
+  text: string;
+  changes: Record<string, Value | null>;
 }
 
 export interface Range {

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Self
+from dataclasses import dataclass, replace
+from typing import Literal, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from orishell.curves.formula import Formula
 from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.intervals import Enclosure
 
 CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 """Position, first and second derivative, each (..., 2), at parameters (...)."""
+CurveEnclosure = Callable[[Array, Array], tuple[Enclosure, Enclosure]]
+"""What x and y and their derivatives can be between parameters ``low`` and ``high`` (S,)."""
+
+END = 1e-5
+"""An end of a part that lies beyond the curve's by up to this share of its range is the curve's."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -25,17 +31,30 @@ class Curve:
     ----------
     jet
         Position, first and second derivative, each (..., 2), at parameters (...).
+    enclosure
+        What these can be between parameters ``low`` and ``high`` (S,), for x and for y; no break
+        lies inside.
     start, stop
         The range of the parameter, start < stop.
     breaks
         Parameters strictly inside the range where the tangent may jump (the corners of a
         polyline), increasing. There the derivatives are those of the later side.
+    key
+        The key of the design file that takes a part of the curve by its parameters as drawn.
+    drawn
+        Offset and factor (1 or -1): offset + factor * t is the parameter as the curve was drawn.
+    scale
+        How much the curve has been enlarged since it was drawn.
     """
 
     jet: CurveJet
+    enclosure: CurveEnclosure
     start: float
     stop: float
     breaks: tuple[float, ...] = ()
+    key: Literal["range", "part"] = "part"
+    drawn: tuple[float, float] = (0.0, 1.0)
+    scale: float = 1.0
 
     def __post_init__(self) -> None:
         for name, value in (("start", self.start), ("stop", self.stop)):
@@ -51,6 +70,15 @@ class Curve:
                 expected="the smaller value first",
                 remedy=f"write [{self.stop:g}, {self.start:g}]" if self.start != self.stop else "",
             )
+
+    def __repr__(self) -> str:
+        first, last = (
+            "({:.6g}, {:.6g})".format(*self.position(t)) for t in (self.start, self.stop)
+        )
+        count = len(self.breaks)
+        broken = f", {count} corner{'s' * (count > 1)}" if count else ""
+        span = f"{self.start:.6g} to {self.stop:.6g}"
+        return f"{type(self).__name__}(from {first} to {last}, parameter {span}{broken})"
 
     def position(self, t: ArrayLike) -> Array:
         """Points (..., 2) at parameters t (...)."""
@@ -84,7 +112,67 @@ class Curve:
             position, first, second = self.jet(back)
             return position, -first, second
 
-        return type(self)(jet, self.start, self.stop, breaks)
+        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+            x, y = self.enclosure(total - high, total - low)
+            return x.mirrored(), y.mirrored()
+
+        offset, factor = self.drawn
+        drawn = offset + factor * total, -factor
+        return replace(self, jet=jet, enclosure=enclosure, breaks=breaks, drawn=drawn)
+
+    def part(self, first: float, last: float) -> Self:
+        """The part of the curve between two of its parameters, which it keeps.
+
+        Parameters
+        ----------
+        first, last
+            Its ends, first < last; rounded a little beyond the curve's, they are the curve's.
+
+        Raises
+        ------
+        CurveError
+            If it is empty, reversed or not within the curve.
+        """
+        whole = f"[{self.start:.10g}, {self.stop:.10g}]"
+        got = f"[{first:.10g}, {last:.10g}]"
+        slack = END * (self.stop - self.start)
+        if not first < last:
+            what = "the part is empty" if first == last else "the part is reversed"
+            expected = f"the smaller value first, within {whole}"
+        elif not (first >= self.start - slack and last <= self.stop + slack):
+            what, expected = "the part reaches beyond the curve", f"values within {whole}"
+        else:
+            start, stop = max(first, self.start), min(last, self.stop)
+            inner = tuple(t for t in self.breaks if start < t < stop)
+            return replace(self, start=start, stop=stop, breaks=inner)
+        raise CurveError(what, where="part", got=got, expected=expected)
+
+    def as_drawn(self, t: ArrayLike) -> Array:
+        """Parameters (...) as the curve was drawn, for messages, of this curve's t (...)."""
+        offset, factor = self.drawn
+        return offset + factor * np.asarray(t, dtype=np.float64)
+
+    def drawn_part(self, first: float, last: float) -> tuple[float, float]:
+        """The part between two parameters as :attr:`key` takes it, the smaller value first.
+
+        Parameters
+        ----------
+        first, last
+            Parameters of this curve.
+        """
+        low, high = sorted(float(self.as_drawn(t)) for t in (first, last))
+        return low, high
+
+    def part_of_drawn(self, first: float, last: float) -> Self:
+        """The part between two parameters as the curve was drawn: what :attr:`key` says.
+
+        Parameters
+        ----------
+        first, last
+            The part's ends as the curve was drawn.
+        """
+        offset, factor = self.drawn
+        return self.part(*sorted((t - offset) / factor for t in (first, last)))
 
     def scaled(self, factor: float) -> Self:
         """The curve enlarged about the origin by ``factor`` > 0."""
@@ -93,7 +181,24 @@ class Curve:
             position, first, second = self.jet(t)
             return position * factor, first * factor, second * factor
 
-        return type(self)(jet, self.start, self.stop, self.breaks)
+        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+            x, y = self.enclosure(low, high)
+            return x.times(factor), y.times(factor)
+
+        return replace(self, jet=jet, enclosure=enclosure, scale=self.scale * factor)
+
+    def shifted(self, offset: Array) -> Self:
+        """The curve moved by a vector (2,) in its unit, ``offset``."""
+
+        def jet(t: Array) -> tuple[Array, Array, Array]:
+            position, first, second = self.jet(t)
+            return position + offset, first, second
+
+        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+            x, y = self.enclosure(low, high)
+            return x + Enclosure.constant(offset[0]), y + Enclosure.constant(offset[1])
+
+        return replace(self, jet=jet, enclosure=enclosure)
 
     def rotated(self, angle: float) -> Self:
         """The curve turned counter-clockwise about the origin by ``angle`` (radians)."""
@@ -104,7 +209,11 @@ class Curve:
             position, first, second = self.jet(t)
             return position @ turn, first @ turn, second @ turn
 
-        return type(self)(jet, self.start, self.stop, self.breaks)
+        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+            x, y = self.enclosure(low, high)
+            return x.times(cos) - y.times(sin), x.times(sin) + y.times(cos)
+
+        return replace(self, jet=jet, enclosure=enclosure)
 
 
 def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float) -> Curve:
@@ -140,73 +249,8 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
         )
         return position, first, second
 
-    return Curve(jet, float(start), float(stop))
+    def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+        across = Enclosure.variable(low, high) if x is None else x.enclosure(low, high)
+        return across, y.enclosure(low, high)
 
-
-def curve_from_points(points: ArrayLike, *, smooth: bool) -> Curve:
-    """Curve through points (N, 2) in their order, N at least 2.
-
-    The parameter is the chord length from the first point. ``smooth`` gives the cubic spline
-    (twice continuously differentiable, not-a-knot ends), otherwise the polyline itself.
-
-    Parameters
-    ----------
-    points
-        Points (N, 2) in their order.
-    smooth
-        Whether a spline goes through them; else the polyline.
-
-    Raises
-    ------
-    CurveError
-        If there are fewer than two points, a coordinate is not finite, or two successive points
-        coincide.
-    """
-    array = np.asarray(points, dtype=np.float64)
-    if array.ndim != 2 or array.shape[1] != 2 or len(array) < 2:
-        raise CurveError("too few points for a curve", got=f"{len(array)}", expected="at least 2")
-    if not np.isfinite(array).all():
-        row = int(np.argmin(np.isfinite(array).all(axis=1)))
-        raise CurveError("a point is not finite", where=f"point {row + 1}", got=str(array[row]))
-    chords = np.hypot(*np.diff(array, axis=0).T)
-    knots = np.concatenate([[0.0], np.cumsum(chords)])
-    smallest = 1e-12 * np.ptp(array, axis=0).max()
-    apart = (chords > smallest) & (np.diff(knots) > 0)
-    if not apart.all():
-        row = int(np.argmin(np.where(apart, np.inf, chords)))
-        raise CurveError(
-            "two successive points coincide",
-            where=f"points {row + 1} and {row + 2}",
-            got=f"({array[row, 0]:g}, {array[row, 1]:g})",
-            remedy="remove one of them",
-        )
-    return _spline(knots, array) if smooth and len(array) > 2 else _polyline(knots, array)
-
-
-def _spline(knots: Array, points: Array) -> Curve:
-    from scipy.interpolate import CubicSpline
-
-    # Of the size of 1, or the system behind a spline is singular in very large units; a power of
-    # two, so that not a bit is lost.
-    unit = np.exp2(np.round(np.log2(knots[-1])))
-    spline = CubicSpline(knots / unit, points)
-
-    def jet(t: Array) -> tuple[Array, Array, Array]:
-        s = t / unit
-        return spline(s), spline(s, 1) / unit, spline(s, 2) / unit**2
-
-    return Curve(jet, 0.0, float(knots[-1]))
-
-
-def _polyline(knots: Array, points: Array) -> Curve:
-    slopes = np.diff(points, axis=0) / np.diff(knots)[:, None]
-    last = len(slopes) - 1
-
-    def jet(t: Array) -> tuple[Array, Array, Array]:
-        cell: NDArray[np.intp] = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, last)
-        position = points[cell] + (t - knots[cell])[..., None] * slopes[cell]
-        position = np.where((t == knots[-1])[..., None], points[-1], position)
-        first = slopes[cell]
-        return position, first, np.zeros_like(first)
-
-    return Curve(jet, 0.0, float(knots[-1]), tuple(knots[1:-1].tolist()))
+    return Curve(jet, enclosure, float(start), float(stop), key="range")

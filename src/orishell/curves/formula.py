@@ -6,22 +6,15 @@ import ast
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, Protocol
 
 import numpy as np
 
-from orishell.curves.jets import (
-    FUNCTIONS,
-    Array,
-    Jet,
-    chain,
-    minus,
-    over,
-    plus,
-    power,
-    times,
-)
+from orishell.curves.jets import FUNCTIONS, Array, Jet
+from orishell.curves.rules import ENCLOSURES, JETS, J, Rules
 from orishell.errors import FormulaError
+from orishell.intervals import Enclosure, Interval
+from orishell.quoting import in_one_line
 
 MAX_LENGTH = 500
 MAX_DEPTH = 100
@@ -30,15 +23,21 @@ MAX_NUMBER = 1e300
 
 CONSTANTS = {"pi": np.pi, "e": np.e}
 
-Run: TypeAlias = Callable[[Array], Jet]
-"""A compiled formula: from the variable to the jet."""
-
-OPERATORS: dict[type[ast.operator], Callable[[Jet, Jet], Jet]] = {
-    ast.Add: plus,
-    ast.Sub: minus,
-    ast.Mult: times,
-    ast.Div: over,
+Function = Callable[[Rules[Any]], Callable[[Any], Any]]
+Operator = Callable[[Rules[Any]], Callable[[Any, Any], Any]]
+OPERATORS: dict[type[ast.operator], Operator] = {
+    ast.Add: lambda rules: rules.plus,
+    ast.Sub: lambda rules: rules.minus,
+    ast.Mult: lambda rules: rules.times,
+    ast.Div: lambda rules: rules.over,
 }
+
+
+class Run(Protocol):
+    """A compiled formula: what it makes of the variable by given rules."""
+
+    def __call__(self, variable: J, rules: Rules[J], /) -> J:
+        """Run it, on the variable."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,11 +56,24 @@ class Formula:
     variable: str | None
     _run: Run
 
+    __repr__ = in_one_line
+
     def jet(self, t: Array) -> Jet:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""
+        t = np.asarray(t, dtype=np.float64)
         with np.errstate(all="ignore"):
-            value, first, second = self._run(np.asarray(t, dtype=np.float64))
+            value, first, second = self._run((t, np.ones_like(t), np.zeros_like(t)), JETS)
         return value, first, second
+
+    def enclosure(self, low: Array, high: Array) -> Enclosure:
+        """What these can be between ``low`` and ``high`` (S,); nan or infinite where unbounded."""
+        with np.errstate(all="ignore"):
+            found = self._run(Enclosure.variable(low, high), ENCLOSURES)
+        spread = (
+            Interval(np.broadcast_to(each.low, low.shape), np.broadcast_to(each.high, low.shape))
+            for each in (found.value, found.first, found.second)
+        )
+        return Enclosure(*spread)
 
 
 class _Compiler:
@@ -112,7 +124,7 @@ class _Compiler:
             case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if (
                 name in FUNCTIONS
             ):
-                return _apply(FUNCTIONS[name], self.compile(argument, depth + 1))
+                return _apply(_function(name), self.compile(argument, depth + 1))
             case ast.Call(func=ast.Name(id=name)) if name in FUNCTIONS:
                 raise self.fault(f"{name} takes one argument", node)
             case ast.Call(func=ast.Name(id=name)):
@@ -146,11 +158,11 @@ class _Compiler:
                 expected="one variable",
             )
         self.variable = name
-        return lambda t: (t, np.ones_like(t), np.zeros_like(t))
+        return _variable
 
     @staticmethod
     def negative(operand: float | Run) -> float | Run:
-        return _combine(minus, 0.0, operand)
+        return _combine(OPERATORS[ast.Sub], 0.0, operand)
 
     def power(
         self,
@@ -167,10 +179,10 @@ class _Compiler:
                     expected=f"at most {MAX_EXPONENT:g} in size",
                 )
             n = exponent
-            return _apply(lambda v: power((v, np.ones_like(v), np.zeros_like(v)), n), base)
+            return _apply(lambda rules: lambda value: rules.power(value, n), base)
         if isinstance(base, float) and base > 0:
-            scaled = _combine(times, float(np.log(base)), exponent)
-            return _apply(FUNCTIONS["exp"], scaled)
+            scaled = _combine(OPERATORS[ast.Mult], float(np.log(base)), exponent)
+            return _apply(_function("exp"), scaled)
         raise self.fault(
             "the exponent varies",
             node,
@@ -178,36 +190,45 @@ class _Compiler:
         )
 
 
+def _variable(variable: J, rules: Rules[J], /) -> J:
+    return variable
+
+
 def _lift(value: float) -> Run:
-    return lambda t: (np.full_like(t, value), np.zeros_like(t), np.zeros_like(t))
+    def run(variable: J, rules: Rules[J], /) -> J:
+        return rules.constant(value, variable)
+
+    return run
 
 
 def _fold(run: Run) -> float:
     """Evaluate a constant subtree in floating point (inf and nan where it overflows)."""
+    zero = np.zeros(())
     with np.errstate(all="ignore"):
-        return float(run(np.zeros(()))[0])
+        return float(run((zero, zero, zero), JETS)[0])
 
 
-def _combine(
-    operation: Callable[[Jet, Jet], Jet],
-    left: float | Run,
-    right: float | Run,
-) -> float | Run:
+def _combine(operator: Operator, left: float | Run, right: float | Run) -> float | Run:
     a = _lift(left) if isinstance(left, float) else left
     b = _lift(right) if isinstance(right, float) else right
 
-    def run(t: Array) -> Jet:
-        return operation(a(t), b(t))
+    def run(variable: J, rules: Rules[J], /) -> J:
+        result: J = operator(rules)(a(variable, rules), b(variable, rules))
+        return result
 
     return _fold(run) if isinstance(left, float) and isinstance(right, float) else run
 
 
-def _apply(function: Run, argument: float | Run) -> float | Run:
+def _function(name: str) -> Function:
+    return lambda rules: rules.functions[name]
+
+
+def _apply(function: Function, argument: float | Run) -> float | Run:
     inner = _lift(argument) if isinstance(argument, float) else argument
 
-    def run(t: Array) -> Jet:
-        jet = inner(t)
-        return chain(function(jet[0]), jet)
+    def run(variable: J, rules: Rules[J], /) -> J:
+        result: J = function(rules)(inner(variable, rules))
+        return result
 
     return _fold(run) if isinstance(argument, float) else run
 

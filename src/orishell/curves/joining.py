@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.curves.curve import Curve, curve_from_points
+from orishell.curves.curve import Curve
+from orishell.curves.interpolation import curve_from_points
 from orishell.curves.jets import Array
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces

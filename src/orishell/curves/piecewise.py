@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import comb
 from typing import Protocol
 
 import numpy as np
@@ -16,21 +15,20 @@ from numpy.typing import NDArray
 
 from orishell.curves.curve import Curve
 from orishell.curves.jets import Array
+from orishell.curves.piece_groups import Arcs, Rationals, even_out, powers_of
 from orishell.curves.pieces import Arc, Bezier, Piece
+from orishell.intervals import Enclosure, Interval
 
 Integers = NDArray[np.intp]
 
-RETRACTED = 1e-6
-"""A control point this near to the end, relative to the control polygon, is put on it."""
-SLOWEST = (1e-8, 1e-5)
-"""Nearest to the end with a retracted control point that first and second derivatives are taken:
-there the second derivative is infinite in the end itself."""
 SLUGGISH = 0.2
 """A piece that is slower than this at both ends, relative to its mean, is sampled in the middle."""
 
 
 class _Group(Protocol):
     def jet(self, row: Integers, s: Array) -> tuple[Array, Array, Array]: ...
+
+    def enclosure(self, row: Integers, low: Array, high: Array) -> tuple[Enclosure, Enclosure]: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,7 +70,7 @@ class PieceArrays:
 
         arcs = [(k, piece) for k, piece in enumerate(pieces) if isinstance(piece, Arc)]
         if arcs:
-            add(np.array([k for k, _ in arcs]), _Arcs.of([arc for _, arc in arcs]))
+            add(np.array([k for k, _ in arcs]), Arcs.of([arc for _, arc in arcs]))
         straight: list[tuple[Integers, Array]] = []
         by_degree: dict[int, list[int]] = {}
         for k, piece in enumerate(pieces):
@@ -82,17 +80,17 @@ class PieceArrays:
             members = np.array(by_degree[degree])
             control = np.stack([_control(pieces[k]) for k in members])
             if degree > 1:
-                control, line, slow = _even_out(control)
+                control, line, slow = even_out(control)
                 straight.append((members[line], control[line][:, [0, -1]]))
                 bent = ~line
-                add(members[bent], _Rationals(_powers(control[bent]), slow[bent]))
+                add(members[bent], Rationals(powers_of(control[bent]), slow[bent]))
             else:
                 straight.append((members, control))
         if straight:
             members = np.concatenate([each for each, _ in straight])
             ends = np.concatenate([each for _, each in straight])
             ends = ends / ends[:, :, 2:]
-            add(members, _Rationals(_powers(ends), np.zeros(len(ends), np.intp)))
+            add(members, Rationals(powers_of(ends), np.zeros(len(ends), np.intp)))
         return cls(tuple(groups), group, row)
 
     def jet(self, piece: Integers, s: Array) -> tuple[Array, Array, Array]:
@@ -107,6 +105,23 @@ class PieceArrays:
                 for whole, part in zip(out, each.jet(row[at], s[at]), strict=True):
                     whole[at] = part
         return out[0], out[1], out[2]
+
+    def enclosure(self, piece: Integers, low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+        """What x and y can be between shares ``low`` and ``high`` (P,) of pieces (P,)."""
+        group, row = self.group[piece], self.row[piece]
+        if len(self.groups) == 1:
+            return self.groups[0].enclosure(row, low, high)
+        out = np.zeros((2, 3, 2, len(low)))
+        for number, each in enumerate(self.groups):
+            at = np.flatnonzero(group == number)
+            if len(at):
+                axes = each.enclosure(row[at], low[at], high[at])
+                for k, found in enumerate(axes):
+                    out[k, 0, :, at] = np.stack([found.value.low, found.value.high], axis=-1)
+                    out[k, 1, :, at] = np.stack([found.first.low, found.first.high], axis=-1)
+                    out[k, 2, :, at] = np.stack([found.second.low, found.second.high], axis=-1)
+        x, y = (Enclosure(*(Interval(*ends) for ends in whole)) for whole in out)
+        return x, y
 
     def at(self, share: float) -> Array:
         """The point (N, 2) at the same share of every piece."""
@@ -149,128 +164,32 @@ def curve_from_pieces(arrays: PieceArrays, joints: Array) -> Curve:
         shape = (*t.shape, 2)
         return position.reshape(shape), first.reshape(shape), second.reshape(shape)
 
+    def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+        cell = np.clip(np.searchsorted(knots, 0.5 * (low + high), side="right") - 1, 0, last)
+        length = lengths[cell]
+        shares = [np.clip((t - knots[cell]) / length, 0.0, 1.0) for t in (low, high)]
+        s = Enclosure.variable(shares[0], shares[1])
+        found = []
+        for axis, each in enumerate(arrays.enclosure(cell, shares[0], shares[1])):
+            drawn = each + s.times(gain[cell, axis])
+            found.append(
+                Enclosure(
+                    drawn.value.plus(begin[cell, axis]),
+                    drawn.first.times(1 / length),
+                    drawn.second.times(1 / (length * length)),
+                )
+            )
+        return found[0], found[1]
+
     every = np.arange(len(lengths))
     ends = [np.hypot(*arrays.jet(every, np.full(len(lengths), s))[1].T) for s in (0.0, 1.0)]
     sluggish = np.maximum(*ends) < SLUGGISH * lengths
     middles = 0.5 * (knots[:-1] + knots[1:])[sluggish]
     breaks = np.union1d(knots[1:-1], middles)
     inside = (breaks > 0.0) & (breaks < knots[-1])
-    return Curve(jet, 0.0, float(knots[-1]), tuple(breaks[inside].tolist()))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Rationals:
-    """Rational Bezier curves of one degree, as powers of s.
-
-    Parameters
-    ----------
-    powers
-        Coefficients (N, degree + 1, 3) of weight times x, weight times y, and weight.
-    slow
-        -1 or 1 where the control point next to the beginning or the end is retracted into it.
-    """
-
-    powers: Array
-    slow: Integers
-
-    def jet(self, row: Integers, s: Array) -> tuple[Array, Array, Array]:
-        if not self.slow.any():
-            return self._jet(row, s)
-        # There the curve goes like the square of its parameter: take the square as parameter.
-        side = self.slow[row]
-        root = np.where(side < 0, np.sqrt(s), np.sqrt(np.maximum(1 - s, 0.0)))
-        inner = [
-            np.where(side == 0, s, np.where(side < 0, clipped, 1 - clipped))
-            for clipped in (root, *(np.maximum(root, least) for least in SLOWEST))
-        ]
-        pace = np.where(side == 0, 1.0, 0.5 / np.maximum(root, SLOWEST[0]))
-        even = np.where(side == 0, 1.0, 0.5 / np.maximum(root, SLOWEST[1]))
-        bend = np.where(side == 0, 0.0, side * 2 * even**3)
-        position = self._jet(row, inner[0])[0]
-        first = self._jet(row, inner[1])[1] * pace[:, None]
-        _, by_s, twice = self._jet(row, inner[2])
-        return position, first, twice * (even**2)[:, None] + by_s * bend[:, None]
-
-    def _jet(self, row: Integers, s: Array) -> tuple[Array, Array, Array]:
-        powers = self.powers[row]
-        s = s[:, None]
-        value = powers[:, -1]
-        first = second = np.zeros_like(value)
-        for k in range(powers.shape[1] - 2, -1, -1):
-            second = second * s + 2 * first
-            first = first * s + value
-            value = value * s + powers[:, k]
-        weight = value[:, 2:]
-        position = value[:, :2] / weight
-        speed = (first[:, :2] - position * first[:, 2:]) / weight
-        bend = (second[:, :2] - 2 * speed * first[:, 2:] - position * second[:, 2:]) / weight
-        return position, speed, bend
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Arcs:
-    """Elliptical arcs: centres (N, 2), axes (N, 2, 2), first angles and sweeps (N,)."""
-
-    centre: Array
-    axes: Array
-    start: Array
-    sweep: Array
-
-    @classmethod
-    def of(cls, arcs: Sequence[Arc]) -> _Arcs:
-        return cls(
-            np.array([arc.centre for arc in arcs]),
-            np.array([arc.axes for arc in arcs]),
-            np.array([arc.start for arc in arcs]),
-            np.array([arc.sweep for arc in arcs]),
-        )
-
-    def jet(self, row: Integers, s: Array) -> tuple[Array, Array, Array]:
-        sweep = self.sweep[row][:, None]
-        angle = self.start[row][:, None] + s[:, None] * sweep
-        cos, sin = np.cos(angle), np.sin(angle)
-        u, v = self.axes[row, 0], self.axes[row, 1]
-        out = cos * u + sin * v
-        return self.centre[row] + out, sweep * (cos * v - sin * u), -sweep * sweep * out
+    return Curve(jet, enclosure, 0.0, float(knots[-1]), tuple(breaks[inside].tolist()))
 
 
 def _control(piece: Piece) -> Array:
     assert isinstance(piece, Bezier)
     return piece.control
-
-
-def _powers(control: Array) -> Array:
-    """Coefficients (N, d+1, 3) of powers, from those of Bernstein's polynomials."""
-    degree = control.shape[1] - 1
-    powers, differences = [], control
-    for k in range(degree + 1):
-        powers.append(comb(degree, k) * differences[:, 0])
-        differences = np.diff(differences, axis=1)
-    return np.stack(powers, axis=1)
-
-
-def _even_out(control: Array) -> tuple[Array, NDArray[np.bool_], Integers]:
-    """Find curves (N, d+1, 3) that stand still in an end because control points lie in it.
-
-    Returns
-    -------
-    tuple
-        The control points, those near an end put into it; whether a curve is a straight line
-        because all lie in its ends; -1 or 1 where one lies in its beginning or end.
-    """
-    points = control[:, :, :2] / control[:, :, 2:]
-    steps = np.diff(points, axis=1)
-    near = RETRACTED * np.hypot(steps[..., 0], steps[..., 1]).sum(axis=1)
-    control = control.copy()
-    counts = []
-    for end, order in ((0, slice(None)), (-1, slice(None, None, -1))):
-        away = points - points[:, end, None]
-        close = np.hypot(away[..., 0], away[..., 1]) <= near[:, None]
-        run = np.logical_and.accumulate(close[:, order], axis=1)
-        there = run[:, order]
-        snapped = points[:, end, None] * control[:, :, 2:]
-        control[:, :, :2] = np.where(there[..., None], snapped, control[:, :, :2])
-        counts.append(run.sum(axis=1))
-    line = counts[0] + counts[1] >= control.shape[1]
-    slow = np.where(counts[0] == 2, -1, 0) + np.where(counts[1] == 2, 1, 0)
-    return control, line, np.where(line, 0, slow)

@@ -7,14 +7,18 @@ The samples sit where the curve turns: between neighbours the tangent turns by a
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.curves.between import Samples, unseen
+from orishell.curves.checked import LARGEST, checked_jet
 from orishell.curves.curve import Curve
+from orishell.curves.frames import nearby_origin
 from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.quoting import in_one_line
 
 MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""
@@ -26,8 +30,8 @@ FIRST_CELLS = 1024
 SMALLEST_CELL = 2.0**-24
 """Smallest distance of samples in the parameter, relative to the range."""
 MAX_SAMPLES = 400_000
-LARGEST = 1e100
-"""Coordinates and derivatives beyond this count as not finite."""
+QUADRATURE = 1e-6
+"""To this share arc lengths of cells are taken from quadrature, but where there is a corner."""
 MIN_SPEED = 1e-7
 """A tangent shorter than this, relative to the mean, counts as zero."""
 SHORTEST = 1e-9
@@ -53,8 +57,8 @@ class Trace:
         where it jumps by the corner's turn.
     arriving
         Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
-    backwards
-        Whether the curve is run through against the direction in which it was drawn.
+    origin
+        Where the origin of the points' frame lies on the drawing (2,), turned as the curve is.
     """
 
     curve: Curve
@@ -63,7 +67,9 @@ class Trace:
     arc: Array
     heading: Array
     arriving: Array
-    backwards: bool = False
+    origin: Array = field(default_factory=lambda: np.zeros(2))
+
+    __repr__ = in_one_line
 
     @property
     def length(self) -> float:
@@ -84,24 +90,36 @@ class Trace:
             self.arc[-1] - self.arc[::-1],
             self.arriving[::-1] + np.pi,
             self.heading[::-1] + np.pi,
-            not self.backwards,
+            self.origin,
         )
-
-    def drawn_parameter(self, t: float) -> float:
-        """The parameter t as the curve was drawn, for messages."""
-        return self.curve.start + self.curve.stop - t if self.backwards else t
 
     def rotated(self, angle: float) -> Trace:
         """The curve's trace, turned counter-clockwise about the origin by ``angle`` (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)
+        turn = np.array([[cos, sin], [-sin, cos]])
         return Trace(
             self.curve.rotated(angle),
             self.t,
-            self.points @ np.array([[cos, sin], [-sin, cos]]),
+            self.points @ turn,
             self.arc,
             self.heading + angle,
             self.arriving + angle,
-            self.backwards,
+            self.origin @ turn,
+        )
+
+    def in_own_frame(self) -> Trace:
+        """The trace in a frame beside it, so that what is made of it keeps its digits.
+
+        A curve near the origin of its drawing stays where it is.
+        """
+        shift = nearby_origin(self.points)
+        if not shift.any():
+            return self
+        return replace(
+            self,
+            curve=self.curve.shifted(-shift),
+            points=self.points - shift,
+            origin=self.origin + shift,
         )
 
     def bounding_box(self) -> tuple[Array, Array]:
@@ -168,29 +186,31 @@ def trace_curve(curve: Curve, name: str = "") -> Trace:
 
 def _trace(curve: Curve) -> Trace:
     t = np.union1d(np.linspace(curve.start, curve.stop, FIRST_CELLS + 1), curve.breaks)
-    position, first, _ = _checked_jet(curve, t)
+    position, first, _ = checked_jet(curve, t)
     smallest = SMALLEST_CELL * (curve.stop - curve.start)
     while True:
-        bad = _turning_cells(curve, t, position, first) & (np.diff(t) > 2 * smallest)
-        if not bad.any():
+        samples = Samples(t, position, *_ends(curve, t, first))
+        bad = _turning_cells(samples) & (np.diff(t) > 2 * smallest)
+        missing = (0.5 * (t[:-1] + t[1:]))[bad]
+        if not len(missing):
+            _check_leaps(curve, samples)
+            missing = unseen(curve, samples, MAX_TURN, smallest)
+        if not len(missing):
             break
-        if len(t) + np.count_nonzero(bad) > MAX_SAMPLES:
-            at = t[np.argmax(bad)]
+        if len(t) + len(missing) > MAX_SAMPLES:
             raise CurveError(
                 "the curve turns too often to be followed",
-                where=f"at parameter {at:g}",
+                where=f"at parameter {curve.as_drawn(missing[0]):.10g}",
                 expected=f"at most {MAX_SAMPLES * MAX_TURN:g} radians of turning in all",
                 remedy="smooth it, give fewer points, or set smooth = false",
             )
-        at = np.flatnonzero(bad) + 1
-        middle = 0.5 * (t[at - 1] + t[at])
-        new_position, new_first, _ = _checked_jet(curve, middle)
-        t = np.insert(t, at, middle)
+        new_position, new_first, _ = checked_jet(curve, missing)
+        at = np.searchsorted(t, missing)
+        t = np.insert(t, at, missing)
         position = np.insert(position, at, new_position, axis=0)
         first = np.insert(first, at, new_first, axis=0)
 
-    _check_leaps(curve, t, position, first)
-    arc = _arc_length(curve, t)
+    arc = _arc_length(curve, t, position)
     _check_length(curve, position, arc)
     _check_speed(curve, t, first, arc[-1])
     heading, arriving = _headings(curve, t, position, first)
@@ -209,25 +229,6 @@ def _angle(u: Array, v: Array) -> Array:
     return angle
 
 
-def _checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
-    position, first, second = curve.jet(t)
-    for what, array in (
-        ("the curve is not finite", position),
-        ("the tangent is not finite", first),
-    ):
-        good = (np.abs(array) < LARGEST).all(axis=-1)  # false for nan, too
-        if not good.all():
-            k = int(np.argmin(good))
-            raise CurveError(
-                what,
-                where=f"at parameter {t[k]:g}",
-                got=f"({array[k, 0]:g}, {array[k, 1]:g})",
-                remedy="choose a range without this point"
-                + (", or give x(t) and y(t)" if what.startswith("the tangent") else ""),
-            )
-    return position, first, second
-
-
 def _ends(curve: Curve, t: Array, first: Array) -> tuple[Array, Array]:
     """Tangents leaving each cell's first sample and arriving at its last, (N-1, 2) each."""
     leaving, arriving = first[:-1], first[1:]
@@ -238,15 +239,14 @@ def _ends(curve: Curve, t: Array, first: Array) -> tuple[Array, Array]:
     return leaving, arriving
 
 
-def _turning_cells(curve: Curve, t: Array, position: Array, first: Array) -> NDArray[np.bool_]:
+def _turning_cells(samples: Samples) -> NDArray[np.bool_]:
     """Cells in which the tangent, or the chord against it, turns by more than MAX_TURN."""
-    leaving, arriving = _ends(curve, t, first)
-    chord = np.diff(position, axis=0)
+    leaving, arriving = samples.leaving, samples.arriving
+    chord = np.diff(samples.points, axis=0)
     turn = np.maximum(np.abs(_angle(leaving, chord)), np.abs(_angle(chord, arriving)))
     turning: NDArray[np.bool_] = np.maximum(np.abs(_angle(leaving, arriving)), turn) > MAX_TURN
     # What is lost in the rounding of the coordinates cannot be refined.
-    seen = np.hypot(*chord.T) > 1e-9 * np.abs(position).max()
-    return np.asarray(turning & seen)
+    return np.asarray(turning & samples.distinct())
 
 
 def _headings(curve: Curve, t: Array, position: Array, first: Array) -> tuple[Array, Array]:
@@ -260,7 +260,9 @@ def _headings(curve: Curve, t: Array, position: Array, first: Array) -> tuple[Ar
     if sharp.any():
         at = t[np.argmax(sharp)]
         raise CurveError(
-            "the curve turns back on itself", where=f"at parameter {at:g}", remedy="split it there"
+            "the curve turns back on itself",
+            where=f"at parameter {curve.as_drawn(at):.10g}",
+            remedy="split it there",
         )
     smooth_turn = np.where(inside, 0.0, turn)
     start = np.arctan2(first[0, 1], first[0, 0])
@@ -268,29 +270,34 @@ def _headings(curve: Curve, t: Array, position: Array, first: Array) -> tuple[Ar
     return heading, heading - jump
 
 
-def _check_leaps(curve: Curve, t: Array, position: Array, first: Array) -> None:
+def _check_leaps(curve: Curve, samples: Samples) -> None:
     """Refuse jumps (a chord longer than the tangents allow) and poles (a chord against them)."""
-    leaving, arriving = _ends(curve, t, first)
-    chord = np.diff(position, axis=0)
+    t, leaving, arriving = samples.t, samples.leaving, samples.arriving
+    chord = np.diff(samples.points, axis=0)
     speed = np.maximum(np.hypot(*leaving.T), np.hypot(*arriving.T))
     against = ((chord * leaving).sum(axis=1) < 0) & ((chord * arriving).sum(axis=1) < 0)
     leap = against | (np.hypot(*chord.T) > 10 * speed * np.diff(t))
     if leap.any():
         raise CurveError(
             "the curve jumps, or swings faster than it can be followed",
-            where=f"at parameter {t[np.argmax(leap)]:g}",
+            where=f"at parameter {curve.as_drawn(t[np.argmax(leap)]):.10g}",
             remedy="choose a range without this point",
         )
 
 
-def _arc_length(curve: Curve, t: Array) -> Array:
-    """Arc length at the samples (N,), by three-point Gauss quadrature in every cell."""
+def _arc_length(curve: Curve, t: Array, position: Array) -> Array:
+    """Arc length at the samples (N,), by three-point Gauss quadrature in every cell.
+
+    At least the chord, which is closer in a cell at a corner.
+    """
     node = np.sqrt(0.6)
     half = 0.5 * np.diff(t)
     middle = t[:-1] + half
     nodes = middle[:, None] + half[:, None] * np.array([-node, 0.0, node])
     first = curve.jet(nodes)[1]
     cells = half * (np.hypot(first[..., 0], first[..., 1]) @ np.array([5.0, 8.0, 5.0])) / 9
+    chords = np.hypot(*np.diff(position, axis=0).T)
+    cells = np.where(chords > (1 + QUADRATURE) * cells, chords, cells)
     return np.concatenate([[0.0], np.cumsum(cells)])
 
 
@@ -325,7 +332,7 @@ def _check_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
     if least[k] < MIN_SPEED * mean:
         raise CurveError(
             "the curve is not regular: its tangent is zero",
-            where=f"at parameter {where[k]:g}",
+            where=f"at parameter {curve.as_drawn(where[k]):.10g}",
             remedy="use a parametrisation that does not stand still",
         )
 

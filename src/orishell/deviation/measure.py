@@ -71,6 +71,10 @@ class Deviation:
     shell_to_surface: Distances
     surface_to_shell: Distances
 
+    def __repr__(self) -> str:
+        known = f"known to {self.sample_spacing:.2g}"
+        return f"{type(self).__name__}(max {self.max:.4g} ({known}), rms {self.rms:.4g}, both ways)"
+
     @property
     def max(self) -> float:
         """The Hausdorff distance: the largest of both ways."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import DISTANCE_MAP
 from orishell.motion import panel_normals
 from orishell.plot.scene import (
     DPI,
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
 
-COLOURS = "RdBu_r"
 CREASE = (0.15, 0.15, 0.18)
 LIGHT = np.array([-0.45, -0.55, 0.70])
 SHADE = 0.12
@@ -98,10 +98,12 @@ def _draw_cells(
     """Panels from the farthest to the nearest: each its cells, then its outline."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.collections import PolyCollection
-    from matplotlib.colors import Normalize
+    from matplotlib.colors import LinearSegmentedColormap, Normalize
 
     limit = float(np.abs(distances).max()) or 1.0
-    scale = ScalarMappable(Normalize(-limit, limit), COLOURS)
+    scale = ScalarMappable(
+        Normalize(-limit, limit), LinearSegmentedColormap.from_list("distance", DISTANCE_MAP)
+    )
     rows, columns = (np.flatnonzero(each) for each in creases)
     panels = points[np.ix_(rows, columns)]
     depth = camera.project(_corners(panels))[1].mean(axis=-1)

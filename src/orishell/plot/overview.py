@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import LIGHT, rgb
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
 from orishell.pattern import CreaseValues
 from orishell.plot.scene import (
@@ -28,15 +29,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MOUNTAIN, VALLEY, BORDER, UNFOLDED = "#d62728", "#1f5fbf", "#000000", "#9a9a9a"
-PAPER = np.array([0.957, 0.937, 0.894])
-BACK = np.array([0.72, 0.78, 0.86])
-LIGHT = np.array([-0.45, -0.55, 0.70])
+MOUNTAIN, VALLEY, UNFOLDED = (LIGHT[name] for name in ("mountain", "valley", "unfolded"))
+BORDER, CONTACT = LIGHT["border-crease"], LIGHT["contact"]
+PAPER, BACK = np.array(rgb("panel-front")), np.array(rgb("panel-back"))
+LAMP = np.array([-0.45, -0.55, 0.70])
 STATE_SHARES = (0.25, 0.5, 0.75)
 """States shown between flat and locked, as shares of the drive at lock."""
 PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
-CONTACT_COLOUR = "#ff7f0e"
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,12 +214,10 @@ def _mark_panels(axes: Axes, positions: Array, contact: DrawnContact, camera: Ca
         for i, j in contact.panels
     ]
     axes.add_collection(
-        PolyCollection(
-            marked, facecolors=CONTACT_COLOUR, edgecolors=BORDER, linewidths=0.6, alpha=0.85
-        )
+        PolyCollection(marked, facecolors=CONTACT, edgecolors=BORDER, linewidths=0.6, alpha=0.85)
     )
     middle = np.concatenate(marked).mean(axis=0)
-    axes.plot(*middle, "o", markersize=26, fillstyle="none", color=CONTACT_COLOUR, linewidth=1.5)
+    axes.plot(*middle, "o", markersize=26, fillstyle="none", color=CONTACT, linewidth=1.5)
     names = " and ".join(f"[{i}, {j}]" for i, j in contact.panels)
     axes.set_title(f"First contact, drive {np.rad2deg(contact.drive):.4g}°:\npanels {names}")
 
@@ -229,7 +227,7 @@ def _shade(normals: Array, camera: Camera) -> Array:
     towards = camera.axes()[2]
     front = normals @ towards >= 0
     facing = np.where(front[:, None], normals, -normals)
-    light = LIGHT / np.linalg.norm(LIGHT)
+    light = LAMP / np.linalg.norm(LAMP)
     right, up, _ = camera.axes()
     lamp = light[0] * right + light[2] * up + 0.75 * towards
     brightness = 0.55 + 0.45 * np.clip(facing @ (lamp / np.linalg.norm(lamp)), 0, 1)

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+from orishell.colours import LIGHT
+
 Array = NDArray[np.float64]
 
-F_COLOUR, G_COLOUR = "#0a8f3c", "#b5179e"
 DPI = 200
 WIDTH = 13.0
 """Of every picture, in inches."""
@@ -68,11 +69,12 @@ def draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> No
     """Target curves on top of the shell, with a pale outline."""
     from matplotlib.patheffects import Normal, Stroke
 
-    names = {"f": (F_COLOUR, "f, the swept curve"), "g": (G_COLOUR, "g, swept along")}
-    for name, (colour, label) in names.items():
+    names = {"f": "f, the swept curve", "g": "g, swept along"}
+    for name, label in names.items():
         if name in targets:
             curve = camera.project(targets[name])[0]
             outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.8), Normal()]
+            colour = LIGHT[f"curve-{name}"]
             axes.plot(*curve.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
 

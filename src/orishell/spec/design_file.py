@@ -15,12 +15,13 @@ from orishell.choosing import Tolerance
 from orishell.curves import Curve
 from orishell.errors import InputError
 from orishell.locking import CONTACT_TOLERANCE
+from orishell.quoting import in_one_line
 from orishell.spec.families import FAMILIES, Pattern, require_family
 from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
 from orishell.spec.target import Target, Targets
-from orishell.spec.toml_file import read_toml
 from orishell.spec.workshop import WorkshopTable
+from orishell.toml_file import read_toml
 from orishell.units import Unit
 from orishell.workshop import Workshop
 
@@ -104,6 +105,8 @@ class DesignFile:
     contact_tolerance: float
     workshop: Workshop
 
+    __repr__ = in_one_line
+
 
 def read_design_file(path: Path) -> DesignFile:
     """Read and check a design file.
@@ -118,7 +121,8 @@ def read_design_file(path: Path) -> DesignFile:
     InputError
         Naming the file, the key, what was found and what is expected.
     """
-    return check_design(read_toml(path), path)
+    remedy = "orishell new parallel-repeating writes one to begin with"
+    return check_design(read_toml(path, "design file", remedy), path)
 
 
 def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> DesignFile:

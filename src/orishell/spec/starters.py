@@ -15,6 +15,7 @@ range = [-1, 1]
 # dxf = "profile.dxf"       # a drawing, with layer = "..." or handle = "..."
 # unit = "mm"               # of the file, if it does not say so itself
 # smooth = true             # a spline through the points; false: exactly as drawn
+# part = [0, 1]             # keeps this part, by the length from its beginning; for formulas: range
 # scale = 1.0               # enlarges the curve about its origin
 
 [target.g]                  # the curve that it is swept along
@@ -53,6 +54,7 @@ range = [-1, 1]
 # dxf = "profile.dxf"       # a drawing, with layer = "..." or handle = "..."
 # unit = "mm"               # of the file, if it does not say so itself
 # smooth = true             # a spline through the points; false: exactly as drawn
+# part = [0, 1]             # keeps this part, by the length from its beginning; for formulas: range
 # scale = 1.0               # enlarges the curve about its origin
 
 [target.g]                  # the curve that it is swept along
@@ -90,6 +92,7 @@ range = [0.3, 2.8416]
 # dxf = "profile.dxf"       # a drawing, with layer = "..." or handle = "..."
 # unit = "mm"               # of the file, if it does not say so itself
 # smooth = true             # a spline through the points; false: exactly as drawn
+# part = [0, 1]             # keeps this part, by the length from its beginning; for formulas: range
 # scale = 1.0               # enlarges the curve about its origin
 
 [target.g]                  # the line that it is swept along: straight

@@ -28,9 +28,9 @@ Array = NDArray[np.float64]
 
 FITTING: Final = {
     "formula": {"range"},
-    "points": {"unit", "smooth"},
-    "svg": {"unit", "smooth", "id"},
-    "dxf": {"unit", "smooth", "layer", "handle"},
+    "points": {"unit", "smooth", "part"},
+    "svg": {"unit", "smooth", "id", "part"},
+    "dxf": {"unit", "smooth", "layer", "handle", "part"},
 }
 """The sources of a curve, and the keys that have a meaning for each."""
 ALWAYS: Final = {"scale", "reverse"}
@@ -38,13 +38,15 @@ ALWAYS: Final = {"scale", "reverse"}
 
 MOST_POINTS: Final = 20_000
 Point = Annotated[list[Number], Field(min_length=2, max_length=2)]
+Ends = Annotated[list[Number | str], Field(min_length=2, max_length=2)]
+"""Two parameters of a curve: numbers, or formulas of constants."""
 
 
 class Target(Table):
     """A target curve: one source, and what is done with it."""
 
     formula: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
-    range: Annotated[list[Number], Field(min_length=2, max_length=2)] | None = None
+    range: Ends | None = None
     points: str | Annotated[list[Point], Field(min_length=2, max_length=MOST_POINTS)] | None = None
     svg: str | None = None
     id: str | None = None
@@ -53,6 +55,7 @@ class Target(Table):
     handle: str | None = None
     unit: Unit | None = None
     smooth: bool | None = None
+    part: Ends | None = None
     scale: Annotated[Number, Field(gt=0)] = 1.0
     reverse: bool = False
 
@@ -109,9 +112,11 @@ class Target(Table):
         else:
             texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
             *x, y = [_formula(text) for text in texts]
-            start, stop = self.range or [0.0, 0.0]
+            start, stop = _numbers("range", self.range or [])
             curve = curve_from_formulas(x[0] if x else None, y, start, stop)
             curve = curve.reversed() if self.reverse else curve
+        if self.part is not None:
+            curve = curve.part(*_numbers("part", self.part))
         return curve.scaled(self.scale) if self.scale != 1.0 else curve
 
     def _points(self, directory: Path | None, unit: str) -> Array:
@@ -149,6 +154,32 @@ def _beside(directory: Path | None, name: str) -> Path:
             remedy="drop the file onto the curve, or give its points as a list",
         )
     return directory / name
+
+
+def _numbers(key: str, ends: list[float | str]) -> tuple[float, float]:
+    """The two ends as numbers."""
+    first, last = (
+        _constant(end, f"{key}[{index}]") if isinstance(end, str) else end
+        for index, end in enumerate(ends)
+    )
+    return first, last
+
+
+def _constant(text: str, where: str) -> float:
+    """The value of a formula without a variable."""
+    try:
+        formula = parse_formula(text)
+    except InputError as error:
+        raise error.located(where) from None
+    value = float(formula.jet(np.zeros(()))[0])
+    if formula.variable is None and np.isfinite(value):
+        return value
+    raise InputError(
+        "this is no number" if formula.variable is None else "only constants are allowed here",
+        where=where,
+        got=repr(text[:60]),
+        expected='a number, or a formula of constants as in "pi/2"',
+    )
 
 
 def _formula(text: str) -> Formula:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.panels import area_vectors
+from orishell.quoting import in_one_line
 from orishell.surface.path import Path
 from orishell.surface.rails import Rail
 
@@ -41,6 +42,8 @@ class Lattice:
     v: Array
     points: Array
     left_out: float
+
+    __repr__ = in_one_line
 
     def triangles(self) -> Integers:
         """Corners (T, 3) of triangles, two a cell, by row of ``points`` as (A*B, 3).
@@ -85,6 +88,8 @@ class Surface:
     profile: Trace
     origin: Array
     rail: Rail
+
+    __repr__ = in_one_line
 
     def points(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at places u along g (...) and parameters v of f (...)."""

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
+from orishell.colours import rgb
 from orishell.errors import InputError
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
@@ -92,7 +93,7 @@ def test_what_stands_in_the_page_stays_where_it_is(tmp_path: Path) -> None:
 
 def test_says_what_to_do_where_the_viewer_is_not_built(tmp_path: Path, stub: Path) -> None:
     stub.unlink()
-    with pytest.raises(InputError, match="make studio") as caught:
+    with pytest.raises(InputError, match="npm run pages") as caught:
         write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
     assert caught.value.what == "the viewer has not been built"
     assert not (tmp_path / "viewer.html").exists()
@@ -170,7 +171,7 @@ def test_colours_overlays_and_theme_are_seen(browser: Browser, tmp_path: Path) -
         picture = pixels(page, ".orishell-scene canvas")
         return float((np.abs(picture - [red, green, blue]).max(axis=-1) < 0.1).mean())
 
-    mountain, valley, curve_g = (0.81, 0.23, 0.17), (0.14, 0.39, 0.78), (0.24, 0.55, 0.12)
+    mountain, valley, curve_g = (rgb(name) for name in ("mountain", "valley", "curve-g"))
     with watched_page(browser, color_scheme="light") as page:
         opened(page, tmp_path / "viewer.html")
         before = share(*mountain), share(*valley), share(*curve_g)

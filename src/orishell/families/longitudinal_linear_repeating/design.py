@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import Literal
 
 import numpy as np
@@ -11,8 +12,10 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.errors import DesignError, InputError
+from orishell.errors import DesignError, InputError, Remedy
+from orishell.families.candidates import bisect, fewer, sizes
 from orishell.families.longitudinal_linear_repeating.choice import (
+    AUTO_SECTORS,
     AUTO_SHARES,
     auto_sectors,
     choose_solution,
@@ -118,7 +121,8 @@ def design_longitudinal_linear_repeating(
     >>> design.mechanism.grid
     Grid(rows=11, columns=11)
     """
-    profile, line = Profile.of(trace_curve(f, "f")), Line.along(trace_curve(g, "g"))
+    profile = Profile.of(trace_curve(f, "f").in_own_frame())
+    line = Line.along(trace_curve(g, "g").in_own_frame())
     request = _Request(
         profile=profile,
         line=line,
@@ -159,6 +163,7 @@ def design_longitudinal_linear_repeating(
         closeness=placed.closeness,
         surface=placed.surface,
         approached=placed.approached,
+        origin=np.append(line.trace.origin, 0.0),
         warnings=(),
         lock_drive=mechanism.crease_end,
     )
@@ -185,8 +190,7 @@ class _Request:
             raise DesignError(
                 "a solution of (4) in its sine version folds its S rows to alternate sides, so "
                 "that no column follows a convex curve",
-                nearest="a solution of the cosine version (orishell solve lists them first), or "
-                'sector_deg = "auto"',
+                candidates=[Remedy({"pattern.solution": 0}), AUTO_SECTORS],
             )
         columns = self._coupled(solution)
         require_size(columns, self.rows, self.first_row)
@@ -208,7 +212,9 @@ class _Request:
             side=stage.side,
         )
         require_flat_sheet(mechanism)
-        require_resolution(mechanism, "change rows, columns, flap or the lengths given")
+        require_resolution(
+            mechanism, chain(fewer("rows", self.rows), fewer("columns", self.columns))
+        )
         return stage, mechanism
 
     def _coupled(self, solution: Solution) -> Columns:
@@ -241,18 +247,32 @@ class _Request:
             given = "these row_lengths" if row is not None else "column 1 following f"
             raise DesignError(
                 f"no lengths keep all creases of the sheet positive with {given}",
-                nearest='row_lengths = "auto"'
+                candidates=[Remedy({"pattern.row_lengths": "auto"})]
                 if row is not None
-                else 'fewer rows or columns, or sector_deg = "auto"',
+                else chain(
+                    fewer("rows", self.rows), fewer("columns", self.columns), [AUTO_SECTORS]
+                ),
             )
         low, high = limits
-        nearest = low if self.line.length < low else high
+        works_at = low if self.line.length < low else high
+
+        def works(length: float) -> bool:
+            wanted = replace(free, advance=(weights, length))
+            return find_even_lengths(directions, wanted) is not None
+
+        def candidates() -> Iterator[Remedy]:
+            # The range is that of sheets in proportion; others are made, too.
+            start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
+            if start is not None:
+                length = bisect(start, self.line.length, works)
+                yield from sizes("g", self.line.trace.curve, length / self.line.length)
+            yield AUTO_SECTORS
+
         raise DesignError(
             "no lengths keep all creases of the sheet positive with a middle row as long as g",
             size=f"g is {self.line.length:.6g} long, and with column 1 following f the row may "
             f"be {low:.6g} to {high:.6g}",
-            nearest=f"scale in [target.g] times {nearest / self.line.length:.6g} (scale is 1 "
-            "where none is given)",
+            candidates=candidates(),
         )
 
 

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.enclosures import Interval
 from orishell.families.longitudinal_linear_repeating.tessellation import Columns
+from orishell.intervals import Interval
 
 Array = NDArray[np.float64]
 

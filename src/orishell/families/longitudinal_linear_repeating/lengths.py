@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.families.longitudinal_linear_repeating.tessellation import Directions
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 
@@ -39,6 +40,8 @@ class EdgeLengths:
 
     row: Array
     column: Array
+
+    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         for array in (self.row, self.column):

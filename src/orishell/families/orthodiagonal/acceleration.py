@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.enclosures import Enclosure, spinning_acceleration
+from orishell.intervals import Enclosure, spinning_acceleration
 
 Array = NDArray[np.float64]
 

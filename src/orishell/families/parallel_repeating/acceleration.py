@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.enclosures import Enclosure, spinning_acceleration, turning_acceleration
 from orishell.families.parallel_repeating.columns import Columns
+from orishell.intervals import Enclosure, spinning_acceleration, turning_acceleration
 
 Array = NDArray[np.float64]
 

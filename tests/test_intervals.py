@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from orishell.curves import parse_formula
-from orishell.enclosures import (
+from orishell.intervals import (
     Enclosure,
     Interval,
     spinning_acceleration,

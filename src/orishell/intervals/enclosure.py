@@ -1,8 +1,7 @@
-"""Enclosures: what a quantity and its first two derivatives can be while the drive is in a range.
+"""Enclosures: what a function and its first two derivatives can be over a range of its variable.
 
-Interval arithmetic on the few functions that closed-form motions are made of. Each is taken
-through its monotone pieces, so that the bounds are met as the ranges shrink. Rounding (about
-1e-13 of a bound) is not followed; who uses a bound adds that much.
+The variable is the drive of a motion or the parameter of a curve. Every function is taken through
+its monotone pieces, so that the bounds are met as the ranges shrink.
 """
 
 from __future__ import annotations
@@ -10,83 +9,36 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Interval:
-    """Arrays of lower and upper ends.
-
-    Parameters
-    ----------
-    low, high
-        Lower and upper ends (...).
-    """
-
-    low: Array
-    high: Array
-
-    @classmethod
-    def between(cls, first: ArrayLike, second: ArrayLike) -> Interval:
-        """From ends ``first`` and ``second`` (...) in any order, as of a monotone function."""
-        return cls(np.minimum(first, second), np.maximum(first, second))
-
-    def __add__(self, other: Interval) -> Interval:
-        return Interval(self.low + other.low, self.high + other.high)
-
-    def __sub__(self, other: Interval) -> Interval:
-        return Interval(self.low - other.high, self.high - other.low)
-
-    def __mul__(self, other: Interval) -> Interval:
-        ends = (
-            self.low * other.low,
-            self.low * other.high,
-            self.high * other.low,
-            self.high * other.high,
-        )
-        return Interval(
-            np.minimum(np.minimum(ends[0], ends[1]), np.minimum(ends[2], ends[3])),
-            np.maximum(np.maximum(ends[0], ends[1]), np.maximum(ends[2], ends[3])),
-        )
-
-    def over(self, positive: Interval) -> Interval:
-        """Quotient by a ``positive`` interval, one above zero."""
-        return self * Interval(1 / positive.high, 1 / positive.low)
-
-    def times(self, factor: Array | float) -> Interval:
-        """Product with a known ``factor`` (...)."""
-        return Interval.between(self.low * factor, self.high * factor)
-
-    def plus(self, shift: Array | float) -> Interval:
-        """Sum with a known ``shift`` (...)."""
-        return Interval(self.low + shift, self.high + shift)
-
-    def squared(self) -> Interval:
-        """Square."""
-        low, high = self.low**2, self.high**2
-        within = (self.low < 0) & (self.high > 0)
-        return Interval(np.where(within, 0.0, np.minimum(low, high)), np.maximum(low, high))
-
-    def magnitude(self) -> Array:
-        """The largest absolute values (...)."""
-        return np.asarray(np.maximum(np.abs(self.low), np.abs(self.high)))
+from orishell.intervals.interval import Array, Interval
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Enclosure:
-    """Intervals for a function of the drive and its first and second derivative.
+    """Intervals for a function and its first and second derivative.
 
     Parameters
     ----------
     value, first, second
-        Intervals (...) of the function and of its first and second derivative by the drive.
+        Intervals (...) of the function and of its first and second derivative.
     """
 
     value: Interval
     first: Interval
     second: Interval
+
+    @classmethod
+    def constant(cls, value: float) -> Enclosure:
+        """The number ``value``, for all ranges alike."""
+        exact, zero = np.asarray(value), np.zeros(())
+        flat = Interval(zero, zero)
+        return cls(Interval(exact, exact), flat, flat)
+
+    @classmethod
+    def variable(cls, low: Array, high: Array) -> Enclosure:
+        """The variable itself, from ``low`` to ``high`` (S,)."""
+        one, zero = np.ones_like(low), np.zeros_like(low)
+        return cls(Interval(low, high), Interval(one, one), Interval(zero, zero))
 
     @classmethod
     def half_cosine(cls, start: Array, stop: Array) -> Enclosure:
@@ -112,11 +64,27 @@ class Enclosure:
             self.value - other.value, self.first - other.first, self.second - other.second
         )
 
+    def __mul__(self, other: Enclosure) -> Enclosure:
+        cross = self.first * other.first
+        return Enclosure(
+            self.value * other.value,
+            self.first * other.value + self.value * other.first,
+            self.second * other.value + cross.times(2.0) + self.value * other.second,
+        )
+
     def times(self, factor: Array | float) -> Enclosure:
         """Product with a known ``factor`` (...)."""
         return Enclosure(
             self.value.times(factor), self.first.times(factor), self.second.times(factor)
         )
+
+    def plus(self, shift: Array | float) -> Enclosure:
+        """Sum with a known ``shift`` (...)."""
+        return Enclosure(self.value.plus(shift), self.first, self.second)
+
+    def mirrored(self) -> Enclosure:
+        """The function of the variable with its sign changed."""
+        return Enclosure(self.value, self.first.times(-1.0), self.second)
 
     def hypot(self, side: Array) -> Enclosure:
         """sqrt(side**2 + u**2) of this u, not negative, and a known ``side`` (...)."""
@@ -133,7 +101,7 @@ class Enclosure:
                 np.divide(side**2, low**3, out=0 * ones, where=low > 0),
             ),
         )
-        return outer._of(self)
+        return outer.of(self)
 
     def arctan2(self, along: Array) -> Enclosure:
         """Angle of the point (along, u) of this u, not negative, nor 0 where ``along`` is."""
@@ -146,7 +114,7 @@ class Enclosure:
             first,
             (u.over(square) * first).times(-2.0),
         )
-        return outer._of(self)
+        return outer.of(self)
 
     def running(self) -> Enclosure:
         """Running sums (..., K+1) along the last axis (..., K), beginning with 0."""
@@ -171,8 +139,8 @@ class Enclosure:
 
         return Enclosure(of(self.value), of(self.first), of(self.second))
 
-    def _of(self, inner: Enclosure) -> Enclosure:
-        """Chain rule: derivatives of an outer function at ``inner``'s value."""
+    def of(self, inner: Enclosure) -> Enclosure:
+        """Chain rule: this function, which is known over ``inner``'s values, of ``inner``."""
         return Enclosure(
             self.value,
             self.first * inner.first,

@@ -1,0 +1,95 @@
+"""What formulas are made of, for numbers and for ranges alike.
+
+A compiled formula is run by rules: with those of jets it gives its value and two derivatives at
+parameters, with those of enclosures what these can be over ranges of the parameter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Final, Generic, TypeVar
+
+import numpy as np
+
+from orishell import intervals
+from orishell.curves import jets
+from orishell.curves.jets import Array, Jet
+from orishell.intervals import Enclosure, Interval
+
+J = TypeVar("J")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rules(Generic[J]):
+    """How one kind of value goes through a formula.
+
+    Parameters
+    ----------
+    constant
+        A number, beside the variable.
+    plus, minus, times, over
+        The operators.
+    power
+        A power with a number as exponent.
+    functions
+        The functions, by their names.
+    """
+
+    constant: Callable[[float, J], J]
+    plus: Callable[[J, J], J]
+    minus: Callable[[J, J], J]
+    times: Callable[[J, J], J]
+    over: Callable[[J, J], J]
+    power: Callable[[J, float], J]
+    functions: Mapping[str, Callable[[J], J]]
+
+
+def _constant_jet(value: float, t: Jet) -> Jet:
+    return np.full_like(t[0], value), np.zeros_like(t[0]), np.zeros_like(t[0])
+
+
+def _jet_power(base: Jet, exponent: float) -> Jet:
+    v = base[0]
+    return jets.chain(jets.power((v, np.ones_like(v), np.zeros_like(v)), exponent), base)
+
+
+def _jet_function(function: Callable[[Array], Jet]) -> Callable[[Jet], Jet]:
+    return lambda jet: jets.chain(function(jet[0]), jet)
+
+
+def _times(a: Enclosure, b: Enclosure) -> Enclosure:
+    for factor, other in ((a, b), (b, a)):
+        if factor.value.low.ndim == 0:  # only constants have no axis for ranges
+            return other.times(factor.value.low)
+    return a * b
+
+
+def _enclosed_power(base: Enclosure, exponent: float) -> Enclosure:
+    return intervals.power_of(base.value, exponent).of(base)
+
+
+def _enclosed_function(
+    function: Callable[[Interval], Enclosure],
+) -> Callable[[Enclosure], Enclosure]:
+    return lambda inner: function(inner.value).of(inner)
+
+
+JETS: Final[Rules[Jet]] = Rules(
+    constant=_constant_jet,
+    plus=jets.plus,
+    minus=jets.minus,
+    times=jets.times,
+    over=jets.over,
+    power=_jet_power,
+    functions={name: _jet_function(each) for name, each in jets.FUNCTIONS.items()},
+)
+ENCLOSURES: Final[Rules[Enclosure]] = Rules(
+    constant=lambda value, _: Enclosure.constant(value),
+    plus=lambda a, b: a + b,
+    minus=lambda a, b: a - b,
+    times=_times,
+    over=lambda a, b: _times(a, _enclosed_power(b, -1.0)),
+    power=_enclosed_power,
+    functions={name: _enclosed_function(each) for name, each in intervals.FUNCTIONS.items()},
+)
