@@ -24,12 +24,24 @@ class ImpatientProtocol(H11Protocol):
         self._waiting: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Begin to wait."""
+        """Begin to wait.
+
+        Parameters
+        ----------
+        transport
+            The connection.
+        """
         super().connection_made(transport)
         self._wait()
 
     def data_received(self, data: bytes) -> None:
-        """Wait for the rest of a head; a body has its own time."""
+        """Wait for the rest of a head; a body has its own time.
+
+        Parameters
+        ----------
+        data
+            What came in.
+        """
         super().data_received(data)
         if self.conn.their_state is not h11.IDLE:
             self._stop_waiting()
@@ -37,7 +49,13 @@ class ImpatientProtocol(H11Protocol):
             self._wait()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait no longer."""
+        """Wait no longer.
+
+        Parameters
+        ----------
+        exc
+            Why, if it was not closed on purpose.
+        """
         self._stop_waiting()
         super().connection_lost(exc)
 
