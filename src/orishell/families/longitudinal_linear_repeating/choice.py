@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from orishell.errors import DesignError
@@ -23,6 +25,12 @@ SMALLEST_ANGLE = 1e-4
 def auto_sectors(share: float) -> Sectors:
     """The paper's (85, 80, 95, 100) degrees, nearer to 90 by a share."""
     return Sectors.from_degrees(90 + share * np.array([-5.0, -10.0, 5.0, 10.0]))
+
+
+@cache
+def auto_solution(share: float) -> Solution:
+    """The first solution for the sector angles that a share gives."""
+    return choose_solution(auto_sectors(share))
 
 
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:

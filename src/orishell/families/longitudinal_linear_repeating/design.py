@@ -14,7 +14,7 @@ from orishell.design import Design
 from orishell.errors import DesignError, InputError
 from orishell.families.longitudinal_linear_repeating.choice import (
     AUTO_SHARES,
-    auto_sectors,
+    auto_solution,
     choose_solution,
 )
 from orishell.families.longitudinal_linear_repeating.even_lengths import (
@@ -260,7 +260,7 @@ def _choose_sectors(request: _Request) -> Solution:
     """The widest angles for which the sheet exists: the fewest panels would do with them."""
     failure: DesignError | None = None
     for share in AUTO_SHARES:
-        solution = choose_solution(auto_sectors(share))
+        solution = auto_solution(share)
         try:
             _, mechanism = request.build(solution)
         except DesignError as error:

@@ -22,7 +22,9 @@ Array = NDArray[np.float64]
 
 FIRST = 1e-4
 """The smallest stage looked at, as a share of the sector angles' deviations from 90 degrees."""
-STEPS = 400
+STEPS, STRIDE = 400, 7
+"""Stages looked at for the first that turns enough, and how many of them are stepped over at first:
+399 steps are a multiple of it, so that the last stage is looked at."""
 SHORTEST = 1e-6
 """Edges of column 1 are longer than this share of its length."""
 
@@ -150,11 +152,16 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
             nearest=nearest(-1),
         )
     at = np.geomspace(begin, end, STEPS)
-    for low, high in pairwise(at):
-        if turning(high) >= profile.turning:
-            return float(
-                brentq(lambda x: turning(x) - profile.turning, low, high, xtol=1e-15, rtol=1e-14)
-            )
+    for last in range(STRIDE, STEPS, STRIDE):
+        if turning(at[last]) < profile.turning:
+            continue
+        for low, high in pairwise(at[last - STRIDE : last + 1]):
+            if turning(high) >= profile.turning:
+                return float(
+                    brentq(
+                        lambda x: turning(x) - profile.turning, low, high, xtol=1e-15, rtol=1e-14
+                    )
+                )
     raise DesignError(
         f"{rows} rows cannot turn as much as f",
         size=f"by {in_degrees(turning(end))} degrees at the end of the motion; f turns by "
