@@ -139,7 +139,8 @@ def test_tunnel() -> None:
     assert size["turn_deg"] == pytest.approx(math.degrees(1.75), rel=1e-9)
     assert size["width"] == pytest.approx(3.6, abs=1e-9)
     rise = 1.7 * (math.sqrt(1.8**2 + 0.5) - math.sqrt(0.5))
-    assert size["headroom"] == pytest.approx(rise, abs=size["from f"])
+    # The corner over f's middle is among the farthest: they are equal but for rounding.
+    assert size["headroom"] == pytest.approx(rise, abs=size["from f"] * (1 + 1e-12))
     assert size["headroom"] > 2
     assert size["uneven"] < 1e-12
 

@@ -306,6 +306,7 @@ class _Search:
         limits = self.tolerance
         allowed = [t for t in fitting if self._fits(t) and t.longest <= limits.panel_max]
         nearest = min(allowed or fitting, key=lambda trial: trial.error)
+        nearest = self._trial_of(nearest.rows, nearest.columns, True)
         return DesignError(
             f"no shell of this family comes within {limits.surface:g} of the surface",
             place=f"with panel edges from {limits.panel_min:g} to {limits.panel_max:g} and at most "

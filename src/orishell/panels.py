@@ -54,7 +54,8 @@ def area_vectors(corners: Array) -> Array:
         Corners (..., 4, 3) of every panel in order around it.
     """
     p, q, r, s = (corners[..., k, :] for k in range(4))
-    return np.asarray(0.5 * np.cross(r - p, s - q))
+    (a, b, c), (d, e, f) = (np.moveaxis(each, -1, 0) for each in (r - p, s - q))
+    return np.asarray(0.5 * np.stack([b * f - c * e, c * d - a * f, a * e - b * d], axis=-1))
 
 
 def unit_normals(corners: Array) -> Array:

@@ -12,7 +12,7 @@ from orishell.motion import FoldingMotion
 from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff
 from orishell.spec import DesignFile
 
-DRAWN_SAMPLES, DRAWN_PANELS = 20_000, 70
+DRAWN_SAMPLES, DRAWN_PANELS = 6_000, 70
 """Points of the shell, and rows or columns of panels, in the picture of its deviation."""
 
 

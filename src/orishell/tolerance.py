@@ -10,14 +10,17 @@ import numpy as np
 
 from orishell.choosing import Choice, Measured, Tolerance, Trial, choose
 from orishell.design import Design
-from orishell.deviation import measure_deviation
+from orishell.deviation import SAMPLES as CAREFUL
+from orishell.deviation import find_excess, measure_deviation
 from orishell.errors import DesignError, Remedy
 from orishell.locking import Request
+from orishell.panels import lengths
 from orishell.spec import DesignFile, require_memory
 from orishell.spec import Pattern as FamilyPattern
 
-QUICK, CAREFUL = 1_000, 15_000
-"""Samples each way of the measure in the search, and of the one that decides."""
+QUICK = 1_000
+"""Samples each way of the measure in the search; the one that decides is that of the report."""
+NOTHING_ALLOWED = Tolerance(0.0)
 
 
 def meet_tolerance(
@@ -54,12 +57,15 @@ def meet_tolerance(
         def make(rows: int, columns: int, variant: FamilyPattern = variant) -> Design:
             return variant.sized(rows, columns).design(file.f, file.g)
 
+        def measured(design: Design, careful: bool) -> Measured:
+            return measure(design, careful, tolerance)
+
         def shown(share: float, number: int = number) -> None:
             if advanced is not None:
                 advanced((number + share) / len(variants))
 
         try:
-            choice = choose(make, measure, tolerance, shown, most=variant.most)
+            choice = choose(make, measured, tolerance, shown, most=variant.most)
         except DesignError as error:
             refusals.append(error)
             continue
@@ -127,7 +133,7 @@ def request_of(file: DesignFile) -> Request:
     return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 
 
-def measure(design: Design, careful: bool) -> Measured:
+def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Measured:
     """Distance of a design from its surface, and the edges of its panels, flaps left out.
 
     Parameters
@@ -135,17 +141,22 @@ def measure(design: Design, careful: bool) -> Measured:
     design
         The design.
     careful
-        Whether as for the report; else as for a search.
+        Whether as for the report; else as for a search, which only asks whether the tolerance is
+        met: what is found beyond that is a distance that is attained.
+    tolerance
+        What is asked for.
     """
-    deviation = measure_deviation(design, samples=CAREFUL if careful else QUICK)
     mechanism = design.mechanism
     flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    edges = [np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (0, 1)]
-    return Measured(
-        deviation.max,
-        float(min(each.min() for each in edges)),
-        float(max(each.max() for each in edges)),
-    )
+    edges = [lengths(np.diff(flat, axis=axis)) for axis in (0, 1)]
+    shortest = float(min(each.min() for each in edges))
+    longest = float(max(each.max() for each in edges))
+    if careful:
+        error = measure_deviation(design, samples=CAREFUL).max
+    else:
+        fits = tolerance.panel_min <= shortest and longest <= tolerance.panel_max
+        error = find_excess(design, tolerance.surface if fits else 0.0, samples=QUICK)
+    return Measured(error, shortest, longest)
 
 
 def describe_choice(choice: Choice, tolerance: Tolerance) -> dict[str, object]:

@@ -73,7 +73,7 @@ def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> S
         ridges and valleys still alternate.
     """
     (down, i), (right, j) = (_thinned(count, most) for count in shell.shape[:2])
-    patch = Patch.of_shell(shell[np.ix_(i, j)], samples)
+    patch = Patch.of_shell(shell[np.ix_(i, j)], samples, longer=1.0)
     mesh, _ = mesh_surface(surface, samples)
     found = mesh.nearest(patch.points)
     return SignedDistances(

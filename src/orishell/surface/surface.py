@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace
+from orishell.geometry import lengths
 from orishell.panels import area_vectors
 from orishell.quoting import in_one_line
 from orishell.surface.path import Path
@@ -58,7 +59,7 @@ class Lattice:
 
     def area(self) -> float:
         """Area of its cells."""
-        return float(np.linalg.norm(area_vectors(_cells(self.points)), axis=-1).sum())
+        return float(lengths(area_vectors(_cells(self.points))).sum())
 
 
 @dataclass(frozen=True, slots=True, eq=False)

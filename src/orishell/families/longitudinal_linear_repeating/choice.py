@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import TypeVar
 
 import numpy as np
@@ -59,7 +60,7 @@ def choose_auto(
     """
     failure: DesignError | None = None
     for share in AUTO_SHARES:
-        solution = choose_solution(auto_sectors(share))
+        solution = auto_solution(share)
         try:
             made = make(solution)
         except DesignError as error:
@@ -69,6 +70,12 @@ def choose_auto(
             return solution, made
     assert failure is not None
     raise failure
+
+
+@cache
+def auto_solution(share: float) -> Solution:
+    """The first solution for the sector angles that a share gives."""
+    return choose_solution(auto_sectors(share))
 
 
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:

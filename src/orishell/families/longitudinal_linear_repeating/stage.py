@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 FIRST = 1e-4
 """The smallest stage looked at, as a share of the sector angles' deviations from 90 degrees."""
 STEPS = 400
+"""Stages looked at for the first that turns enough."""
 SHORTEST = 1e-6
 """Edges of column 1 are longer than this share of its length."""
 
