@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace
-from orishell.geometry import lengths
-from orishell.panels import area_vectors
+from orishell.panels import area_vectors, lengths
 from orishell.quoting import in_one_line
 from orishell.surface.path import Path
 from orishell.surface.rails import Rail
