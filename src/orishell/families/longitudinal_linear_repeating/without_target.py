@@ -85,6 +85,7 @@ def design_without_target(
             swept=None,
             warnings=(),
             lock_drive=sheet.crease_end,
+            at_rest=replace(placed, pose=Pose()),
             stopped=stopped if request.stage is None else None,
         )
 
@@ -156,13 +157,17 @@ def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None
     if both:
         free = replace(request, row_lengths=None, column_lengths=None)
         offers.append(('"auto" for both', free))
+    nearest = next((text for text, other in offers if _works(other, columns)), "")
     which = "column_lengths" if row is None else "row_lengths"
     return DesignError(
         f"these {'lengths' if both else which} make no sheet of these sector angles",
-        size="no positive lengths of the other creases close all panels"
-        if inner is None
-        else f"the shortest crease would be {inner.shortest:.4g} long",
-        nearest=next((text for text, other in offers if _works(other, columns)), ""),
+        size=(
+            "no positive lengths of the other creases close all panels"
+            if inner is None
+            else f"the shortest crease would be {inner.shortest:.4g} long"
+        )
+        + ("" if nearest else '; with another scale or "auto" there is none either'),
+        nearest=nearest,
     )
 
 
