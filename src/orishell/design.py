@@ -69,6 +69,9 @@ class Design:
     lock_drive
         Drive at which a crease ends the motion beyond the stage that meets the target (radians),
         or None if the mechanism's ``lock_drive`` is the end.
+    at_rest
+        The mechanism where it turns as little as may be while it folds, to look for contact, if it
+        can turn fast where it stands.
     stopped
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
@@ -83,6 +86,7 @@ class Design:
     approached: Approached | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
     lock_drive: float | None = None
+    at_rest: Mechanism | None = None
     stopped: Callable[[float], Design] | None = None
 
     @property

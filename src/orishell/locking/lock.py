@@ -143,8 +143,8 @@ def find_lock(
     ten-thousandth of the tolerance. So do other panels that come within the tolerance in the last
     thousandth only; if they touch at the end, they are named as touching there.
     """
-    mechanism = design.mechanism
     sheet = _Sheet.of(design)
+    mechanism = sheet.mechanism
     size = tolerance * diagonal(mechanism.positions(0.0))
 
     def search(end: float, distance: float) -> PathResult:
@@ -219,7 +219,7 @@ class _Sheet:
 
     @classmethod
     def of(cls, design: Design) -> _Sheet:
-        mechanism = design.mechanism
+        mechanism = design.at_rest or design.mechanism
         end = mechanism.lock_drive if design.lock_drive is None else design.lock_drive
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)

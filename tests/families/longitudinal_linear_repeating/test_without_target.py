@@ -237,3 +237,14 @@ def test_there_is_nothing_to_compare_it_with() -> None:
 def test_sector_angles_auto_and_couplings() -> None:
     require_rigid(design(rows=9, columns=12, sectors="auto"))
     require_rigid(design(couplings=["parallel", "solve"] * 4))
+
+
+def test_a_small_stage_takes_no_more_states_to_examine() -> None:
+    # The sheet turns by as much on the way to a small stage: beyond it, that would be many turns.
+    lengths = [1.79, 1.21, 1.48, 0.55]
+    sectors = Sectors.from_degrees([93.05, 93.24, 90.47, 92.92])
+    for stage in (1e-4, 1e-1):
+        asked = {"rows": 3, "columns": 5, "sectors": sectors, "first_row": "S"}
+        proof = find_lock(design(row_lengths=lengths, stage=stage, **asked)).proof
+        assert proof is not None
+        assert proof.states < 100

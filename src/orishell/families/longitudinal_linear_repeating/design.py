@@ -22,7 +22,10 @@ from orishell.families.longitudinal_linear_repeating.even_lengths import (
     advance_range,
     find_even_lengths,
 )
-from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
+from orishell.families.longitudinal_linear_repeating.mechanism import (
+    LongitudinalLinearRepeating,
+    Pose,
+)
 from orishell.families.longitudinal_linear_repeating.placement import place
 from orishell.families.longitudinal_linear_repeating.program import Wanted
 from orishell.families.longitudinal_linear_repeating.request import (
@@ -157,6 +160,7 @@ def design_longitudinal_linear_repeating(
         origin=np.append(g_trace.origin, 0.0),
         warnings=(),
         lock_drive=mechanism.crease_end,
+        at_rest=replace(placed.mechanism, pose=Pose()),
     )
 
 

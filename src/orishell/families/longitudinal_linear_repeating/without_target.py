@@ -89,6 +89,7 @@ def design_without_target(
             swept=None,
             warnings=(),
             lock_drive=sheet.crease_end,
+            at_rest=replace(placed, pose=Pose()),
             stopped=stopped if request.stage is None else None,
         )
 
