@@ -143,7 +143,8 @@ def test_a_sheet_much_larger_than_its_surface() -> None:
         assert bool(matching(design, words)) == (ratio(design) > WASTEFUL)
     assert ratio(deep) > WASTEFUL
     assert ratio(orthodiagonal()) < WASTEFUL
-    assert "xi_deg (it is 50 and" in matching(deep, "times as large")[0]
+    assert "a wider xi_deg (50 now, possible below " in matching(deep, "times as large")[0]
+    assert "an f with ends less steep" in matching(parallel(xi=np.deg2rad(53)), "times as")[0]
 
 
 @pytest.mark.parametrize("design", [parallel, orthodiagonal])

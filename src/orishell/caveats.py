@@ -32,6 +32,8 @@ UNEVEN = 0.005
 """Feet uneven by this share of the height, 15 mm of 3 m, need more than packing."""
 WASTEFUL = 1.5
 """A sheet this many times as large as the surface: half as much again is paid for and carried."""
+WIDEST_XI = 0.95
+"""Above this share of its limit a wider xi_deg gains next to nothing."""
 STRAIGHT = 1e-6
 """A g that leaves a line by less than this share of its length is straight."""
 LARGEST_BOARD = (3.05, 1.525)
@@ -139,15 +141,17 @@ def _of_size(design: Design, flat: Array) -> Iterator[str]:
         return
     parameters = design.parameters
     if "xi_limit_deg" in parameters:
-        xi, limit = parameters["xi_deg"], parameters["xi_limit_deg"]
-        less = f"a wider xi_deg (it is {xi:.4g} and must stay below {limit:.4g})"
+        xi, limit = np.array([parameters["xi_deg"], parameters["xi_limit_deg"]], np.float64)
+        wider = f"shallower folds, by a wider xi_deg ({xi:.4g} now, possible below {limit:.4g}),"
+        steep = f"an f with ends less steep (they keep xi_deg below {limit:.4g})"
+        less = wider if xi < WIDEST_XI * limit else steep
     elif "depth" in parameters:
-        less = f"a smaller depth (it is {parameters['depth']:.3g})"
+        less = f"shallower folds, by a smaller depth (it is {parameters['depth']:.3g}),"
     else:
         less = "sector angles nearer to 90 degrees"
     yield (
-        f"the sheet is {ratio:.2f} times as large as the surface that it covers: narrower flaps or "
-        f"shallower folds take less, by {less}"
+        f"the sheet is {ratio:.2f} times as large as the surface that it covers: {less} or "
+        "narrower flaps would take less"
     )
 
 

@@ -6,6 +6,7 @@ PARALLEL_REPEATING = """\
 [shell]
 family = "parallel-repeating"
 unit = "m"                  # mm, cm, m, in, ft
+# ground = "as-drawn"       # leaves g in the plane z = 0; else the shell's feet are put there
 
 [target.f]                  # the curve that is swept, in its own plane
 formula = "-x**2"           # y(x); or a pair, x(t) and y(t): ["t", "-t**2"]
@@ -45,6 +46,7 @@ ORTHODIAGONAL = """\
 [shell]
 family = "orthodiagonal"
 unit = "m"                  # mm, cm, m, in, ft
+# ground = "as-drawn"       # leaves g in the plane z = 0; else the shell's feet are put there
 
 [target.f]                  # the curve that is swept, in its own plane
 formula = "-x**2"           # y(x); or a pair, x(t) and y(t): ["t", "-t**2"]
@@ -83,6 +85,7 @@ LONGITUDINAL_LINEAR_REPEATING = """\
 [shell]
 family = "longitudinal-linear-repeating"
 unit = "m"                  # mm, cm, m, in, ft
+# ground = "as-drawn"       # leaves g in the plane z = 0; else the shell's feet are put there
 
 # leave both targets out to see what sector angles and lengths fold by themselves
 [target.f]                  # the curve that is swept, in its own plane: convex
