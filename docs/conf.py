@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
-from importlib.metadata import version as installed
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 # autodoc imports modules with TYPE_CHECKING set, which pydantic's models in fastapi do not survive.
 import fastapi  # noqa: F401
+
+from orishell._version import __version__
 
 if TYPE_CHECKING:
     from sphinx.util.tags import Tags
@@ -21,7 +22,7 @@ sys.path.insert(0, str(HERE / "_ext"))
 project = "orishell"
 author = "The orishell authors"
 copyright = author  # noqa: A001 # Sphinx's name for it
-version = release = installed("orishell")
+version = release = __version__
 
 extensions = [
     "myst_parser",

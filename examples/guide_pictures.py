@@ -23,6 +23,7 @@ from orishell import (
     design_parallel_repeating,
     parse_formula,
 )
+from orishell.colours import LIGHT
 from orishell.curves import trace_curve
 from orishell.families.longitudinal_linear_repeating import Sectors
 from orishell.locking import find_lock
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 DIRECTORY = Path(__file__).parents[1] / "docs" / "images" / "guide"
-F_COLOUR, LINE_COLOUR, OTHER_COLOUR = "#0a8f3c", "#1f5fbf", "#d62728"
+F_COLOUR, LINE_COLOUR, OTHER_COLOUR = LIGHT["curve-f"], "#1f5fbf", "#d62728"
 XI = np.deg2rad(50)
 SHARES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.12, 0.05)
 
@@ -126,7 +127,7 @@ def draw_planes(path: Path) -> None:
         locked = design.mechanism.positions(np.pi)
         for lines in (locked, locked.swapaxes(0, 1)):
             place.plot(lines[..., 0].T, lines[..., 1].T, color="0.35", linewidth=0.7)
-        place.plot(*design.targets["g"][:, :2].T, color="#b5179e", linewidth=2)
+        place.plot(*design.targets["g"][:, :2].T, color=LIGHT["curve-g"], linewidth=2)
         scales = design.parameters["column_scale"]
         assert isinstance(scales, list)
         low, high = (f"{scale:.2f}" for scale in scales)

@@ -23,7 +23,7 @@ FAMILIES = {
 def demo_document(family: str = "parallel-repeating", frames: int = 7) -> Document:
     """The shell of a figure of the paper in metres, with its flat sheet, states and curves."""
     file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
-    design = file.pattern.designed(file.f, file.g, file.pattern.flap)
+    design = file.pattern.design(file.f, file.g)
     return document_of_motion(
         FoldingMotion(design.mechanism, frames), "m", title=family, curves=design.targets
     )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 
 from orishell.curves import (
@@ -17,7 +18,7 @@ from orishell.curves import (
     trace_curve,
 )
 from orishell.design import Design
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 
@@ -74,41 +75,79 @@ def curves() -> st.SearchStrategy[Curve]:
 
 @dataclass(frozen=True)
 class Request:
-    """Arguments of ``design_parallel_repeating``."""
+    """Arguments of a family's function, which can be changed as the design file can."""
 
+    make: Callable[..., Design]
     f: Curve
     g: Curve
     options: dict[str, Any]
 
     def design(self) -> Design:
-        return design_parallel_repeating(self.f, self.g, **self.options)
+        return self.make(self.f, self.g, **self.options)
 
-    def mended(self, error: DesignError) -> Request:
-        """The request with the nearest value that the error says works."""
-        options = dict(self.options)
-        if match := re.search(r"scale in \[target.f\] times ([^\s,]+)", error.nearest):
-            return replace(self, f=self.f.scaled(float(match[1])))
-        if match := re.search(r"plane_deg between (\S+) and (\S+)$", error.nearest):
-            options["plane"] = np.deg2rad(0.5 * (float(match[1]) + float(match[2])))
-        elif match := re.search(r"^columns = (\d+)$", error.nearest):
-            options["columns"] = int(match[1])
-        elif match := re.search(r'^spacing = "curvature" with columns = (\d+)$', error.nearest):
-            options["spacing"], options["columns"] = "curvature", int(match[1])
-        elif match := re.search(r"^plane_deg = (\S+) with columns = (\d+)$", error.nearest):
-            options["plane"], options["columns"] = np.deg2rad(float(match[1])), int(match[2])
-        elif match := re.search(r"^flap between (\S+) and (\S+)$", error.nearest):
-            options["flap"] = float(np.sqrt(float(match[1]) * float(match[2])))
-        elif match := re.search(r"^flap = (\S+)$", error.nearest):
-            options["flap"] = float(match[1])
-        elif match := re.search(r"part of g from parameter (\S+) to (\S+)$", error.nearest):
-            return replace(self, g=replace(self.g, start=float(match[1]), stop=float(match[2])))
-        elif match := re.search(r"^xi_deg below ([^\s,]+)", error.nearest):
-            options["xi"] = np.deg2rad(0.98 * float(match[1]))
-        elif match := re.search(r"theta_deg between (\S+) and (\S+)$", error.nearest):
-            options["theta"] = np.deg2rad(0.5 * (float(match[1]) + float(match[2])))
-        else:
-            raise error
-        return replace(self, options=options)
+    def refusal(self) -> DesignError:
+        with pytest.raises(DesignError) as caught:
+            self.design()
+        return caught.value
+
+    def changed(self, remedy: Remedy) -> Request:
+        """The request with other values at keys of the design file."""
+        curves, options = {"f": self.f, "g": self.g}, dict(self.options)
+        value: Any
+        for key, value in remedy.changes.items():
+            table, _, name = key.rpartition(".")
+            if table == "pattern":
+                angle = name.endswith("_deg")
+                typed = np.deg2rad(value) if angle and not isinstance(value, str) else value
+                options[name.removesuffix("_deg")] = typed
+            else:
+                curve = curves[table[-1]]
+                part = curve.part_of_drawn(*value) if isinstance(value, list) else None
+                curves[table[-1]] = part or curve.scaled(float(str(value)) / curve.scale)
+        return Request(self.make, curves["f"], curves["g"], options)
+
+    def candidates(self, error: DesignError) -> list[Request]:
+        """The requests with each change that a refusal leaves open, the family kept."""
+        return [self.changed(each) for each in error.candidates if _plain(each)]
+
+    def mended(self) -> Request:
+        """The request, or what its refusals leave open, as often as needed (at most 4 times)."""
+        request = self
+        for _ in range(4):
+            try:
+                request.design()
+            except DesignError as error:
+                request = request.improved(error)
+            else:
+                break
+        return request
+
+    def improved(self, error: DesignError) -> Request:
+        """The first candidate with a design, or the first of all, which has another fault."""
+        changed = self.candidates(error)
+        for request in changed:
+            try:
+                request.design()
+            except DesignError:
+                continue
+            return request
+        return changed[0]
+
+    def feasible(self) -> Design:
+        return self.mended().design()
+
+
+def parallel_repeating(f: Curve, g: Curve, **options: Any) -> Request:
+    return Request(design_parallel_repeating, f, g, options)
+
+
+def orthodiagonal(f: Curve, g: Curve, **options: Any) -> Request:
+    return Request(design_orthodiagonal, f, g, options)
+
+
+def _plain(remedy: Remedy) -> bool:
+    """Whether the family stays."""
+    return not any(key.startswith("shell.") for key in remedy.changes)
 
 
 @st.composite
@@ -136,79 +175,11 @@ def requests(draw: st.DrawFn) -> Request:
         "spacing": draw(st.sampled_from(["curvature", "equal"])),
         "placement": draw(st.sampled_from(["inscribed", "balanced"])),
     }
-    return Request(f, g, options)
-
-
-def feasible_design(request: Request) -> Design:
-    """The design of a request, mended as the errors say as often as needed (at most 4 times)."""
-    for _ in range(4):
-        try:
-            return request.design()
-        except DesignError as error:
-            request = request.mended(error)
-    return request.design()
-
-
-@dataclass(frozen=True)
-class OrthodiagonalRequest:
-    """Arguments of ``design_orthodiagonal``."""
-
-    f: Curve
-    g: Curve
-    options: dict[str, Any]
-
-    def design(self) -> Design:
-        return design_orthodiagonal(self.f, self.g, **self.options)
-
-    def remedies(self, error: DesignError) -> list[OrthodiagonalRequest]:
-        """The requests with each of the nearest values that the error says work."""
-        mended = []
-        for text in error.nearest.split(", or "):
-            options = dict(self.options)
-            remedy = text.removesuffix(' with flap = "auto"')
-            if remedy != text:
-                options["flap"] = "auto"
-            if match := re.search(r" with depth = ([\d.e+-]+)$", remedy):
-                options["depth"] = float(match[1])
-                remedy = remedy[: match.start()]
-            if match := re.search(r" with heading_deg = ([\d.]+)( and flap = .*)?$", remedy):
-                options["heading"] = np.deg2rad(float(match[1]))
-                options |= {"flap": "auto"} if match[2] else {}
-                remedy = remedy[: match.start()]
-            f, g = self.f, self.g
-            if match := re.match(r"heading_deg between (\S+) and (\S+)$", remedy):
-                mended += [
-                    replace(self, options={**options, "heading": np.deg2rad(float(degrees))})
-                    for degrees in match.groups()
-                ]
-                continue
-            if match := re.match(r"(depth|flap) = (\S+)$", remedy):
-                options[match[1]] = float(match[2])
-            elif match := re.match(r"scale in \[target.g\] times (\S+) ", remedy):
-                g = g.scaled(float(match[1]))
-            elif match := re.match(r'rows = (\d+) with depth = "auto"$', remedy):
-                options |= {"rows": int(match[1]), "depth": "auto"}
-            elif match := re.match(r"the part of g from parameter (\S+) to (\S+) with", remedy):
-                g = replace(g, start=float(match[1]), stop=float(match[2]), breaks=())
-                options["heading"] = "auto"
-            else:
-                raise error
-            mended.append(OrthodiagonalRequest(f, g, options))
-        return mended
-
-    def feasible(self) -> Design:
-        """The design, mended as the errors say as often as needed (at most 4 times)."""
-        request = self
-        for _ in range(4):
-            try:
-                return request.design()
-            except DesignError as error:
-                request = request.remedies(error)[0]
-        return request.design()
+    return parallel_repeating(f, g, **options)
 
 
 @st.composite
-def orthodiagonal_requests(draw: st.DrawFn) -> OrthodiagonalRequest:
+def orthodiagonal_requests(draw: st.DrawFn) -> Request:
     """Any two curves, any depth and heading: most need the values that the errors name."""
     f = draw(curves())
     g = draw(curves()).scaled(draw(numbers(0.2, 3)))
@@ -225,4 +196,4 @@ def orthodiagonal_requests(draw: st.DrawFn) -> OrthodiagonalRequest:
         "spacing": draw(st.sampled_from(["curvature", "equal"])),
         "placement": draw(st.sampled_from(["inscribed", "balanced"])),
     }
-    return OrthodiagonalRequest(f, g, options)
+    return orthodiagonal(f, g, **options)

@@ -2,16 +2,33 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
+
+from orishell.io.formats.html import viewer_is_built
+
+WITHOUT_PAGES = """
+import tempfile
+from pathlib import Path
+from orishell.cli.main import run
+from orishell.studio import app
+with tempfile.TemporaryDirectory() as place:
+    app.PAGES = Path(place)
+    (app.PAGES / "index.html").touch()
+    run()
+"""
+"""A studio whose pages have not been built does not start; what it answers can be tested all the
+same, with an empty page."""
 
 
 @dataclass(frozen=True)
@@ -23,13 +40,19 @@ class Studio:
 
 
 @contextmanager
-def running_studio(*arguments: str | Path) -> Iterator[Studio]:
-    """A studio that runs as long as the context lasts."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    command = [sys.executable, "-m", "orishell", "studio", "--no-browse", "--port", str(port)]
-    process = subprocess.Popen([*command, *map(str, arguments)], stderr=subprocess.PIPE, text=True)
+def running_studio(
+    *arguments: str | Path,
+    python: str | Path = sys.executable,
+    environment: Mapping[str, str] | None = None,
+) -> Iterator[Studio]:
+    """A studio that runs as long as the context lasts, of the orishell that a Python has."""
+    port = _free_port()
+    built = python != sys.executable or viewer_is_built()
+    program = ["-m", "orishell"] if built else ["-c", WITHOUT_PAGES]
+    command = [str(python), *program, "studio", "--no-browse", "--port", str(port)]
+    process = subprocess.Popen(
+        [*command, *map(str, arguments)], env=environment, stderr=subprocess.PIPE, text=True
+    )
     address = f"http://127.0.0.1:{port}"
     try:
         _await_answer(process, address)
@@ -38,6 +61,16 @@ def running_studio(*arguments: str | Path) -> Iterator[Studio]:
         process.terminate()
         _, words = process.communicate(timeout=30)
         assert "Traceback" not in words, words
+
+
+def _free_port() -> int:
+    """A port that no client is given (those begin at 32768) nor a test of another process takes."""
+    first = 10_000 + 41 * os.getpid() % 20_000
+    for port in range(first, first + 41):
+        with contextlib.suppress(OSError), socket.socket() as free:
+            free.bind(("127.0.0.1", port))
+            return port
+    raise RuntimeError(f"no port from {first} on is free")
 
 
 def _await_answer(process: subprocess.Popen[str], address: str) -> None:

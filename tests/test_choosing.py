@@ -107,7 +107,7 @@ def test_long_panels_do_where_square_ones_are_too_small() -> None:
 def test_what_cannot_be_met_says_what_can() -> None:
     with pytest.raises(DesignError) as caught:
         choose(made, measuring(lambda m, n: 0.1 + 1 / m + 1 / n), Tolerance(0.05))
-    nearest = float(caught.value.nearest.removeprefix("surface = "))
+    nearest = float(str(next(iter(caught.value.candidates)).changes["tolerance.surface"]))
     assert choose(made, measuring(lambda m, n: 0.1 + 1 / m + 1 / n), Tolerance(nearest))
     with pytest.raises(DesignError, match="panel edges from 1 to"):
         choose(made, measuring(ERRORS["sum"]), Tolerance(0.05, panel_min=1))

@@ -29,13 +29,14 @@ REFUSED = 55
 """So many files of each kind must in fact be refused: otherwise the damage tests nothing."""
 
 ABSURD = [b"1e999", b"nan", b"inf", b"9" * 400, b"", b"0x1F", b"1,5", b"--3", b"\xff\xfe", b"\x00"]
+ABSURD += [b"0x" + b"f" * 20_000, b"9" * 20_000, b"\x1b]0;title\x07", b'"\\u001b[2J" = 1']
 LEGAL = [b"0", b"-1", b"1e308", b"-1e308", b"1e15", b"1e-320", b"99999999999999999999", b"2.5"]
 """Numbers that no one means, and such as are numbers nevertheless."""
 NESTS = {
     "svg": [b"<g>" * 3000, b'<svg viewBox="0 0 1 1">' * 250, b"</g>" * 10, b"<!ENTITY a 'b'>"],
     "dxf": [b"  0\nINSERT\n  2\nA\n" * 300, b"102\n{ACAD\n" * 500, b"  0\nSECTION\n" * 50],
     "csv": [b"(" * 3000, b'"' * 3001, b";" * 3000, b"\n1,2,3" * 30],
-    "toml": [b"a = " + b"[" * 3000, b"{x = " * 900, b"[a" + b".b" * 3000 + b"]\n", b'"""'],
+    "toml": [b"a = " + b"[" * 3000, b"{x = " * 900, b"[a" + b".b" * 400_000 + b"]\n", b'"""'],
     "fold": [b"[" * 100_000, b'{"a":' * 20_000, b"[[0,1]," * 500, b"}"],
 }
 
@@ -342,6 +343,7 @@ def test_damaged_files_are_read_or_refused(kind: str, tmp_path: Path) -> None:
     for number, message in refused:
         assert f"damaged-{number}.{kind}" in message
         assert len(message) < 2000
+        assert all(line.isprintable() for line in message.split("\n"))
     assert REFUSED <= len(refused) < FILES
 
 

@@ -1,11 +1,12 @@
 """Residuals see what is wrong: each is shown a sheet that is wrong in one way."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from orishell import metrics
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.metrics import (
     AssignmentCheck,
@@ -72,3 +73,18 @@ def test_sizes(mechanism: Mechanism) -> None:
     assert sheet_area(sheet) == pytest.approx(16)
     assert extents(sheet) == (8.0, 2.0, 0.0)
     assert diagonal(sheet) == pytest.approx(np.hypot(8, 2))
+
+
+@pytest.mark.parametrize("block", [1, 6, 12, 18, 24])
+def test_rows_looked_at_apart_show_what_they_show_together(
+    mechanism: Mechanism, monkeypatch: pytest.MonkeyPatch, block: int
+) -> None:
+    grid = mechanism.grid
+    for row in range(grid.rows):
+        positions = mechanism.positions(1.0)
+        positions[row, 2] += [1e-3, 0.0, 1e-6]
+        monkeypatch.undo()
+        whole = measure(mechanism, positions=positions)
+        monkeypatch.setattr(metrics, "BLOCK", block)
+        assert measure(mechanism, positions=positions) == whole
+    assert min(getattr(whole[0], each.name) for each in fields(Residuals)) > 1e-9

@@ -4,17 +4,33 @@ from __future__ import annotations
 
 import base64
 import builtins
+import inspect
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from documents import demo_document
-from orishell import notebook
+from orishell import (
+    Design,
+    FoldingMotion,
+    curve_from_formulas,
+    design_parallel_repeating,
+    notebook,
+    parse_formula,
+)
 from orishell.errors import InputError
+from orishell.io import DEFAULT_SETTINGS, read_fold, write_fold
 from orishell.io.formats.html import read_viewer
+from orishell.io.registry import FORMATS
 from orishell.io.view import dump_view
 from orishell.notebook import show
+from orishell.overlays import lay_surface
+from orishell.shell_document import document_of_design
+from orishell.writing import write_format, write_shell
+from public_names import public_callables
 from viewer_pages import pixels, require_viewer, running_browser, watched_page
 
 PAGE = """<!doctype html><meta charset="utf-8"><title>notebook</title><div id="cell"></div>"""
@@ -45,6 +61,58 @@ def test_the_widget_holds_the_view_and_the_program() -> None:
     assert widget._esm == read_viewer()
     other: Any = show(replace(demo_document(), title="another"))
     assert b'"another"' in other.view
+
+
+def small_design() -> Design:
+    f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    g = curve_from_formulas(None, parse_formula("0.1*x"), 0, 2)
+    return design_parallel_repeating(f, g, rows=3, columns=2, xi=np.radians(50), flap=0.3)
+
+
+def test_a_design_is_shown_as_it_folds_with_its_surface_and_curves() -> None:
+    require_viewer()
+    design = small_design()
+    widget: Any = show(design)
+    document = document_of_design(design)
+    assert (document.unit, len(document.states)) == ("unit", 25)
+    np.testing.assert_array_equal(
+        document.last.positions, FoldingMotion(design.mechanism, 2).locked.positions.reshape(-1, 3)
+    )
+    assert set(document.curves) == {"f", "g"}
+    assert widget.view == dump_view(lay_surface(document, design))
+
+
+def test_what_has_too_little_to_be_shown_or_written_says_what_to_call(tmp_path: Path) -> None:
+    design: Any = small_design()
+    others: list[Any] = [design.mechanism, FoldingMotion(design.mechanism, 3), None]
+    for thing in others:
+        with pytest.raises(InputError, match="expected a Shell, a Design or a Document"):
+            show(thing)
+    html = next(each for each in FORMATS if each.name == "html")
+    with pytest.raises(InputError, match=r"got Design, .* design_shell .*document_of_design"):
+        write_shell(design, tmp_path / "out")
+    with pytest.raises(InputError, match="document_of_design"):
+        write_format(design, html, tmp_path, DEFAULT_SETTINGS)
+    assert not list(tmp_path.iterdir())
+    with pytest.raises(InputError, match=r"got Design, .* take design\.mechanism"):
+        FoldingMotion(design, 3)
+    write_fold(tmp_path / "shell.fold", document_of_design(design, "m", frames=3))
+    fold = read_fold(tmp_path / "shell.fold")
+    assert (fold.unit, len(fold.frames)) == ("m", 4)
+
+
+def test_every_function_that_takes_a_shell_is_among_these() -> None:
+    taking = {
+        name
+        for name, function in public_callables().items()
+        if any("Shell" in str(each) for each in inspect.get_annotations(function).values())
+        and "Shell" not in str(inspect.get_annotations(function).get("return"))
+    }
+    assert taking == {
+        "orishell.notebook.show",
+        "orishell.writing.write_shell",
+        "orishell.writing.write_format",
+    }
 
 
 def test_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:

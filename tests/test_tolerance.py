@@ -93,7 +93,7 @@ def test_what_panels_of_the_smallest_size_cannot_meet(tmp_path: Path) -> None:
     assert file.tolerance is not None
     with pytest.raises(DesignError, match=r"within 0\.02 of the surface") as caught:
         meet_tolerance(file, file.tolerance)
-    nearest = float(caught.value.nearest.removeprefix("surface = "))
+    nearest = float(str(next(iter(caught.value.candidates)).changes["tolerance.surface"]))
     assert meet_tolerance(file, Tolerance(nearest, 0.2))[1].trial.error <= nearest
 
 

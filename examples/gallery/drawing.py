@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import LIGHT, rgb
 from orishell.motion import panel_normals
 from orishell.pattern import CreaseValues
 from orishell.plot.scene import Camera, frame
@@ -25,9 +26,9 @@ Integers = NDArray[np.int64]
 EXAMPLES = Path(__file__).parents[1]
 """Where the design files are."""
 
-MOUNTAIN, VALLEY, UNFOLDED, BORDER = "#d62728", "#1f5fbf", "#8a8a8a", "#1a1a1a"
-F_COLOUR, G_COLOUR = "#0a8f3c", "#c2185b"
-FRONT, BACK, INK = np.array([0.965, 0.93, 0.86]), np.array([0.56, 0.68, 0.80]), "#33343a"
+MOUNTAIN, VALLEY, UNFOLDED = (LIGHT[name] for name in ("mountain", "valley", "unfolded"))
+BORDER, F_COLOUR, G_COLOUR = (LIGHT[name] for name in ("border-crease", "curve-f", "curve-g"))
+FRONT, BACK, INK = np.array(rgb("panel-front")), np.array(rgb("panel-back")), "#33343a"
 SHADOW = (0.35, 0.38, 0.45, 0.22)
 LOCKED = 0.995
 """Share of the drive at which locked shells are drawn: at 1 flaps touch, and panels in one place

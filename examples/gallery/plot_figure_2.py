@@ -57,7 +57,7 @@ draw_shell(
 )
 draw_line(axes, design.targets["f"], view, F_COLOUR, "f")
 draw_line(axes, design.targets["g"], view, G_COLOUR, "g")
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 
 # %%
 # **(c)** Column 1 when locked: a zigzag about f that turns left and right alternately. The angles
@@ -81,7 +81,7 @@ f = design.targets["f"]
 axes.plot(-f[:, 1], f[:, 2], color="0.75", linewidth=4, label="f")
 axes.plot(*column.T, "o-", color=F_COLOUR, markersize=4, label="column 1")
 betas = name_angles(axes, column, "β", 0.09)
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 print(", ".join(f"{beta:.2f}°" for beta in betas))
 
 # %%
@@ -94,5 +94,5 @@ row = locked[middle, inner, :2]
 axes.plot(*design.targets["g"][:, :2].T, color="0.8", linewidth=4, label="g")
 axes.plot(*row.T, "o-", color=G_COLOUR, markersize=4, label="middle row")
 gammas = name_angles(axes, row, "γ", 0.09)
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 print(", ".join(f"{gamma:.2f}°" for gamma in gammas))

@@ -13,11 +13,21 @@ line is as long as makes the radius grow 1.67-fold.
 
 import matplotlib.pyplot as plt
 import numpy as np
-from drawing import EXAMPLES, F_COLOUR, G_COLOUR, camera, draw_line, draw_pattern, draw_shell
+from drawing import (
+    EXAMPLES,
+    F_COLOUR,
+    G_COLOUR,
+    camera,
+    draw_line,
+    draw_pattern,
+    draw_shell,
+    same_scale,
+)
 
 from orishell import curve_from_formulas, design_longitudinal_linear_repeating, parse_formula
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
 from orishell.motion import find_assignment
+from orishell.report import make_shell
 from orishell.spec import read_design_file
 
 # %%
@@ -83,4 +93,19 @@ draw_line(axes, design.targets["f"], view, F_COLOUR, "f")
 draw_line(axes, design.targets["g"], view, G_COLOUR, "the line")
 axes.legend(frameon=False)
 largest, smallest = np.array(design.parameters["radius"], dtype=float)
+print(f"radius {smallest:.3f} to {largest:.3f}: {largest / smallest:.3f} times as large")
+
+# %%
+# **(c)** The paper's own question: four sector angles, the lengths of a row and of a column, no
+# target. Equal lengths down column 1 and a row of 1.4, 0.23, 1.0, 1.9, repeated, fold until the
+# rims meet, and the radius grows 1.66-fold: ``examples/sectors.toml``.
+
+shell = make_shell(read_design_file(EXAMPLES / "sectors.toml"))
+sheet = shell.design.mechanism
+figure, frames = plt.subplots(1, 3, num="figure-3c", figsize=(11, 3.4), layout="constrained")
+for axes, share in zip(frames, (0.0, 0.5, 1.0), strict=True):
+    draw_shell(axes, sheet.positions(share * sheet.lock_drive), camera(-55, 28))
+    axes.set_title(f"v₁ = {np.rad2deg(share * sheet.lock_drive):.2f}°")
+same_scale(list(frames))
+largest, smallest = np.array(shell.design.parameters["radius"], dtype=float)
 print(f"radius {smallest:.3f} to {largest:.3f}: {largest / smallest:.3f} times as large")

@@ -10,6 +10,7 @@ touch.
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, camera, draw_pattern, draw_shell, same_scale
 
+from orishell.colours import LIGHT
 from orishell.motion import find_assignment
 from orishell.report import make_shell
 from orishell.spec import read_design_file
@@ -37,10 +38,10 @@ figure, axes = plt.subplots(figsize=(6, 3.6), layout="constrained")
 sections = shell.motion.locked.positions[:, sheet.inner_columns, 1:]
 for k in range(sections.shape[1]):
     axes.plot(*sections[:, k].T, ".-", color=str(0.1 + 0.06 * k), linewidth=0.9)
-axes.plot(*shell.design.targets["f"][:, 1:].T, color="#0a8f3c", linewidth=2, label="f")
+axes.plot(*shell.design.targets["f"][:, 1:].T, color=LIGHT["curve-f"], linewidth=2, label="f")
 axes.set_aspect("equal")
 axes.axis("off")
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 
 # %%
 # The crease pattern: F rows and S rows alternate, columns repeat every four.

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from itertools import product, repeat
 
 from orishell.design import Design
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
+from orishell.quoting import in_one_line, rounded
 
 MOST = 201
 """Rows and columns tried at most, unless said otherwise."""
@@ -22,6 +23,8 @@ TRIALS, FURTHER = 60, 6
 """Designs after which the search is content with what it has, at first and when aimed anew."""
 RETRIES = 4
 """Times that the search is aimed anew, where the careful measure differs from the quick one."""
+FARTHER = (1.01, 1.1, 1.4)
+"""Tolerances that may be met where one is not, relative to the smallest error found."""
 NEAR = 0.95
 """A design whose error is this share of the tolerance is near enough to it."""
 
@@ -101,6 +104,8 @@ class Choice:
     trial: Trial
     tradeoff: tuple[Trial, ...]
     tried: int
+
+    __repr__ = in_one_line
 
 
 def choose(
@@ -301,15 +306,17 @@ class _Search:
         limits = self.tolerance
         allowed = [t for t in fitting if self._fits(t) and t.longest <= limits.panel_max]
         nearest = min(allowed or fitting, key=lambda trial: trial.error)
+        nearest = self._trial_of(nearest.rows, nearest.columns, True)
         return DesignError(
             f"no shell of this family comes within {limits.surface:g} of the surface",
             place=f"with panel edges from {limits.panel_min:g} to {limits.panel_max:g} and at most "
             f"{self.most} rows and columns",
             size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {nearest.error:.4g} "
             f"away, with edges from {nearest.shortest:.4g} to {nearest.longest:.4g}",
-            nearest=f"surface = {1.01 * nearest.error:.4g}"
-            if allowed
-            else "panel_min and panel_max farther apart",
+            candidates=[
+                Remedy({"tolerance.surface": rounded(farther * nearest.error)})
+                for farther in (FARTHER if allowed else ())
+            ],
         )
 
 

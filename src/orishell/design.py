@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.errors import InputError
 from orishell.motion import Mechanism
 from orishell.polylines import Closeness
+from orishell.quoting import in_one_line
 from orishell.surface import Surface
 
 Array = NDArray[np.float64]
@@ -36,6 +38,8 @@ class Approached:
     what: str
     surface: Surface | None
 
+    __repr__ = in_one_line
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Design:
@@ -49,29 +53,60 @@ class Design:
         What the family used and found, in the units of files: degrees (``_deg``) and the unit of
         the curves.
     targets
-        The target curves "f" and "g" in world coordinates (N, 3), placed as the locked shell
-        meets them.
+        The target curves "f" and "g" (N, 3), placed as the locked shell meets them; empty without a
+        target.
     closeness
         Distance of the polylines the shell locks on to the target curves, by the same names.
-    surface
-        f swept along g as asked for, placed as the locked shell meets it.
+    swept
+        f swept along g as asked for, placed as the locked shell meets it; None without a target.
     warnings
         Sentences a user should read: the design is made, but may not be what was meant.
     approached
         What the family approaches instead of the surface, if it does.
+    origin
+        Where the frame of all these coordinates stands in the world (3,): it is added when world
+        coordinates are written, so that a shell far from the origin keeps its digits until then.
     lock_drive
         Drive at which a crease ends the motion beyond the stage that meets the target (radians),
         or None if the mechanism's ``lock_drive`` is the end.
+    stopped
+        The design with its motion ending at a drive (radians), where neither a target nor a stage
+        says where it ends; otherwise None.
     """
 
     mechanism: Mechanism
     parameters: Mapping[str, Parameter]
     targets: Mapping[str, Array]
     closeness: Mapping[str, Closeness]
-    surface: Surface
+    swept: Surface | None
     warnings: tuple[str, ...]
     approached: Approached | None = None
+    origin: Array = field(default_factory=lambda: np.zeros(3))
     lock_drive: float | None = None
+    stopped: Callable[[float], Design] | None = None
+
+    @property
+    def surface(self) -> Surface:
+        """The surface asked for: f swept along g.
+
+        Raises
+        ------
+        InputError
+            If the design has no target.
+        """
+        if self.swept is None:
+            raise InputError(
+                "a design without a target has no surface to be compared with",
+                remedy="give f and g",
+            )
+        return self.swept
+
+    def __repr__(self) -> str:
+        near = ", ".join(f"{name} to {near.max:.4g}" for name, near in self.closeness.items())
+        met = f"; meets {near}" if near else ""
+        count = len(self.warnings)
+        warned = f"; {count} warning{'s' * (count > 1)}" if count else ""
+        return f"{type(self).__name__}({self.mechanism!r}{met}{warned})"
 
 
 def warn_of_no_lock(flap: float) -> tuple[str, ...]:

@@ -13,11 +13,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.curves import nearby_origin
 from orishell.errors import InputError
 from orishell.mesh import QuadMesh
 from orishell.panels import area_vectors
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
+
+LARGEST = 1e36
+"""Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,7 +32,7 @@ class DocumentState:
     Parameters
     ----------
     positions
-        Vertices (V, 3), z up, read-only.
+        Vertices (V, 3) in the document's frame, z up, read-only.
     fold_angles_deg
         Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is
         known of them. In degrees, as files have them: not a bit is lost.
@@ -39,10 +44,15 @@ class DocumentState:
     fold_angles_deg: Array | None = None
     drive_deg: float | None = None
 
+    __repr__ = in_one_line
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Document:
     """A sheet to be written.
+
+    Coordinates of states, curves and surface are in the document's frame: :meth:`in_world` makes
+    world coordinates of them, when they are written.
 
     Parameters
     ----------
@@ -68,6 +78,8 @@ class Document:
         Lattice (a, b, 3) of the surface that the last state follows, if it is known.
     distances
         Signed distances (V,) of the last state's vertices from it, NaN where they do not count.
+    origin
+        Where the document's frame stands in the world (3,).
     report
         What is known of the shell, as in ``report.json``; empty if nothing is.
     """
@@ -83,7 +95,22 @@ class Document:
     curves: Mapping[str, Array]
     surface: Array | None = None
     distances: Array | None = None
+    origin: Array = field(default_factory=lambda: np.zeros(3))
     report: Mapping[str, Any] = field(default_factory=dict)
+
+    __repr__ = in_one_line
+
+    def __post_init__(self) -> None:
+        flat = () if self.flat is None else (self.flat,)
+        largest = max(
+            (float(np.abs(each).max()) for each in (*flat, *self.curves.values())), default=0
+        )
+        if not largest <= LARGEST:
+            raise InputError(
+                "the sheet or its curves are too large for files",
+                got=f"coordinates up to {largest:.3g}",
+                expected=f"up to {LARGEST:g}",
+            )
 
     @property
     def last(self) -> DocumentState:
@@ -108,6 +135,18 @@ class Document:
                 expected=f"a number from 0 to {count - 1}",
             )
         return self.states[number]
+
+    def in_world(self, points: Array) -> Array:
+        """World coordinates (..., 3) of points (..., 3) of the document's frame."""
+        return points + self.origin if self.origin.any() else points
+
+    @property
+    def nearby(self) -> Array:
+        """The origin (3,) of a frame beside the last state that formats in single precision use.
+
+        In the world, and zero where the shell stands near the world's origin.
+        """
+        return nearby_origin(self.in_world(self.last.positions))
 
     def require_flat(self) -> Array:
         """The flat sheet (V, 2).

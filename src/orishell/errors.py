@@ -7,7 +7,24 @@ the family cannot reach (exit status 1).
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import Self
+
+
+def printable(text: str) -> str:
+    """A line of text in which every character that a terminal would obey is an escape.
+
+    Parameters
+    ----------
+    text
+        The line.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        each if each.isprintable() else each.encode("unicode_escape").decode() for each in text
+    )
 
 
 class OrishellError(Exception):
@@ -75,6 +92,7 @@ class InputError(OrishellError):
             sentence += f" Remedy: {self.remedy}."
         if self.where:
             sentence = f"{self.where.removesuffix(':')}: {sentence}"
+        sentence = printable(sentence)
         return f"{sentence}\n{self.detail}" if self.detail else sentence
 
 
@@ -108,6 +126,44 @@ class CurveError(InputError):
     """A curve that cannot be used: not finite, not regular, too short, without a range."""
 
 
+Value = float | int | str | list[float] | list[str]
+"""What can be written at a key of the design file."""
+
+
+@dataclass(frozen=True, slots=True)
+class Remedy:
+    """Keys of the design file, and what to write there instead.
+
+    Parameters
+    ----------
+    changes
+        Values by key, the tables in front of it: "pattern.xi_deg", "target.g.scale". None removes
+        a key.
+    """
+
+    changes: Mapping[str, Value | None]
+
+    def __or__(self, other: Remedy) -> Remedy:
+        """Both, one after the other."""
+        return Remedy({**self.changes, **other.changes})
+
+    def __str__(self) -> str:
+        written = [_written(key, value) for key, value in self.changes.items() if value is not None]
+        removed = [key.rpartition(".")[2] for key, value in self.changes.items() if value is None]
+        return " with ".join(written) + (f" without {', '.join(removed)}" if removed else "")
+
+
+def _written(key: str, value: Value) -> str:
+    table, _, name = key.rpartition(".")
+    return f"{name} = {_toml(value)}" + ("" if table == "pattern" else f" in [{table}]")
+
+
+def _toml(value: Value) -> str:
+    if isinstance(value, list):
+        return f"[{', '.join(map(_toml, value))}]"
+    return f'"{value}"' if isinstance(value, str) else repr(value).removesuffix(".0")
+
+
 class DesignError(OrishellError):
     """A target that the family cannot reach.
 
@@ -118,21 +174,35 @@ class DesignError(OrishellError):
     place
         Where it fails (row, column, place on the curve).
     size
-        By how much.
-    nearest
-        The nearest value of a parameter that works, or what to change if none is known.
+        By how much, and where its limit is.
+    candidates
+        What may be worth trying, the nearest first, computed as it is asked for. Messages do not
+        show it.
+    remedies
+        What has been tried, through the whole design with its proof, and works; the nearest first.
+    limit
+        What limits, if all that was tried failed.
     """
 
     exit_status = 1
 
     def __init__(
-        self, condition: str, *, place: str = "", size: str = "", nearest: str = ""
+        self,
+        condition: str,
+        *,
+        place: str = "",
+        size: str = "",
+        candidates: Iterable[Remedy] = (),
+        remedies: tuple[Remedy, ...] = (),
+        limit: str = "",
     ) -> None:
         super().__init__(condition)
         self.condition = condition
         self.place = place
         self.size = size
-        self.nearest = nearest
+        self.candidates = candidates
+        self.remedies = remedies
+        self.limit = limit
 
     def __str__(self) -> str:
         sentence = self.condition
@@ -141,7 +211,29 @@ class DesignError(OrishellError):
         if self.size:
             sentence += f": {self.size}"
         sentence += "."
-        return f"{sentence} Nearest that works: {self.nearest}." if self.nearest else sentence
+        if self.remedies:
+            sentence += f" Nearest found that works: {', or '.join(map(str, self.remedies))}."
+        if self.limit:
+            sentence += f" No value was found that works: {self.limit}."
+        return sentence
+
+
+class ClashError(DesignError):
+    """Panels that meet before the shell reaches its target.
+
+    Parameters
+    ----------
+    condition, place, size
+        Which panels, at which drive, and the depth of the corrugation there.
+    flap
+        Width of the flaps if one of them is a flap, else 0 (length).
+    """
+
+    def __init__(
+        self, condition: str, *, place: str = "", size: str = "", flap: float = 0.0
+    ) -> None:
+        super().__init__(condition, place=place, size=size)
+        self.flap = flap
 
 
 class VerificationError(OrishellError):

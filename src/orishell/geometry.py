@@ -1,4 +1,4 @@
-"""Plane geometry on arrays: distances, extents, overlap."""
+"""Plane geometry: distances, extents, overlap."""
 
 from __future__ import annotations
 

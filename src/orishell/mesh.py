@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from orishell.errors import InputError
 from orishell.panels import sector_angles, unit_normals
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -51,6 +52,8 @@ class QuadMesh:
     crease: Booleans
     pieces: Integers
     reversed_faces: Booleans
+
+    __repr__ = in_one_line
 
     def faces_edges(self) -> Integers:
         """Numbers (F, 4) of the edges of every panel: from its first corner to its second on."""

@@ -14,6 +14,9 @@ from orishell.pattern import CreaseValues, crease_signs
 
 Array = NDArray[np.float64]
 
+BLOCK = 2**14
+"""Vertices looked at together: few enough for a processor's cache."""
+
 
 @dataclass(frozen=True, slots=True)
 class Residuals:
@@ -67,24 +70,14 @@ def measure_residuals(
     flat
         The flat sheet.
     """
-    distances = corner_distances(_corners(flat.positions))
-    size = diagonal(flat.positions)
-    length = planarity = sector = fold = 0.0
+    blocks = _blocks(*flat.positions.shape[:2])
+    distances = [corner_distances(_corners(flat.positions[block])) for block in blocks]
+    worst = np.zeros(4)
     signs: CreaseValues | None = None
     constant = True
     for state in states:
-        corners = _corners(state.positions)
-        length = max(length, float(np.abs(corner_distances(corners) - distances).max()) / size)
-        planarity = max(planarity, float(diagonal_gaps(corners).max()) / size)
-        sector = max(
-            sector, float(np.abs(_sector_sums(state.positions) - 2 * np.pi).max(initial=0))
-        )
-        measured = measure_fold_angles(state.positions)
-        fold = max(
-            fold,
-            _largest_turn(measured.row, state.fold_angles.row),
-            _largest_turn(measured.column, state.fold_angles.column),
-        )
+        for block, expected in zip(blocks, distances, strict=True):
+            worst = np.maximum(worst, _departures(state, block, expected))
         now = crease_signs(state.fold_angles)
         if signs is not None:
             constant = constant and not _opposite(now, signs)
@@ -93,8 +86,9 @@ def measure_residuals(
                 np.where(now.column == 0, signs.column, now.column),
             )
         signs = now
+    worst[:2] /= diagonal(flat.positions)
     check = AssignmentCheck(constant, signs is None or _three_to_one(signs))
-    return Residuals(length, planarity, sector, fold), check
+    return Residuals(*worst.tolist()), check
 
 
 def diagonal(flat: Array) -> float:
@@ -144,6 +138,30 @@ def corrugation_depth(positions: Array) -> float:
     arm = inner[1:-1] - inner[:-2]
     across = np.linalg.norm(np.cross(arm, base), axis=-1)
     return float((across / np.linalg.norm(base, axis=-1)).mean())
+
+
+def _blocks(rows: int, columns: int) -> list[slice]:
+    """Rows of vertices to look at together: all panels, and all vertices with what is around."""
+    step = max(BLOCK // columns, 1)
+    return [slice(start, min(start + step + 2, rows)) for start in range(0, max(rows - 2, 1), step)]
+
+
+def _departures(state: FoldedState, block: slice, distances: Array) -> Array:
+    """What :class:`Residuals` holds, of some rows in one state; lengths as they are."""
+    positions = state.positions[block]
+    corners = _corners(positions)
+    measured, expected = measure_fold_angles(positions), state.fold_angles
+    return np.array(
+        [
+            np.abs(corner_distances(corners) - distances).max(),
+            diagonal_gaps(corners).max(),
+            np.abs(_sector_sums(positions) - 2 * np.pi).max(initial=0.0),
+            max(
+                _largest_turn(measured.row, expected.row[block.start : block.stop - 2]),
+                _largest_turn(measured.column, expected.column[block.start : block.stop - 1]),
+            ),
+        ]
+    )
 
 
 def _corners(positions: Array) -> Array:

@@ -6,20 +6,22 @@ angle. The flat sheet is the mechanism at drive 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from orishell.errors import DesignError, InputError
+from orishell.errors import DesignError, InputError, Remedy
+from orishell.panels import lengths
 from orishell.pattern import CreaseValues, Grid, crease_signs
+from orishell.quoting import in_degrees, in_one_line
 
 Array = NDArray[np.float64]
 
 RESOLUTION = 1e-8
-"""An edge must be at least this long relative to the largest coordinate."""
+"""An edge must be at least this long relative to the diagonal of the flat sheet."""
 
 
 class Mechanism(Protocol):
@@ -85,6 +87,8 @@ class FoldedState:
     positions: Array
     fold_angles: CreaseValues
 
+    __repr__ = in_one_line
+
     @classmethod
     def of(cls, mechanism: Mechanism, drive: float) -> FoldedState:
         """The state of a mechanism at one drive angle (radians)."""
@@ -109,8 +113,19 @@ class FoldingMotion:
     frames: int
 
     def __post_init__(self) -> None:
+        if not hasattr(self.mechanism, "positions"):
+            raise InputError(
+                "this is no folding sheet",
+                where="FoldingMotion",
+                got=type(self.mechanism).__name__,
+                expected="a mechanism",
+                remedy="take design.mechanism of a design",
+            )
         if self.frames < 2:
             raise InputError("too few frames", got=str(self.frames), expected="at least 2")
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.frames} states of {self.mechanism!r})"
 
     @property
     def drives(self) -> Array:
@@ -147,37 +162,52 @@ def find_assignment(mechanism: Mechanism) -> CreaseValues:
     return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
 
 
-def require_resolution(mechanism: Mechanism, remedy: str) -> None:
+def mechanism_in_one_line(mechanism: Mechanism) -> str:
+    """A mechanism as a prompt shows it: the ``__repr__`` of every family's.
+
+    Parameters
+    ----------
+    mechanism
+        The folding sheet.
+    """
+    grid = mechanism.grid
+    return (
+        f"{type(mechanism).__name__}({grid.rows} x {grid.columns} vertices, {grid.panel_count} "
+        f"panels, drive to {in_degrees(mechanism.lock_drive)} degrees)"
+    )
+
+
+def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> None:
     """Refuse panels so small that the rounding of coordinates would bend them.
 
     Parameters
     ----------
     mechanism
         The sheet.
-    remedy
-        What to change.
+    candidates
+        What may give larger panels.
 
     Raises
     ------
     DesignError
-        If an edge is shorter than :data:`RESOLUTION` of the largest coordinate.
+        If an edge is shorter than :data:`RESOLUTION` of the sheet's diagonal.
     """
     flat = mechanism.positions(0.0)
-    largest = float(np.abs(flat).max())
+    size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
     edges = {
-        "a row": np.linalg.norm(np.diff(flat, axis=1), axis=-1),
-        "a column": np.linalg.norm(np.diff(flat, axis=0), axis=-1),
+        "a row": lengths(np.diff(flat, axis=1)),
+        "a column": lengths(np.diff(flat, axis=0)),
     }
     name = min(edges, key=lambda each: float(edges[each].min()))
     shortest = float(edges[name].min())
-    if shortest < RESOLUTION * largest:
+    if shortest < RESOLUTION * size:
         row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",
-            size=f"an edge of {name} is {shortest:.4g} long with coordinates up to {largest:.4g}",
-            nearest=f"a length of {RESOLUTION * largest:.4g}: {remedy}, or move the curves nearer "
-            "to the origin",
+            size=f"an edge of {name} is {shortest:.4g} long, and must be {RESOLUTION:g} of the "
+            f"sheet's diagonal, which is {size:.4g}",
+            candidates=candidates,
         )
 
 
@@ -192,7 +222,7 @@ def panel_normals(positions: Array) -> Array:
     p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
     r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
     normal = np.cross(r - p, s - q)
-    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    normal /= lengths(normal)[..., None]
     return np.asarray(normal)
 
 
@@ -224,7 +254,7 @@ def measure_fold_angles(positions: Array) -> CreaseValues:
 
 def _angle_about(first: Array, second: Array, axis: Array) -> Array:
     """Angle (...) that turns unit vectors ``first`` into ``second`` about ``axis`` (..., 3)."""
-    axis = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    axis = axis / lengths(axis)[..., None]
     sine = np.einsum("...i,...i->...", np.cross(first, second), axis)
     angle: Array = np.arctan2(sine, np.einsum("...i,...i->...", first, second))
     return angle

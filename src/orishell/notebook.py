@@ -6,12 +6,14 @@ from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
 
+from orishell.design import Design
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.overlays import lay_surface
 from orishell.report import Shell
+from orishell.shell_document import document_of_design
 
 if TYPE_CHECKING:
     from anywidget import AnyWidget
@@ -20,13 +22,13 @@ HEIGHT = 560
 """Height of the viewer in a notebook (pixels)."""
 
 
-def show(shell: Shell | Document, *, height: int = HEIGHT) -> AnyWidget:
+def show(shell: Shell | Design | Document, *, height: int = HEIGHT) -> AnyWidget:
     """A widget that shows a shell and lets it fold.
 
     Parameters
     ----------
     shell
-        A designed shell, or a document such as that of a FOLD file.
+        A shell, a design of any family, or a document such as that of a FOLD file.
     height
         Height of the widget in pixels.
 
@@ -38,16 +40,29 @@ def show(shell: Shell | Document, *, height: int = HEIGHT) -> AnyWidget:
     Raises
     ------
     InputError
-        If the viewer has not been built, or anywidget is not installed.
+        If it is none of these, the viewer has not been built, or anywidget is not installed.
     """
-    document = shell if isinstance(shell, Document) else _laid_out(shell)
+    document = _document(shell)
     # The widget's traits are made at run time.
     widget: AnyWidget = _widget_class()(view=dump_view(document), height=height)
     return widget
 
 
-def _laid_out(shell: Shell) -> Document:
-    return lay_surface(replace(shell.document, report=shell.report), shell.design)
+def _document(shell: Shell | Design | Document) -> Document:
+    match shell:
+        case Document():
+            return shell
+        case Design():
+            return lay_surface(document_of_design(shell), shell)
+        case Shell():
+            return lay_surface(replace(shell.document, report=shell.report), shell.design)
+    raise InputError(
+        "this cannot be shown",
+        got=type(shell).__name__,
+        expected="a Shell, a Design or a Document",
+        remedy="make a document of a motion with orishell.shell_document.document_of_motion, of a "
+        "FOLD file with orishell.io.document_of_fold",
+    )
 
 
 @cache

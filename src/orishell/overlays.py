@@ -22,7 +22,7 @@ MOST_CELLS = 40_000
 
 
 def lay_surface(document: Document, design: Design, *, measured: bool = True) -> Document:
-    """The document of a design with its surface.
+    """The document of a design with its surface; as it is if the design has none.
 
     Parameters
     ----------
@@ -31,6 +31,8 @@ def lay_surface(document: Document, design: Design, *, measured: bool = True) ->
     measured
         Whether the distances of its vertices from the surface at lock are measured too.
     """
+    if design.swept is None:
+        return document
     surface = design.surface
     step = surface.size() / CELLS
     lattice = surface.lattice(step, step / FLAT)

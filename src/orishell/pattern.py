@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.quoting import in_one_line
+
 Integers = NDArray[np.int64]
 Array = NDArray[np.float64]
 
@@ -83,6 +85,8 @@ class CreaseValues:
 
     row: Array
     column: Array
+
+    __repr__ = in_one_line
 
     def on_edges(self, border: float = 0.0) -> Array:
         """Values (..., E) of all edges, border included, in :meth:`Grid.edges_vertices`' order."""

@@ -12,7 +12,7 @@ from orishell.motion import FoldingMotion
 from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff
 from orishell.spec import DesignFile
 
-DRAWN_SAMPLES, DRAWN_PANELS = 20_000, 70
+DRAWN_SAMPLES, DRAWN_PANELS = 6_000, 70
 """Points of the shell, and rows or columns of panels, in the picture of its deviation."""
 
 
@@ -42,7 +42,7 @@ def draw_pictures(
         motion,
         design.targets,
         title=_title(file),
-        last=_last_state(lock),
+        last=_last_state(design, lock),
         unit=file.unit,
         contact=_drawn(lock),
     )
@@ -88,10 +88,15 @@ def _drawn(lock: Lock) -> DrawnContact | None:
     return DrawnContact(contact.drive, contact.panels)
 
 
-def _last_state(lock: Lock) -> str:
+def _last_state(design: Design, lock: Lock) -> str:
+    if design.stopped is not None:
+        return "Where panels first touch" if lock.cause == "clash" else "As far as it folds"
+    aim = "target" if design.swept is not None else "stage"
     if lock.early:
-        return "The target, which it does not reach"
-    return "Locked" if lock.cause == "flaps" else "Folded until it meets the target"
+        return f"The {aim}, which it does not reach"
+    if lock.cause == "flaps":
+        return "Locked"
+    return "Folded until it meets the target" if aim == "target" else "Folded to the stage"
 
 
 def _title(file: DesignFile) -> str:

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from orishell.caveats import find_caveats
 from orishell.choosing import Choice
 from orishell.design import Design
 from orishell.deviation import (
@@ -20,14 +21,15 @@ from orishell.deviation import (
     measure_deviation,
 )
 from orishell.document import Document
-from orishell.errors import InputError, VerificationError
+from orishell.errors import DesignError, InputError, VerificationError, printable
 from orishell.locking import (
     Lock,
     Request,
     describe_lock,
-    settle,
+    end_of,
     unexamined_lock,
     warn_of_lock,
+    with_remedies,
 )
 from orishell.metrics import AssignmentCheck, Residuals, extents, measure_residuals, sheet_area
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
@@ -36,7 +38,8 @@ from orishell.quantities import describe_quantities, measure_quantities
 from orishell.quoting import tidy_degrees
 from orishell.shell_document import document_of_motion
 from orishell.spec import DesignFile, read_design_file
-from orishell.tolerance import describe_choice, meet_tolerance
+from orishell.standing import describe_feet, find_feet, stand
+from orishell.tolerance import describe_choice, meet_tolerance, request_of
 
 LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
 """Residuals above these (relative lengths, radians) mean that the program, not the design, is
@@ -77,11 +80,15 @@ class ClashTest:
         Go on with a shell whose panels meet before it locks, and say so.
     advanced
         Called with the share of the path that is done.
+    mended
+        Called with the share that is done of the search for what works, if the design is refused;
+        without contact being looked for, there is none.
     """
 
     skipped: bool = False
     allowed: bool = False
     advanced: Callable[[float], None] | None = None
+    mended: Callable[[float], None] | None = None
 
 
 CLASH_TEST = ClashTest()
@@ -102,7 +109,8 @@ class Shell:
     motion
         Its states.
     deviation
-        How close the locked shell is to the surface asked for; None if that was not measured.
+        How close the locked shell is to the surface asked for; None if that was not measured, or
+        there is no target.
     choice
         What rows and columns were chosen from, if there was a tolerance.
     document
@@ -122,6 +130,11 @@ class Shell:
     document: Document
     report: dict[str, Any]
     seconds: dict[str, float]
+
+    def __repr__(self) -> str:
+        file = self.file
+        size = f"{file.pattern.rows} x {file.pattern.columns} inner vertices"
+        return f"{type(self).__name__}({file.path.stem!r}, {file.family}, {size}; {self.lock!r})"
 
 
 def design_shell(
@@ -180,26 +193,31 @@ def make_shell(
     """
     clock = Clock()
     choice: Choice | None = None
-    if file.tolerance is not None:
-        pattern, choice = meet_tolerance(file, file.tolerance, searched)
-        file = replace(file, pattern=pattern)
-        clock.lap("choose")
-    request = Request(
-        file.pattern.designed, file.f, file.g, file.pattern.flap, file.contact_tolerance
-    )
+    asked = request_of(file)
     try:
-        design = request.made()
+        if file.tolerance is not None:
+            pattern, choice = meet_tolerance(file, file.tolerance, searched)
+            file = replace(file, pattern=pattern)
+            clock.lap("choose")
+        request = Request(file.pattern, file.target, file.contact_tolerance)
+        design = request.designed()
         clock.lap("design")
         if clash_test.skipped:
             lock = unexamined_lock(design)
         else:
-            design, lock = settle(
+            design, lock = end_of(
                 request, design, allow_clash=clash_test.allowed, advanced=clash_test.advanced
             )
             clock.lap("clash")
+    except DesignError as error:
+        if clash_test.skipped:
+            raise
+        raise with_remedies(asked, error, clash_test.mended) from None
     except InputError as error:
         raise error.located(f"{file.path}:") from None
 
+    design = stand(design, file.ground)
+    feet = find_feet(design)
     motion = FoldingMotion(design.mechanism, file.frames)
     boxes: list[tuple[float, tuple[float, float, float]]] = []
 
@@ -213,8 +231,9 @@ def make_shell(
     _require_verified(residuals, assignment)
     clock.lap("fold")
 
-    deviation = measure_deviation(design) if measured else None
-    approach = measure_approach(design) if measured else None
+    compared = design.swept is not None
+    deviation = measure_deviation(design) if measured and compared else None
+    approach = measure_approach(design) if measured and compared else None
     clock.lap("deviation")
 
     document = _document(file, design, motion)
@@ -233,15 +252,20 @@ def make_shell(
         "parameters": dict(design.parameters),
         **_chosen(file, choice),
         "feasible": None if clash_test.skipped else not lock.early,
-        "warnings": [*design.warnings, *warn_of_lock(lock)],
+        "warnings": [
+            *design.warnings,
+            *warn_of_lock(lock),
+            *find_caveats(design, lock, feet, file.unit, file.workshop),
+        ],
         "residuals": asdict(residuals),
         "assignment": {**_count(signs), **asdict(assignment)},
         "lock": describe_lock(lock),
         "not_checked": [
             *(["contact between panels before lock"] if clash_test.skipped else []),
-            *([] if measured else ["distance from the surface"]),
+            *([] if measured or not compared else ["distance from the surface"]),
         ],
-        "deviation": describe_deviation(design, deviation, approach),
+        "stands": describe_feet(design, feet),
+        "deviation": describe_deviation(design, deviation, approach) if compared else None,
         "sheet": {"width": width, "height": height, "area": sheet_area(flat.positions)},
         "deployed": _box(boxes[-1][1]),
         "packed": {"drive_deg": tidy_degrees(drive), **_box(packed)},
@@ -255,8 +279,9 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
     return document_of_motion(
         motion,
         file.unit,
-        title=f"{file.path.stem}: {file.family}, {size} inner vertices",
+        title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
         curves=design.targets,
+        origin=design.origin,
     )
 
 

@@ -9,11 +9,12 @@ from typing import overload
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.design import Design
 from orishell.document import Document, DocumentState
 from orishell.mesh import build_mesh
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.pattern import CreaseValues, edges_assignment
-from orishell.quoting import tidy_degrees
+from orishell.quoting import in_one_line, tidy_degrees
 
 Array = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
@@ -28,6 +29,7 @@ def document_of_motion(
     *,
     title: str = "Origami shell",
     curves: Mapping[str, Array] | None = None,
+    origin: Array | None = None,
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
@@ -41,6 +43,8 @@ def document_of_motion(
         One line that says what it is.
     curves
         Polylines (k, 3) that the locked shell follows, by name.
+    origin
+        Where the motion's frame stands in the world (3,); None for the world's origin.
     """
     grid = motion.mechanism.grid
     states = states_of(motion)
@@ -54,7 +58,24 @@ def document_of_motion(
         states=states,
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
+        origin=np.zeros(3) if origin is None else origin,
     )
+
+
+def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) -> Document:
+    """The document of what a family's design function returns: to be shown, or written.
+
+    Parameters
+    ----------
+    design
+        The design.
+    unit
+        Unit of length of the coordinates; "unit" if none is known.
+    frames
+        Number of states from flat to locked.
+    """
+    motion = FoldingMotion(design.mechanism, frames)
+    return document_of_motion(motion, unit, curves=design.targets)
 
 
 def _passed_on(motion: FoldingMotion) -> Iterable[FoldedState]:
@@ -91,6 +112,8 @@ class States(Sequence[DocumentState]):
     motion: FoldingMotion
     passing: Passing
     folds: Booleans
+
+    __repr__ = in_one_line
 
     def __len__(self) -> int:
         return len(self.motion)

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, field, replace
+from typing import Self
 
 import numpy as np
 
 from orishell.choosing import Choice, Measured, Tolerance, Trial, choose
 from orishell.design import Design
-from orishell.deviation import measure_deviation
-from orishell.errors import DesignError
-from orishell.spec import DesignFile, Pattern, require_memory
+from orishell.deviation import SAMPLES as CAREFUL
+from orishell.deviation import find_excess, measure_deviation
+from orishell.errors import DesignError, Remedy
+from orishell.locking import Request
+from orishell.panels import lengths
+from orishell.spec import DesignFile, require_memory
+from orishell.spec import Pattern as FamilyPattern
 
-QUICK, CAREFUL = 1_000, 15_000
-"""Samples each way of the measure in the search, and of the one that decides."""
+QUICK = 1_000
+"""Samples each way of the measure in the search; the one that decides is that of the report."""
+NOTHING_ALLOWED = Tolerance(0.0)
 
 
 def meet_tolerance(
     file: DesignFile, tolerance: Tolerance, advanced: Callable[[float], None] | None = None
-) -> tuple[Pattern, Choice]:
+) -> tuple[FamilyPattern, Choice]:
     """Choose rows, columns and what else a design file leaves open.
 
     Parameters
@@ -43,20 +49,23 @@ def meet_tolerance(
     InputError
         If the pattern would be too large for its frames.
     """
-    found: list[tuple[Pattern, Choice]] = []
+    found: list[tuple[FamilyPattern, Choice]] = []
     refusals: list[DesignError] = []
     variants = file.pattern.variants(tolerance)
     for number, variant in enumerate(variants):
 
-        def make(rows: int, columns: int, variant: Pattern = variant) -> Design:
+        def make(rows: int, columns: int, variant: FamilyPattern = variant) -> Design:
             return variant.sized(rows, columns).design(file.f, file.g)
+
+        def measured(design: Design, careful: bool) -> Measured:
+            return measure(design, careful, tolerance)
 
         def shown(share: float, number: int = number) -> None:
             if advanced is not None:
                 advanced((number + share) / len(variants))
 
         try:
-            choice = choose(make, measure, tolerance, shown, most=variant.most)
+            choice = choose(make, measured, tolerance, shown, most=variant.most)
         except DesignError as error:
             refusals.append(error)
             continue
@@ -68,7 +77,63 @@ def meet_tolerance(
     return pattern, choice
 
 
-def measure(design: Design, careful: bool) -> Measured:
+@dataclass(frozen=True, slots=True, eq=False)
+class SearchRequest(Request):
+    """A request whose rows and columns are to be chosen.
+
+    Parameters
+    ----------
+    pattern, target, tolerance
+        As for any request.
+    file
+        The design file.
+    limits
+        How near the shell is to be to its surface.
+    """
+
+    file: DesignFile = field(kw_only=True)
+    limits: Tolerance = field(kw_only=True)
+
+    @property
+    def quick(self) -> bool:
+        """Whether it takes no search to know the number of rows and columns: no."""
+        return False
+
+    def changed(self, remedy: Remedy) -> Self:
+        """The request with other values at keys of the design file.
+
+        Parameters
+        ----------
+        remedy
+            The keys and their values.
+        """
+        surface = remedy.changes.get("tolerance.surface", self.limits.surface)
+        assert isinstance(surface, float)
+        others = {key: value for key, value in remedy.changes.items() if key != "tolerance.surface"}
+        changed = super(SearchRequest, self).changed(Remedy(others))
+        return replace(changed, limits=replace(self.limits, surface=surface))
+
+    def sized(self) -> Request:
+        """The request with the fewest rows and columns that meet the tolerance."""
+        assert isinstance(self.pattern, FamilyPattern)
+        file = replace(self.file, pattern=self.pattern, target=self.target)
+        pattern, _ = meet_tolerance(file, self.limits)
+        return Request(pattern, self.target, self.tolerance)
+
+
+def request_of(file: DesignFile) -> Request:
+    """What a design file asks for.
+
+    Parameters
+    ----------
+    file
+        The design file.
+    """
+    limits, values = file.tolerance, (file.pattern, file.target, file.contact_tolerance)
+    return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
+
+
+def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Measured:
     """Distance of a design from its surface, and the edges of its panels, flaps left out.
 
     Parameters
@@ -76,17 +141,22 @@ def measure(design: Design, careful: bool) -> Measured:
     design
         The design.
     careful
-        Whether as for the report; else as for a search.
+        Whether as for the report; else as for a search, which only asks whether the tolerance is
+        met: what is found beyond that is a distance that is attained.
+    tolerance
+        What is asked for.
     """
-    deviation = measure_deviation(design, samples=CAREFUL if careful else QUICK)
     mechanism = design.mechanism
     flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    edges = [np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (0, 1)]
-    return Measured(
-        deviation.max,
-        float(min(each.min() for each in edges)),
-        float(max(each.max() for each in edges)),
-    )
+    edges = [lengths(np.diff(flat, axis=axis)) for axis in (0, 1)]
+    shortest = float(min(each.min() for each in edges))
+    longest = float(max(each.max() for each in edges))
+    if careful:
+        error = measure_deviation(design, samples=CAREFUL).max
+    else:
+        fits = tolerance.panel_min <= shortest and longest <= tolerance.panel_max
+        error = find_excess(design, tolerance.surface if fits else 0.0, samples=QUICK)
+    return Measured(error, shortest, longest)
 
 
 def describe_choice(choice: Choice, tolerance: Tolerance) -> dict[str, object]:

@@ -33,7 +33,8 @@ def write_shell(
     shell
         The shell.
     directory
-        Where to; made if needed, its other files stay.
+        Where to; made if needed. Files of an earlier run that this one does not write are removed,
+        unless somebody changed them; all others stay.
     formats
         What to write beside ``shell.fold``.
     settings
@@ -46,10 +47,11 @@ def write_shell(
     InputError
         If the directory cannot be written to, or a setting does not fit the sheet.
     """
+    _require_shell(shell)
     clock = Clock()
     if settings is None:
         settings = Settings(workshop=shell.file.workshop)
-    with OutputDirectory(directory).writing() as draft:
+    with OutputDirectory(directory).replacing() as draft:
         (draft / "report.json").write_text(
             json.dumps(shell.report, indent=2, allow_nan=False) + "\n"
         )
@@ -93,11 +95,23 @@ def write_format(
     InputError
         If a setting does not fit the sheet.
     """
+    _require_shell(shell)
     states = states_of(shell.motion, partial(watched, what=f"writing {format_.file}"))
     document = replace(shell.document, states=states, report=shell.report)
     if format_.lays_surface:
         document = lay_surface(document, shell.design)
     _write(format_, draft / format_.file, document, settings, str(shell.file.path))
+
+
+def _require_shell(shell: object) -> None:
+    if not isinstance(shell, Shell):
+        raise InputError(
+            "only a shell has all that is written",
+            got=type(shell).__name__,
+            expected="a Shell, which design_shell makes from a design file",
+            remedy="write a design by itself in one format: orishell.io.write_fold(path, "
+            "orishell.shell_document.document_of_design(design, unit))",
+        )
 
 
 def convert_fold(
@@ -125,7 +139,7 @@ def convert_fold(
     output = OutputDirectory(target.parent)
     output.require_usable()
     document = document_of_fold(read_fold(source), unit)
-    with output.writing() as draft:
+    with output.adding() as draft:
         _write(format_, draft / target.name, document, settings, str(source))
         names = sorted(file.name for file in draft.iterdir())
     return [target.parent / name for name in names]

@@ -15,7 +15,7 @@ from orishell.errors import DesignError
 from orishell.locking import find_lock
 from orishell.metrics import diagonal
 from planted import PLANTED, clear
-from strategies import OrthodiagonalRequest, Request, orthodiagonal_requests, requests
+from strategies import Request, orthodiagonal_requests, requests
 
 STEPS = 400
 """Steps of the brute force along a path."""
@@ -58,11 +58,11 @@ def test_parallel_repeating_against_brute_force(request: Request) -> None:
 
 @settings(max_examples=40, deadline=None)
 @given(orthodiagonal_requests())
-def test_orthodiagonal_against_brute_force(request: OrthodiagonalRequest) -> None:
+def test_orthodiagonal_against_brute_force(request: Request) -> None:
     compare(request)
 
 
-def compare(request: Request | OrthodiagonalRequest, steps: int = 60) -> None:
+def compare(request: Request | Request, steps: int = 60) -> None:
     """Whatever brute force sees is found, and whatever is found can be seen."""
     try:
         design = request.design()

@@ -125,9 +125,11 @@ def test_paths_that_are_no_files(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert "does not exist" in check(monkeypatch, capsys, tmp_path / "none.fold").err
-    ran = check(monkeypatch, capsys, tmp_path)
+    ran = check(monkeypatch, capsys, tmp_path)  # what design wrote there
     assert ran.status == 2
-    assert "this is not a file" in ran.err
+    assert "shell.fold: the file does not exist" in ran.err
+    (tmp_path / "shell.fold").mkdir()
+    assert "this is not a file" in check(monkeypatch, capsys, tmp_path).err
 
 
 def test_as_a_process(tmp_path: Path) -> None:

@@ -2,51 +2,70 @@
 
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from command_line import orishell, orishell_process
+from orishell import __version__
+from orishell.spec import FAMILIES
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
 
 
-def orishell(*arguments: str | Path, cwd: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "orishell", *map(str, arguments)],
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
-
-
 def test_new_then_design(tmp_path: Path) -> None:
-    made = orishell("new", "parallel-repeating", cwd=tmp_path)
+    made = orishell_process("new", "parallel-repeating", cwd=tmp_path)
     assert made.returncode == 0
     assert (tmp_path / "parallel-repeating.toml").exists()
-    done = orishell("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
+    done = orishell_process("design", "parallel-repeating.toml", "--out", "a/b", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert sorted(path.name for path in (tmp_path / "a" / "b").iterdir()) == FILES
+    assert sorted(path.name for path in (tmp_path / "a" / "b").iterdir()) == [
+        ".orishell.json",
+        *FILES,
+    ]
     assert all(f"wrote     a/b/{name}" in done.stdout for name in FILES)
     assert done.stderr == ""
 
 
-def test_json_report_and_the_same_bytes_twice(tmp_path: Path) -> None:
+def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     first = orishell("design", EXAMPLE, "--out", "one", "--json", cwd=tmp_path)
-    orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    orishell("design", EXAMPLE, "--out", "two", "--write", "svg,csv", cwd=tmp_path)
+    (tmp_path / "two" / "panels.csv").write_text("mine")
+    again = orishell("design", EXAMPLE, "--out", "two", cwd=tmp_path)
+    # What the run before wrote more is gone, but what was changed since is not.
+    removed = [line for line in again.stdout.splitlines() if line.startswith("removed")]
+    assert removed == [
+        f"removed   two/{name}, of an earlier run" for name in ("creases.csv", "pattern.svg")
+    ]
+    assert (tmp_path / "two" / "panels.csv").read_text() == "mine"
     printed = json.loads(first.stdout)
     assert set(printed.pop("seconds")) == {"design", "clash", "fold", "deviation", "write"}
     assert printed == json.loads((tmp_path / "one" / "report.json").read_text())
-    for name in FILES:
+    for name in (".orishell.json", *FILES):
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
+
+
+def test_new_without_a_family_lists_them(tmp_path: Path) -> None:
+    listed = orishell("new", cwd=tmp_path)
+    assert (listed.returncode, listed.stdout) == (2, "")
+    first, *lines = listed.stderr.splitlines()
+    assert first.startswith("orishell: no family is named. Remedy: orishell new FAMILY")
+    assert [line.split()[0] for line in lines] == list(FAMILIES)
+    assert all(FAMILIES[line.split()[0]].what in line for line in lines)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_version(tmp_path: Path) -> None:
+    said = orishell("--version", cwd=tmp_path)
+    assert (said.returncode, said.stdout) == (0, f"orishell {__version__}\n")
+    citation = (EXAMPLE.parents[1] / "CITATION.cff").read_text()
+    assert f"\nversion: {__version__}\n" in citation
 
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text("mine")
-    done = orishell("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
+    done = orishell_process("new", "parallel-repeating", "mine.toml", cwd=tmp_path)
     assert done.returncode == 2
     assert "exists already" in done.stderr
     assert (tmp_path / "mine.toml").read_text() == "mine"
@@ -59,14 +78,17 @@ def test_new_does_not_overwrite(tmp_path: Path) -> None:
         ("rows = 9 ", "rows = 8 ", 2, "(7 or 9)"),
         ("rows = 9 ", "rows = 1000000001 ", 2, "312 GB"),
         ("rows = 9 ", 'rows = "many" ', 2, "a whole number"),
+        ("rows = 9 ", f"rows = 0x{'f' * 9000} ", 2, "36000 bits"),
+        ("columns", r'"\u001b[2Jcolumns"', 2, r"[pattern] \x1b[2Jcolumns: unknown key"),
+        ("columns", '"a\x1b[2J"', 2, "not TOML"),
         ("flap = 0.3 ", "flap = nan ", 2, "a finite number"),
         ("columns", "colums", 2, "write columns"),
         ("[0, 20]", "[20, 0]", 2, "reversed"),
         ('"-x**2"', "\"__import__('os')\"", 2, "character 12"),
         ('"-x**2"', '"1/x"', 2, "not finite"),
         ("xi_deg = 50 ", "xi_deg = 60 ", 1, "53.1301"),
-        ("5*sin", "50*sin", 1, "scale in [target.f] times"),
-        ("plane_deg = 90", "plane_deg = 10", 1, "plane_deg between"),
+        ("5*sin", "50*sin", 1, "in [target.f], or scale = "),
+        ("plane_deg = 90", "plane_deg = 10", 1, "plane_deg must lie between"),
     ],
 )
 def test_faults_are_one_message_and_nothing_is_written(
@@ -79,6 +101,7 @@ def test_faults_are_one_message_and_nothing_is_written(
     assert done.returncode == status, done.stderr
     assert says in done.stderr
     assert "Traceback" not in done.stderr
+    assert "\x1b" not in done.stderr
     assert done.stdout == ""
     assert [path.name for path in tmp_path.iterdir()] == ["shell.toml"]
 
@@ -96,6 +119,34 @@ def test_a_file_in_the_way_of_the_output(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "is a file" in done.stderr
     assert (tmp_path / "out").read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["", "x" * 300, f"a/{'x' * 300}/b"])
+def test_names_that_no_directory_can_have(tmp_path: Path, name: str) -> None:
+    for command in (["design", str(EXAMPLE), "--out", name], ["check", name]):
+        done = orishell(*command, cwd=tmp_path)
+        assert done.returncode == 2
+        assert done.stderr.count("\n") == 1
+        assert "a fault of the program" not in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_files_and_their_names_say_is_printable(tmp_path: Path) -> None:
+    (tmp_path / "a\x1b[2J\udcff.toml").write_text(EXAMPLE.read_text())
+    options = ["--no-clash-test", "--write", "svg,pdf,dxf,glb,vtu"]
+    done = orishell(
+        "design", "a\x1b[2J\udcff.toml", "--out", "b\x1b[2J\udcff", *options, cwd=tmp_path
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert r"wrote     b\x1b[2J\udcff/shell.fold" in done.stdout
+    for path in (tmp_path / "b\x1b[2J\udcff").iterdir():
+        if path.suffix not in {".png", ".glb", ".vtu"}:  # these are not all text
+            assert b"\x1b" not in path.read_bytes()
+    fold = json.loads((tmp_path / "b\x1b[2J\udcff" / "shell.fold").read_text())
+    (tmp_path / "c.fold").write_text(json.dumps({**fold, "frame_unit": "\x1b[2J"}))
+    said = orishell("check", "c.fold", cwd=tmp_path)
+    assert r"\x1b[2J" in said.stdout
+    assert "\x1b" not in said.stdout + said.stderr
 
 
 def test_warnings_go_to_standard_error(tmp_path: Path) -> None:
@@ -118,7 +169,7 @@ def test_without_flaps(tmp_path: Path, example: str, columns: int) -> None:
     assert done.returncode == 0, done.stderr
     assert "warning: without flaps (flap = 0) nothing stops the motion" in done.stderr
     assert "the shell does not lock" in done.stderr
-    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == FILES
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [".orishell.json", *FILES]
     fold = json.loads((tmp_path / "out" / "shell.fold").read_text())
     assert fold["orishell:grid_shape"] == [11, columns]
     assert len(fold["vertices_coords"]) == 11 * columns

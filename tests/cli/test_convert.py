@@ -3,13 +3,11 @@
 import csv
 import json
 import resource
-import subprocess
-import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from command_line import orishell, orishell_process
 from documents import demo_document, folded_only
 from orishell.io import write_fold
 from orishell.io.registry import FORMATS, find_formats
@@ -17,20 +15,6 @@ from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = {each.file for each in FORMATS if each.ready()}
-
-
-def orishell(
-    *arguments: str | Path, cwd: Path, before: Callable[[], None] | None = None
-) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "orishell", *map(str, arguments)],
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-        preexec_fn=before,
-    )
 
 
 @pytest.fixture(scope="module")
@@ -121,7 +105,7 @@ def test_faults_of_convert(
 
 def test_a_foreign_pattern_with_a_stated_unit(tmp_path: Path) -> None:
     write(miura([0.5]), tmp_path).rename(tmp_path / "miura.fold")
-    done = orishell("convert", "miura.fold", "flat.svg", "--unit", "cm", cwd=tmp_path)
+    done = orishell_process("convert", "miura.fold", "flat.svg", "--unit", "cm", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "cm" in (tmp_path / "flat.svg").read_text()
 
@@ -142,7 +126,9 @@ def test_a_full_disk_leaves_no_half_file(tmp_path: Path) -> None:
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000))
 
-    done = orishell("design", EXAMPLE, "--out", out, "--write", "all", cwd=tmp_path, before=limit)
+    done = orishell_process(
+        "design", EXAMPLE, "--out", out, "--write", "all", cwd=tmp_path, before=limit
+    )
     assert done.returncode == 2, done.stderr
     assert "cannot be written" in done.stderr
     assert {path.name: path.read_text() for path in out.iterdir()} == {"shell.fold": "old"}

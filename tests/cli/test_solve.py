@@ -1,24 +1,14 @@
 """``orishell solve`` as a user meets it."""
 
 import json
-import subprocess
-import sys
 
 import pytest
 
-
-def solve(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "orishell", "solve", *arguments],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
+from command_line import orishell, orishell_process
 
 
 def test_the_papers_angles() -> None:
-    done = solve("85", "80", "95", "100")
+    done = orishell_process("solve", "85", "80", "95", "100")
     assert done.returncode == 0
     lines = done.stdout.splitlines()
     assert lines[0] == (
@@ -32,7 +22,7 @@ def test_the_papers_angles() -> None:
 
 
 def test_json() -> None:
-    found = json.loads(solve("85", "80", "95", "100", "--json").stdout)
+    found = json.loads(orishell("solve", "85", "80", "95", "100", "--json").stdout)
     assert found["sector_deg"] == [85, 80, 95, 100]
     assert found["searched_up_to"] == 60
     first = found["solutions"][0]
@@ -41,13 +31,13 @@ def test_json() -> None:
 
 
 def test_near_90_degrees_the_search_has_an_end() -> None:
-    assert "60 x 60 or more" in solve("89.95", "89.9", "90.05", "90.1").stdout
+    assert "60 x 60 or more" in orishell("solve", "89.95", "89.9", "90.05", "90.1").stdout
 
 
 @pytest.mark.parametrize(
     ("angles", "status", "says"),
     [
-        (("70", "80", "100", "75"), 1, "Nearest that works: sector_deg = [70, 80, 100, 7"),
+        (("70", "80", "100", "75"), 1, "Nearest found that works: sector_deg = [70, 80, 100, 7"),
         (("200", "80", "95", "100"), 2, "alpha is out of range"),
         (("85", "80", "95", "nan"), 2, "delta is out of range"),
         (("85", "80", "95"), 2, "Missing argument"),
@@ -55,7 +45,7 @@ def test_near_90_degrees_the_search_has_an_end() -> None:
     ],
 )
 def test_faults(angles: tuple[str, ...], status: int, says: str) -> None:
-    done = solve(*angles)
+    done = orishell("solve", *angles)
     assert done.returncode == status
     assert says in done.stderr
     assert "Traceback" not in done.stderr

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -15,54 +16,51 @@ from urllib.parse import unquote, urlsplit
 import pytest
 import typer
 
-from node_tools import lacking
 from orishell.cli.main import app
 from public_names import public_modules, public_objects
 
 ROOT = Path(__file__).parents[2]
 NEEDED = ("sphinx", "furo", "myst_parser", "sphinx_gallery")
+BUILT = "ORISHELL_BUILT_DOCS"
+"""In the environment of ``.ci/run``: where `make docs` has built it, so that it is built once."""
 
 pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="session")
-def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of what the site is made from, so that a build writes nothing beside it."""
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the site is, in ``docs``, and its code's output, in ``doctest``, as of `make docs`.
+
+    Built here, it is built from a copy, so that nothing is written beside the sources.
+    """
+    if BUILT in os.environ:
+        return ROOT / os.environ[BUILT]
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
-        lacking(f"the site needs {', '.join(missing)}: make docs", "ORISHELL_REQUIRE_DOCS")
-    root = tmp_path_factory.mktemp("site")
+        pytest.skip(f"the site needs {', '.join(missing)}: make docs")
+    place = tmp_path_factory.mktemp("site")
+    source = place / "source"
     for folder in ("docs", "examples"):
         leave = shutil.ignore_patterns("__pycache__", "gallery" if folder == "docs" else "")
-        shutil.copytree(ROOT / folder, root / folder, ignore=leave)
+        shutil.copytree(ROOT / folder, source / folder, ignore=leave)
     for page in ROOT.glob("*.md"):
-        shutil.copy(page, root)
-    return root / "docs"
+        shutil.copy(page, source)
+    build(source / "docs", place / "docs", "-b", "html", "-W", "--keep-going")
+    build(source / "docs", place / "doctest", "-b", "doctest", "-t", "doctest")
+    return place
 
 
-def build(source: Path, builder: str, *options: str) -> Path:
+def build(source: Path, out: Path, *options: str) -> None:
     """Build the site; every warning is a failure."""
-    out = source.parent / builder
-    words: list[str | Path] = [
-        sys.executable,
-        "-m",
-        "sphinx",
-        "-q",
-        "-b",
-        builder,
-        *options,
-        source,
-        out,
-    ]
+    words = [sys.executable, "-m", "sphinx", "-q", *options, str(source), str(out)]
     ran = subprocess.run(words, capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stdout + ran.stderr
-    return out
 
 
 @pytest.fixture(scope="session")
-def site(source: Path) -> Path:
-    """The site as `make docs` builds it."""
-    return build(source, "html", "-W", "--keep-going")
+def site(built: Path) -> Path:
+    """The site's pages."""
+    return built / "docs"
 
 
 class Page(HTMLParser):
@@ -163,8 +161,7 @@ def test_every_command_is_in_the_reference(site: Path) -> None:
                     assert flag in text, f"{name} {flag}"
 
 
-def test_code_in_pages_runs(source: Path) -> None:
-    out = build(source, "doctest", "-t", "doctest")
-    summary = (out / "output.txt").read_text(encoding="utf-8")
+def test_code_in_pages_runs(built: Path) -> None:
+    summary = (built / "doctest" / "output.txt").read_text(encoding="utf-8")
     assert int(re.findall(r"(\d+) tests?\n", summary)[-1]) > 5
     assert " 0 failures in tests" in summary

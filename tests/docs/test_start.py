@@ -6,13 +6,12 @@ import doctest
 import re
 import shlex
 import shutil
-import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
 import pytest
 
+from command_line import orishell
 from orishell.spec import starter_file
 
 ROOT = Path(__file__).parents[2]
@@ -40,15 +39,22 @@ def calls(page: str) -> list[tuple[list[str], str]]:
 def assert_answers(call: tuple[list[str], str], where: Path) -> None:
     """A call prints what the page says, "..." standing for anything within a line."""
     words, printed = call
-    ran = subprocess.run(
-        [sys.executable, "-m", "orishell", *words],
-        cwd=where, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+    ran = orishell(*words, cwd=where)
     got = ran.stdout if ran.returncode == 0 else ran.stderr
     pattern = re.escape(printed.strip()).replace(re.escape("..."), "[^\n]*")
     if printed:
         assert re.fullmatch(pattern, got.strip()), got
     assert ran.returncode == (1 if printed.startswith("orishell:") else 0), ran.stderr
+
+
+def test_two_commands_are_two() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    section = text.split("\n## Two commands\n")[1].split("\n## ")[0]
+    (block,) = re.findall(r"^```sh\n(.*?)^```$", section, re.DOTALL | re.MULTILINE)
+    assert [line.split("#")[0].split() for line in block.splitlines()] == [
+        ["make", "demo"],
+        ["make", "test"],
+    ]
 
 
 def test_the_first_file_is_the_starter() -> None:
@@ -65,7 +71,7 @@ def test_first_shell(tmp_path: Path) -> None:
     made, designed, chosen, refused = calls("first-shell.md")
     assert_answers(made, tmp_path)
     assert_answers(designed, tmp_path)
-    assert {"overview.png", "deviation.png", "shell.fold", "report.json"} == {
+    assert {"overview.png", "deviation.png", "shell.fold", "report.json", ".orishell.json"} == {
         each.name for each in (tmp_path / "shell").iterdir()
     }
     file = tmp_path / "shell.toml"

@@ -29,14 +29,15 @@ from orishell.families.longitudinal_linear_repeating.tessellation import (
     flat_foldable_rows,
     repeat_columns,
 )
+from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.metrics import diagonal
 from orishell.motion import Mechanism
 from orishell.spec import read_design_file
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
+    graph,
     orthodiagonal_requests,
+    pair,
     requests,
 )
 
@@ -95,6 +96,17 @@ def shares_of_bounds(
     return shares[0], shares[1]
 
 
+def test_cut_flaps_stay_within_the_bounds() -> None:
+    """Their outlines are no edges of columns: they slant where the flap is cut."""
+    f = pair("1.55*cos(t)", "2.3*sin(t)", 0, np.pi)
+    design = design_orthodiagonal(f, graph("0.1*cos(2*pi*x)", 0, 6), rows=11, columns=13)
+    assert isinstance(design.mechanism, Orthodiagonal)
+    assert (design.mechanism.kept < 1).any()
+    rows, columns = shares_of_bounds(design.mechanism, count=60)
+    assert rows.mean() > 0.5
+    assert columns.mean() > 0.3
+
+
 @pytest.mark.parametrize("number", [1, 2, 3])
 def test_examples_stay_within_the_bounds_and_near_them(number: int) -> None:
     rows, columns = shares_of_bounds(example(number), count=60)
@@ -113,12 +125,12 @@ def test_long_ranges_are_bounded_too(number: int) -> None:
 @settings(max_examples=60)
 @given(requests(), st.sampled_from([20, RANGES]))
 def test_any_parallel_repeating_design(request: Request, ranges: int) -> None:
-    shares_of_bounds(feasible_design(request).mechanism, 9, ranges)
+    shares_of_bounds(request.feasible().mechanism, 9, ranges)
 
 
 @settings(max_examples=60)
 @given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
-def test_any_orthodiagonal_design(request: OrthodiagonalRequest, ranges: int) -> None:
+def test_any_orthodiagonal_design(request: Request, ranges: int) -> None:
     shares_of_bounds(request.feasible().mechanism, 9, ranges)
 
 

@@ -17,9 +17,7 @@ from orishell.metrics import AssignmentCheck, measure_residuals
 from orishell.motion import FoldingMotion
 from orishell.pattern import Grid
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
     graph,
     orthodiagonal_requests,
     requests,
@@ -61,16 +59,14 @@ def require_inner_columns(
 @settings(max_examples=60)
 @given(requests(), st.floats(0.0, np.pi))
 def test_parallel_columns_are_as_they_are_with_flaps(request: Request, drive: float) -> None:
-    mechanism = feasible_design(request).mechanism
+    mechanism = request.feasible().mechanism
     assert isinstance(mechanism, ParallelRepeating)
     require_inner_columns(mechanism.with_flaps(0), mechanism.with_flaps(0.3), (0.0, drive, np.pi))
 
 
 @settings(max_examples=60)
 @given(orthodiagonal_requests(), st.floats(0.0, np.pi))
-def test_orthodiagonal_columns_are_as_they_are_with_flaps(
-    request: OrthodiagonalRequest, drive: float
-) -> None:
+def test_orthodiagonal_columns_are_as_they_are_with_flaps(request: Request, drive: float) -> None:
     mechanism = request.feasible().mechanism
     assert isinstance(mechanism, Orthodiagonal)
     bare, flapped = (replace(mechanism, flaps=(width, width)) for width in (0.0, 0.3))
@@ -89,8 +85,8 @@ def test_a_design_without_flaps_does_not_lock(make: Any) -> None:
 
 
 def test_ends_are_trimmed_for_the_columns_that_there_are() -> None:
-    # Wide flaps keep the shell from ending level, and wider ones are refused.
-    assert orthodiagonal(flap=0.35).parameters["ends"] == ["level", "untrimmed"]
+    # Wide flaps are cut off so that the shell ends level, and wider ones are refused.
+    assert orthodiagonal(flap=0.35).parameters["ends"] == ["level", "level"]
     assert orthodiagonal(flap=0).parameters["ends"] == ["level", "level"]
     with pytest.raises(DesignError, match="flaps are too wide"):
         orthodiagonal(flap=0.45)

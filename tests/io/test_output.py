@@ -13,7 +13,7 @@ def test_files_appear_together_and_others_stay(tmp_path: Path) -> None:
     target.mkdir()
     (target / "mine.txt").write_text("mine")
     (target / "a").write_text("old")
-    with OutputDirectory(target).writing() as draft:
+    with OutputDirectory(target).adding() as draft:
         (draft / "a").write_text("new")
         (draft / "b").write_text("new")
         assert (target / "a").read_text() == "old"
@@ -27,7 +27,7 @@ def test_files_appear_together_and_others_stay(tmp_path: Path) -> None:
 
 def test_nothing_is_left_after_an_error(tmp_path: Path) -> None:
     def fail() -> None:
-        with OutputDirectory(tmp_path / "deep" / "out").writing() as draft:
+        with OutputDirectory(tmp_path / "deep" / "out").adding() as draft:
             (draft / "a").write_text("half")
             raise ZeroDivisionError
 
@@ -40,7 +40,7 @@ def test_a_directory_in_the_way_of_a_file_stops_all(tmp_path: Path) -> None:
     (tmp_path / "b").mkdir()
 
     def fail() -> None:
-        with OutputDirectory(tmp_path).writing() as draft:
+        with OutputDirectory(tmp_path).adding() as draft:
             (draft / "a").write_text("new")
             (draft / "b").write_text("new")
 
@@ -58,7 +58,7 @@ def test_a_file_in_the_way_is_refused(tmp_path: Path) -> None:
 
 def test_a_full_disk_is_one_message(tmp_path: Path) -> None:
     def fail() -> None:
-        with OutputDirectory(tmp_path / "out").writing():
+        with OutputDirectory(tmp_path / "out").adding():
             raise OSError(28, "No space left on device")
 
     with pytest.raises(InputError, match="No space left"):

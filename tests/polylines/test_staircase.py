@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.curves import Curve, Trace, trace_curve
+from orishell.curves.nearest import Nearest
 from orishell.geometry import distances_to_polyline
 from orishell.polylines import (
     Staircase,
@@ -16,6 +17,8 @@ from orishell.polylines import (
     theta_interval,
     xi_limit,
 )
+from orishell.polylines.in_step import Search, answered, in_step, turned
+from orishell.polylines.staircase import search_staircase
 from orishell.polylines.staircase_angles import MIN_EVENNESS, WIDEST_XI
 from strategies import curves, graph, numbers, points
 
@@ -172,3 +175,34 @@ def test_closeness_of_a_known_pair() -> None:
     c = np.cos(np.pi / 4)
     mean = (np.pi / 4 + 0.5 - 4 * c * c + c * c * np.pi / 2) / (np.pi / 2)
     assert closeness.rms == pytest.approx(np.sqrt(mean), rel=1e-5)
+
+
+def test_searches_in_step_find_what_each_finds_alone() -> None:
+    trace = trace_curve(graph("0.3*x + 0.2*sin(x)", 0, 5))
+    angles = (-0.2, 0.0, 0.15)
+
+    def search(angle: float) -> Search[Staircase]:
+        return turned(search_staircase(trace.rotated(angle), 1.2, 10), angle)
+
+    together = answered(in_step([search(angle) for angle in angles]), Nearest.to(trace))
+    for found, angle in zip(together, angles, strict=True):
+        alone = fit_staircase(trace.rotated(angle), 1.2, 10)
+        assert found.distance == pytest.approx(alone.distance, rel=1e-12)
+        np.testing.assert_allclose(found.lengths, alone.lengths, rtol=1e-9)
+
+
+def test_a_rotation_is_chosen_with_few_questions() -> None:
+    # Of 22 rotations 11 are looked at in step; asked one by one they took some 350 questions.
+    trace = trace_curve(graph("-cosh(x)/2", -1.2, 0.9))
+    asked = 0
+    nearest = Nearest.__call__
+
+    def counted(self: Nearest, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        nonlocal asked
+        asked += 1
+        return nearest(self, points)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Nearest, "__call__", counted)
+        choose_theta(trace, 14, None)
+    assert asked < 100

@@ -8,8 +8,7 @@ import io
 import json
 import socket
 import struct
-import subprocess
-import sys
+import tempfile
 import time
 import tomllib
 import zipfile
@@ -21,7 +20,9 @@ import httpx
 import numpy as np
 import pytest
 
+from command_line import orishell
 from orishell.spec import FAMILIES, starter_file
+from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard
 from studio_server import Studio, running_studio
 
@@ -136,6 +137,10 @@ def test_text_and_tables(client: httpx.Client) -> None:
     wrong = client.post("/api/parse", json={"text": "[shell"})
     assert wrong.status_code == 422
     assert "not TOML" in wrong.json()["error"]["message"]
+    for number in ("0x" + "f" * 9000, "9" * 9000):
+        wrong = client.post("/api/parse", json={"text": f"[pattern]\nrows = {number}"})
+        assert wrong.status_code == 422
+        assert "too large" in wrong.json()["error"]["message"]
 
 
 def test_parts_of_curves_are_kept_as_they_are_typed(client: httpx.Client) -> None:
@@ -160,12 +165,29 @@ def test_refusals_are_said_field_by_field_with_the_curves(client: httpx.Client) 
     error = answer.json()["error"]
     assert error["kind"] == "design"
     assert "too large" in error["what"]
-    assert error["nearest"].startswith("xi_deg below")
+    assert "must stay below" in error["size"]
     assert len(answer.json()["curves"]["f"]) > 50
+    # What works is found by trying it, which takes longer than a page waits for a design.
+    assert error["remedies"] == []
+    lines = client.post("/api/verify", json={"design": design}).text.splitlines()
+    first, *_ = json.loads(lines[-1])["error"]["remedies"]
+    assert first["text"] == f"xi_deg = {first['changes']['pattern.xi_deg']}"
+    design["pattern"].update(xi_deg=first["changes"]["pattern.xi_deg"])
+    assert client.post("/api/design", json={"design": design}).status_code == 200
     design["pattern"]["rows"] = 8
     error = client.post("/api/design", json={"design": design}).json()["error"]
     assert error["kind"] == "input"
     assert "[pattern] rows" in error["where"]
+
+
+@pytest.mark.parametrize("task", ["design", "ranges", "format"])
+def test_a_design_without_a_target_is_refused(client: httpx.Client, task: str) -> None:
+    design = starter("longitudinal-linear-repeating")
+    del design["target"]
+    answer = client.post(f"/api/{task}", json={"design": design})
+    assert answer.status_code == 422
+    error = answer.json()["error"]
+    assert error["message"].startswith("[target]: there is no target. Remedy: add [target.f] and")
 
 
 @pytest.mark.parametrize("key", ["points", "svg", "dxf"])
@@ -197,19 +219,34 @@ def test_dropped_files(client: httpx.Client) -> None:
     assert arc["smooth"]
     centre = np.array([0.05, -0.05])
     np.testing.assert_allclose(np.linalg.norm(arc["points"] - centre, axis=1), 0.05, rtol=1e-9)
-    for name, content in (("p.exe", b""), ("p.svg", b"<svg"), ("p.csv", b"1,2\n")):
+    for name, content in (
+        ("p.exe", b""),
+        ("p.svg", b"<svg"),
+        ("p.svg", svg % b'<path d="M0 0L1 1"/><path d="M5 5L6 6"/>'),
+        ("p.dxf", b"  0\nSECTION\n  2\n\x1b[2J\n  0\nLINE\n 10\n\x1b[2J\n"),
+        ("p.csv", b"1,2\n"),
+    ):
         answer = drop(name, content)
         assert answer.status_code == 422
         assert name in answer.json()["error"]["message"]
+        assert tempfile.gettempdir() not in answer.text
+        assert answer.json()["error"]["message"].isprintable()
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command line writes."""
+    place = tmp_path_factory.mktemp("mine")
+    (place / "mine.toml").write_text(starter_file("orthodiagonal"))
+    command = ("design", "mine.toml", "--out", "out", "--write", "dxf,glb,csv")
+    assert orishell(*command, cwd=place).returncode == 0
+    return place / "out"
 
 
 @pytest.mark.parametrize("name", ["dxf", "glb", "csv"])
 def test_export_is_what_the_command_line_writes(
-    client: httpx.Client, name: str, tmp_path: Path
+    client: httpx.Client, name: str, written: Path
 ) -> None:
-    (tmp_path / "mine.toml").write_text(starter_file("orthodiagonal"))
-    command = [sys.executable, "-m", "orishell", "design", "mine.toml", "--out", "out"]
-    subprocess.run([*command, "--write", name], cwd=tmp_path, check=True, capture_output=True)
     design = starter("orthodiagonal")
     answer = client.post("/api/export", json={"design": design, "format": name, "name": "mine"})
     assert answer.status_code == 200
@@ -219,7 +256,7 @@ def test_export_is_what_the_command_line_writes(
     else:
         found = {answer.headers["content-disposition"].split('"')[1]: answer.content}
     for each, content in found.items():
-        assert content == (tmp_path / "out" / each).read_bytes()
+        assert content == (written / each).read_bytes()
     assert len(found) == (2 if name == "csv" else 1)
 
 
@@ -236,6 +273,8 @@ def test_an_export_is_of_one_format(client: httpx.Client, name: str | None) -> N
         ({"host": "evil.example"}, 403),
         ({"origin": "http://evil.example"}, 403),
         ({"origin": "null"}, 403),
+        ({"origin": "http://[::1"}, 403),
+        ({"origin": "http://[v1.x]y"}, 403),
         ({"content-type": "text/plain"}, 415),
         ({"content-type": "application/json"}, 400),
     ],
@@ -262,6 +301,18 @@ def test_sizes_are_limited(client: httpx.Client) -> None:
         yield from (body[k : k + 100_000] for k in range(0, len(body), 100_000))
 
     assert client.post("/api/design", content=pieces(), headers=headers).status_code == 413
+
+
+def test_millions_of_values_are_not_read(client: httpx.Client) -> None:
+    """Python would hold up everybody for a second while it made 1.5 million lists."""
+    body = b'{"design": {"shell": [' + b"[]," * 1_490_000 + b"[]]}}"
+    assert 4_400_000 < len(body) < LIMITS.bytes
+    for task in ("design", "verify", "parse"):
+        answer = client.post(
+            f"/api/{task}", content=body, headers={"content-type": "application/json"}
+        )
+        assert answer.status_code == 413
+        assert "values" in answer.json()["error"]["message"]
 
 
 @pytest.mark.parametrize(
@@ -351,6 +402,9 @@ def test_a_files_name_leads_nowhere(client: httpx.Client, name: str) -> None:
 def test_hundreds_of_thousands_of_points(client: httpx.Client) -> None:
     design = starter()
     design["target"]["f"] = {"points": [[k, k * k % 7] for k in range(150_000)], "smooth": True}
+    answer = client.post("/api/design", json={"design": design})
+    assert answer.status_code == 413
+    design["target"]["f"]["points"] = design["target"]["f"]["points"][:90_000]
     answer = client.post("/api/design", json={"design": design})
     assert answer.status_code == 422
     assert answer.json()["error"]["message"]

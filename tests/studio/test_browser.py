@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from command_line import orishell
 from node_tools import PACKAGES, lacking
 from orishell.spec import starter_file
 from orishell.studio.app import PAGES
@@ -193,16 +192,23 @@ def test_the_lock_is_proved_while_one_looks(page: Page) -> None:
     assert "proved" in status
 
 
-def test_export_is_the_command_lines_file(page: Page, tmp_path: Path) -> None:
-    (tmp_path / "orthodiagonal.toml").write_text(starter_file("orthodiagonal"))
-    command = [sys.executable, "-m", "orishell", "design", "orthodiagonal.toml", "--out", "out"]
-    subprocess.run([*command, "--write", "dxf"], cwd=tmp_path, check=True, capture_output=True)
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command line writes of an example."""
+    place = tmp_path_factory.mktemp("written")
+    (place / "orthodiagonal.toml").write_text(starter_file("orthodiagonal"))
+    command = ("design", "orthodiagonal.toml", "--out", ".", "--write", "dxf,html")
+    assert orishell(*command, cwd=place).returncode == 0
+    return place
+
+
+def test_export_is_the_command_lines_file(page: Page, written: Path, tmp_path: Path) -> None:
     choose(page, "orthodiagonal")
     page.get_by_test_id("export").click()
     with page.expect_download() as download:
         page.get_by_test_id("export-dxf").click()
     download.value.save_as(tmp_path / "there.dxf")
-    ours = (tmp_path / "out" / "pattern.dxf").read_bytes()
+    ours = (written / "pattern.dxf").read_bytes()
     assert (tmp_path / "there.dxf").read_bytes() == ours
 
 
@@ -212,8 +218,7 @@ def test_save_is_the_same_design(page: Page, tmp_path: Path) -> None:
     with page.expect_download() as download:
         page.get_by_test_id("save").click()
     download.value.save_as(tmp_path / "mine.toml")
-    command = [sys.executable, "-m", "orishell", "design", "mine.toml", "--out", "out", "--json"]
-    done = subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, text=True)
+    done = orishell("design", "mine.toml", "--out", "out", "--json", cwd=tmp_path)
     assert json.loads(done.stdout)["sheet"]["area"] == pytest.approx(area, rel=1e-12)
 
 
@@ -322,12 +327,9 @@ def test_picture_of_the_studio(browser: Browser, address: str) -> None:
         assert min(red, blue) > 5e-4  # mountains and valleys
 
 
-def test_the_viewers_page_opens_from_disk(browser: Browser, tmp_path: Path) -> None:
-    (tmp_path / "shell.toml").write_text(starter_file("orthodiagonal"))
-    command = [sys.executable, "-m", "orishell", "design", "shell.toml", "--out", "."]
-    subprocess.run([*command, "--write", "html"], cwd=tmp_path, check=True, capture_output=True)
+def test_the_viewers_page_opens_from_disk(browser: Browser, written: Path) -> None:
     with watched_page(browser, color_scheme="light") as page:
-        page.goto((tmp_path / "viewer.html").as_uri())
+        page.goto((written / "viewer.html").as_uri())
         wait_until(page, "window.orishell !== undefined")
         page.evaluate("orishell.player.set(0.5)")
         assert page.evaluate("orishell.shell.maxPanelStrain()") < 1e-5

@@ -1,7 +1,10 @@
 """Processes: one slow request is stopped in time and is in nobody's way."""
 
 import asyncio
+import contextlib
+import tempfile
 import tomllib
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -65,6 +68,29 @@ def test_refusals_and_lines_that_are_too_long() -> None:
         with pytest.raises(BusyError):
             await pool.run("design", payload())
         await asyncio.gather(first, second)
+        pool.close()
+
+    asyncio.run(scene())
+
+
+def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+
+    async def scene() -> None:
+        pool = Pool(1, seconds=60.0)
+        with contextlib.suppress(RefusalError):
+            await pool.run("parse", {"text": ""})
+        (files,) = tmp_path.iterdir()
+        # The process works in this directory, whatever it leaves there.
+        fold = {**payload(), "format": "fold"}
+        export = asyncio.create_task(pool.run("export", fold))
+        while not list(files.iterdir()) and not export.done():
+            await asyncio.sleep(0.01)
+        assert not export.done()
+        export.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await export
+        assert not list(tmp_path.iterdir())
         pool.close()
 
     asyncio.run(scene())

@@ -14,9 +14,7 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.surface import Path, Sliding, Surface, Turning
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
     graph,
     orthodiagonal_requests,
     pair,
@@ -177,12 +175,12 @@ def meets_targets(design: Design) -> None:
 @settings(max_examples=20, deadline=None)
 @given(requests())
 def test_it_passes_through_the_targets(request: Request) -> None:
-    meets_targets(feasible_design(request))
+    meets_targets(request.feasible())
 
 
 @settings(max_examples=20, deadline=None)
 @given(orthodiagonal_requests())
-def test_it_passes_through_the_targets_orthodiagonal(request: OrthodiagonalRequest) -> None:
+def test_it_passes_through_the_targets_orthodiagonal(request: Request) -> None:
     meets_targets(request.feasible())
 
 

@@ -25,9 +25,7 @@ from orishell.families.longitudinal_linear_repeating import (
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
 from strategies import (
-    OrthodiagonalRequest,
     Request,
-    feasible_design,
     graph,
     numbers,
     orthodiagonal_requests,
@@ -77,7 +75,7 @@ def test_75_parallel_repeating_designs() -> None:
     @settings(once, max_examples=75)
     @given(requests())
     def every(request: Request) -> None:
-        require_agreement(feasible_design(request), seen)
+        require_agreement(request.feasible(), seen)
 
     every()
     assert seen["flaps"] > 30
@@ -90,7 +88,7 @@ def test_75_orthodiagonal_designs() -> None:
 
     @settings(once, max_examples=75)
     @given(orthodiagonal_requests())
-    def every(request: OrthodiagonalRequest) -> None:
+    def every(request: Request) -> None:
         require_agreement(request.feasible(), seen)
 
     every()

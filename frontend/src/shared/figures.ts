@@ -8,7 +8,8 @@ interface Report {
   sheet?: Size;
   deployed?: Size;
   packed?: Size | null;
-  deviation?: { surface?: { max: number; mean: number } | null; approached?: { what: string } | null };
+  /** null: there is no target. */
+  deviation?: { surface?: { max: number; mean: number } | null; approached?: { what: string } | null } | null;
   lock?: { drive_deg: number | null; cause: string | null; target_drive_deg: number | null };
   warnings?: string[];
 }
@@ -38,9 +39,11 @@ export function renderFigures(container: HTMLElement, view: View): void {
     add(list, "Height", length(shell.height, unit), "");
   }
   if (known) {
-    const surface = report.deviation?.surface;
-    const mean = surface && `mean ${length(surface.mean, unit)}`;
-    add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
+    if (report.deviation !== null) {
+      const surface = report.deviation?.surface;
+      const mean = surface && `mean ${length(surface.mean, unit)}`;
+      add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
+    }
     add(list, "Lock", lockOf(report), lockNote(report));
     const packed = report.packed;
     add(list, "Packed", packed ? [packed.width, packed.depth!, packed.height].map(threeDigits).join(" \u00d7 ") + (unit === "unit" ? "" : ` ${unit}`) : UNKNOWN,
@@ -67,7 +70,8 @@ function lockNote(report: Report): string {
   if (!lock?.cause) return "";
   const beyond = lock.target_drive_deg !== null && lock.drive_deg !== null && Math.abs(lock.target_drive_deg - lock.drive_deg) > 1e-6;
   const cause = CAUSES[lock.cause] ?? lock.cause;
-  return beyond ? `${cause}; target at ${threeDigits(lock.target_drive_deg!)}\u00b0` : cause;
+  const aim = report.deviation === null ? "stage" : "target";
+  return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg!)}\u00b0` : cause;
 }
 
 function area(value: number, unit: string): string {

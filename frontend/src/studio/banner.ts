@@ -2,7 +2,7 @@
 
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { placeOf, sentence } from "./faults.ts";
+import { placeOf, sentence, wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { patternKeys, remedyButton } from "./remedy-button.ts";
 import type { Store } from "./store.ts";
@@ -78,7 +78,7 @@ function facts(fault: Fault): HTMLElement | null {
     ["Expected", fault.expected],
     ["By how much", fault.size],
     ["Remedy", fault.remedy],
-    ["Nearest that works", fault.nearest],
+    ["Nearest found that works", wordsOfRemedies(fault)],
   ];
   const known = rows.filter(([, text]) => text);
   if (!known.length) return null;

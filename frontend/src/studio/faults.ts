@@ -1,6 +1,6 @@
 // Errors of the server: what they say, which control they are about, and what would mend them.
 
-import type { CurveName, Design, Fault, Value } from "./types.ts";
+import type { CurveName, Design, Fault, Remedy } from "./types.ts";
 
 /** An answer that is not what was asked for. */
 export class ServerFault extends Error {
@@ -23,13 +23,15 @@ const EMPTY: Fault = {
   remedy: "",
   place: "",
   size: "",
-  nearest: "",
+  limit: "",
+  remedies: [],
+  searching: false,
 };
 
 /** A fault with all fields, from whatever an error answer holds. */
 export function faultFrom(partial: Partial<Fault>): Fault {
-  const fault = { ...EMPTY, ...partial };
-  for (const key of Object.keys(fault) as (keyof Fault)[]) fault[key] ??= "";
+  const given = Object.entries(partial).filter(([, value]) => value !== null && value !== undefined);
+  const fault: Fault = { ...EMPTY, ...Object.fromEntries(given) };
   if (!fault.what) fault.what = fault.message;
   return fault;
 }
@@ -68,123 +70,30 @@ export function placeOf(fault: Fault): Place | null {
   return { table: found[1] as "pattern", keys };
 }
 
-export interface Remedy {
-  label: string;
-  apply(design: Design): Design;
+/** The design with what a remedy changes. */
+export function mended(design: Design, remedy: Remedy): Design {
+  const changed = structuredClone(design);
+  for (const [place, value] of Object.entries(remedy.changes)) {
+    const path = place.split(".");
+    const key = path.pop()!;
+    let table = changed as unknown as Record<string, unknown>;
+    for (const name of path) table = (table[name] ??= {}) as Record<string, unknown>;
+    if (key === "formula") for (const other of SOURCES) delete table[other];
+    if (value === null) delete table[key];
+    else table[key] = value;
+  }
+  return changed;
 }
 
-const NUMBER = String.raw`-?\d[\d.]*(?:e[+-]?\d+)?`;
-const END = String.raw`(?=, or |,|$)`;
-const SET = new RegExp(
-  String.raw`^(\w+) = (${NUMBER}|"[\w-]+"|\[[^\]]*\])(?: in \[target\.([fg])\])?(?: with (\w+) = (${NUMBER}|"[\w-]+"))?${END}`,
-);
-const BELOW = new RegExp(String.raw`^(\w+) below (${NUMBER})(?: with (\w+) = (${NUMBER}|"[\w-]+"))?${END}`);
-const BETWEEN = new RegExp(String.raw`^(\w+) between (${NUMBER}) and (${NUMBER})${END}`);
-const TIMES = new RegExp(String.raw`^scale in \[target\.([fg])\] times (${NUMBER})`);
-const PART = new RegExp(String.raw`^the part of ([fg]) from parameter (${NUMBER}) to (${NUMBER})`);
-/** An open limit is kept clear of by this share. */
-const CLEAR = 0.01;
-
-/** The first remedy that a fault's `nearest` names, if the design can take it as it stands. */
-export function remedyOf(fault: Fault, design: Design, known: readonly string[]): Remedy | null {
-  const text = fault.nearest.trim();
-  const part = PART.exec(text);
-  if (part) {
-    const name = part[1] as CurveName;
-    if (design.target[name].formula === undefined) return null;
-    return setting("range", [Number(part[2]), Number(part[3])], `${name} from ${part[2]} to ${part[3]}`, name);
-  }
-  const times = TIMES.exec(text);
-  if (times) {
-    const name = times[1] as CurveName;
-    const scale = Number(((design.target[name].scale ?? 1) * Number(times[2])).toPrecision(6));
-    return setting("scale", scale, `scale = ${scale} for ${name}`, name);
-  }
-  const set = SET.exec(text);
-  if (set) {
-    const value = valueOf(set[2]!);
-    if (value === undefined) return null;
-    const label = set[3] ? `${set[1]} = ${set[2]} for ${set[3]}` : `${set[1]} = ${set[2]}`;
-    return joined(settingOf(set[1]!, value, label, set[3] as CurveName | undefined, known), set[4], set[5], known);
-  }
-  const below = BELOW.exec(text);
-  if (below) {
-    const limit = Number(below[2]);
-    const value = Number((limit - CLEAR * Math.abs(limit)).toPrecision(4));
-    const first = settingOf(below[1]!, value, `${below[1]} = ${value}`, undefined, known);
-    return joined(first, below[3], below[4], known);
-  }
-  const between = BETWEEN.exec(text);
-  if (between) {
-    const [key, low, high] = [between[1]!, Number(between[2]), Number(between[3])];
-    const clear = CLEAR * (high - low);
-    const now = Number(design.pattern[key]);
-    const inside = Math.min(Math.max(Number.isFinite(now) ? now : low, low + clear), high - clear);
-    const value = Number(inside.toPrecision(5));
-    return settingOf(key, value, `${key} = ${value}`, undefined, known);
-  }
-  return null;
+/** What was found that works, or what limits. */
+export function wordsOfRemedies(fault: Fault): string {
+  if (fault.searching) return "looking for it…";
+  if (fault.limit) return `none: ${fault.limit}`;
+  return fault.remedies.map(({ text }) => text).join(", or ");
 }
 
-function settingOf(
-  key: string,
-  value: Value,
-  label: string,
-  curve: CurveName | undefined,
-  known: readonly string[],
-): Remedy | null {
-  if (curve) return setting(key, value, label, curve);
-  if (TOLERANCES.includes(key)) return setting(key, value, label, "tolerance");
-  return known.includes(key) ? setting(key, value, label, "pattern") : null;
-}
-
-const TOLERANCES = ["surface", "panel_min", "panel_max"];
-
-function setting(
-  key: string,
-  value: Value,
-  label: string,
-  table: CurveName | "pattern" | "tolerance",
-): Remedy {
-  return {
-    label,
-    apply: (design) => {
-      if (table === "pattern") return { ...design, pattern: { ...design.pattern, [key]: value } };
-      if (table === "tolerance") {
-        return design.tolerance ? { ...design, tolerance: { ...design.tolerance, [key]: value } } : design;
-      }
-      const changed = { ...design.target[table], [key]: value };
-      return { ...design, target: { ...design.target, [table]: changed } };
-    },
-  };
-}
-
-/** A remedy "with" another key: both, or none if the other is not known. */
-function joined(
-  first: Remedy | null,
-  key: string | undefined,
-  written: string | undefined,
-  known: readonly string[],
-): Remedy | null {
-  if (!first || !key || written === undefined) return first;
-  const value = valueOf(written);
-  const second = value === undefined ? null : settingOf(key, value, `${key} = ${written}`, undefined, known);
-  return second && {
-    label: `${first.label} with ${second.label}`,
-    apply: (design) => second.apply(first.apply(design)),
-  };
-}
-
-function valueOf(text: string): Value | undefined {
-  const list = /^\[(.*)\]$/.exec(text);
-  if (list) {
-    const numbers = list[1]!.split(",").map(Number);
-    return numbers.every(Number.isFinite) ? numbers : undefined;
-  }
-  if (text.startsWith('"')) return text.slice(1, -1);
-  const number = Number(text);
-  return Number.isFinite(number) ? number : undefined;
-}
+/** Keys of a curve that is no formula. */
+const SOURCES = ["points", "smooth", "svg", "id", "dxf", "layer", "handle", "unit", "part", "reverse"];
 
 /** A sentence as a person reads it: a capital first, one full stop last. */
 export function sentence(text: string): string {

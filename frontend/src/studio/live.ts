@@ -191,7 +191,7 @@ export class Live {
     await Promise.all([
       design.tolerance ? null : this.findRanges(design, signal),
       refined,
-      shown ? this.prove(sized(design, this.store.report.value), signal) : null,
+      shown ? this.prove(sized(design, this.store.report.value), signal) : this.mend(design, signal),
     ]);
     if (!signal.aborted) this.resting = false;
   }
@@ -224,6 +224,20 @@ export class Live {
       if (signal.aborted) return;
       if (!(error instanceof ServerFault)) throw error;
       this.store.ranges.set({});
+    }
+  }
+
+  /** Of a design that cannot be made: find what would work, by trying it. */
+  private async mend(design: Design, signal: AbortSignal): Promise<void> {
+    const { fault } = this.store;
+    if (!fault.value) return;
+    fault.set({ ...fault.value, searching: true });
+    try {
+      await verify(design, signal, () => undefined);
+    } catch (error) {
+      if (signal.aborted) return;
+      if (!(error instanceof ServerFault)) throw error;
+      fault.set(error.fault.kind === "design" ? error.fault : { ...fault.value, searching: false });
     }
   }
 

@@ -1,5 +1,6 @@
 // The studio begins here.
 
+import "../shared/meanings.css";
 import "../shared/theme.css";
 import "../shared/views.css";
 import "./studio.css";

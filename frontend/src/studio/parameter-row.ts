@@ -225,11 +225,10 @@ export class ParameterRow {
   }
 }
 
-/** The reason alone, without place, size and nearest value: the slider shows those. */
+/** The reason alone, without place and size: the slider shows those. */
 function reason(text: string): string {
   return text
     .replace(/^[^:[]*: \[\w+\] \w+: /, "")
-    .replace(/\s*Nearest that works: [^]*$/, "")
     .replace(/, (?:at|in|between|from|where|on) [^]*$/, "")
     .replace(/: [^:]*\d[^:]*$/, "");
 }

@@ -1,7 +1,7 @@
 // What is proved about the motion: that nothing touches before lock, or what does.
 
 import { h } from "./dom.ts";
-import { sentence } from "./faults.ts";
+import { sentence, wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { type Tone, wordsOfLock } from "./lock.ts";
 import { remedyButton } from "./remedy-button.ts";
@@ -40,11 +40,10 @@ export class ProofCard {
 
   /** What would keep the panels apart. */
   private refuse(fault: Fault | null): void {
-    this.refusal.hidden = !fault?.nearest && !fault?.remedy;
-    if (!fault || this.refusal.hidden) return this.refusal.replaceChildren();
-    // What follows a semicolon is advice to users of the command line.
-    const nearest = fault.nearest.split(";")[0]!;
-    const words = nearest ? `Nearest that works: ${nearest}.` : sentence(fault.remedy);
+    const found = fault ? wordsOfRemedies(fault) : "";
+    const words = found ? `Nearest found that works: ${found}.` : sentence(fault?.remedy ?? "");
+    this.refusal.hidden = !words;
+    if (!fault || !words) return this.refusal.replaceChildren();
     this.refusal.replaceChildren(h("p", {}, words), remedyButton(this.store, fault) ?? "");
   }
 

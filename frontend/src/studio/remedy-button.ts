@@ -1,7 +1,7 @@
 // The button that mends a fault, where the fault names a value that works.
 
 import { button } from "./controls.ts";
-import { remedyOf } from "./faults.ts";
+import { mended } from "./faults.ts";
 import type { Store } from "./store.ts";
 import type { Fault } from "./types.ts";
 
@@ -12,16 +12,16 @@ export function patternKeys(store: Store): string[] {
   return [...parameters.map(({ key }) => key), ...Object.keys(design.pattern)];
 }
 
-/** Null if the fault names no value that the design can take as it stands. */
+/** Null if nothing is known that mends the fault. */
 export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | null {
-  const remedy = remedyOf(fault, store.design.value, patternKeys(store));
+  const [remedy] = fault.remedies;
   if (!remedy) return null;
-  const text = `Use ${remedy.label}`;
+  const text = `Use ${remedy.text}`;
   return button({
     label: text,
     text,
     class: "button primary",
     testid: "use-nearest",
-    act: () => store.change(remedy.apply(store.design.value), remedy.label),
+    act: () => store.change(mended(store.design.value, remedy), remedy.text),
   });
 }

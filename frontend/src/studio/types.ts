@@ -25,7 +25,7 @@ export interface Tolerance {
 
 /** The tables of a design file. */
 export interface Design {
-  shell: { family: string; unit: string };
+  shell: { family: string; unit: string; ground?: "z0" | "as-drawn" };
   target: { f: CurveTable; g: CurveTable };
   pattern: Record<string, Value>;
   tolerance?: Tolerance;
@@ -88,7 +88,18 @@ export interface Fault {
   remedy: string;
   place: string;
   size: string;
-  nearest: string;
+  /** What limits, where nothing was found that works. */
+  limit: string;
+  /** What was tried and works, the nearest first. */
+  remedies: Remedy[];
+  /** Whether what works is still being looked for. */
+  searching: boolean;
+}
+
+/** Values of keys of the design file, the tables in front of them; null removes a key. */
+export interface Remedy {
+  text: string;
+  changes: Record<string, Value | null>;
 }
 
 export interface Range {

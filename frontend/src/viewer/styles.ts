@@ -1,5 +1,6 @@
 // The style sheets, as text inside the bundle.
 
+import meanings from "../shared/meanings.css?inline";
 import theme from "../shared/theme.css?inline";
 import views from "../shared/views.css?inline";
 import viewer from "./viewer.css?inline";
@@ -7,6 +8,6 @@ import viewer from "./viewer.css?inline";
 /** Give a page or a shadow root the viewer's looks; nothing outside it is touched. */
 export function adoptStyles(root: DocumentOrShadowRoot): void {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(theme + views + viewer);
+  sheet.replaceSync(meanings + theme + views + viewer);
   root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
 }

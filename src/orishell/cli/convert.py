@@ -8,12 +8,9 @@ from typing import Annotated
 import typer
 
 from orishell.cli.files import STATE_HELP, shortened, state_number
+from orishell.cli.printing import say
 from orishell.errors import InputError
-from orishell.io import Settings
-from orishell.spec import read_workshop
 from orishell.units import MILLIMETRES
-from orishell.workshop import DEFAULT
-from orishell.writing import convert_fold
 
 
 def convert(
@@ -30,6 +27,11 @@ def convert(
     ] = None,
 ) -> None:
     """Write a crease pattern and its folded states in another format."""
+    from orishell.io import Settings
+    from orishell.spec import read_workshop
+    from orishell.workshop import DEFAULT
+    from orishell.writing import convert_fold
+
     if unit is not None and unit not in MILLIMETRES:
         raise InputError(
             "there is no such unit",
@@ -42,4 +44,4 @@ def convert(
         workshop=DEFAULT if workshop is None else read_workshop(workshop),
     )
     for text in shortened(convert_fold(file, out, settings, unit)):
-        typer.echo(f"wrote {text}")
+        say(f"wrote {text}")

@@ -8,27 +8,28 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, WRITE_HELP, shortened, state_number
-from orishell.errors import InputError
-from orishell.io import OutputDirectory, Settings
-from orishell.io.registry import ALL, FORMATS, Format, find_formats
-from orishell.motion import FoldedState, FoldingMotion
-from orishell.quoting import in_degrees
-from orishell.report import ClashTest, Shell, design_shell
-from orishell.writing import write_shell
+from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, shortened, state_number
+from orishell.cli.printing import say
+from orishell.errors import ClashError, InputError
 
-BUILD = "make studio builds the viewer"
+if TYPE_CHECKING:
+    from orishell.io.registry import Format
+    from orishell.motion import FoldedState, FoldingMotion
+    from orishell.report import Shell
+
 QUIET_BELOW = 1_000_000
 """Vertices times states below which no progress bar is worth showing (less than a second)."""
 
 
 def design(
     file: Annotated[Path, typer.Argument(help="The design file (TOML).")],
-    out: Annotated[Path, typer.Option(help="Directory for the files; made if needed.")],
+    out: Annotated[
+        Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
+    ],
     *,
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
@@ -45,26 +46,43 @@ def design(
     state: Annotated[str, typer.Option(help=STATE_HELP)] = "locked",
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and two pictures."""
+    from orishell.io import OutputDirectory, Settings
+    from orishell.io.formats.html import BUILD_PAGES
+    from orishell.io.registry import ALL, FORMATS
+    from orishell.report import ClashTest, design_shell
+    from orishell.writing import write_shell
+
     OutputDirectory(out).require_usable()
     formats, number = _formats(write), state_number(state)
     if ALL in write.split(","):
         for each in FORMATS:
             if each not in formats:
-                typer.echo(f"orishell: warning: {each.file} is left out: {BUILD}", err=True)
-    with _bar("choosing rows and columns") as searched, _bar("looking for contact") as advanced:
-        clash_test = ClashTest(skipped=no_clash_test, allowed=allow_clash, advanced=advanced)
-        shell = design_shell(file, _watched, clash_test, searched)
+                say(f"orishell: warning: {each.file} is left out: {BUILD_PAGES}", err=True)
+    with (
+        _bar("choosing rows and columns") as searched,
+        _bar("looking for contact") as advanced,
+        _bar("looking for what works") as mended,
+    ):
+        clash_test = ClashTest(no_clash_test, allow_clash, advanced, mended)
+        try:
+            shell = design_shell(file, _watched, clash_test, searched)
+        except ClashError as error:
+            error.add_note("--allow-clash writes it as it is.")
+            raise
     for warning in shell.report["warnings"]:
-        typer.echo(f"orishell: warning: {warning}", err=True)
+        say(f"orishell: warning: {warning}", err=True)
     settings = Settings(state=number, workshop=shell.file.workshop)
+    earlier = OutputDirectory(out).of_earlier_run()
     written = write_shell(shell, out, formats, settings, _watched)
     if json_report:
-        typer.echo(json.dumps({**shell.report, "seconds": shell.seconds}, indent=2))
+        say(json.dumps({**shell.report, "seconds": shell.seconds}, indent=2))
     else:
-        _print_summary(shell, written)
+        _print_summary(shell, written, [path for path in earlier if not path.exists()])
 
 
 def _formats(names: str) -> tuple[Format, ...]:
+    from orishell.io.registry import find_formats
+
     try:
         return find_formats(name for name in names.split(",") if name.strip())
     except InputError as error:
@@ -110,7 +128,7 @@ def _bar(what: str) -> Iterator[Callable[[float], None] | None]:
         bar.stop()
 
 
-def _print_summary(shell: Shell, written: list[Path]) -> None:
+def _print_summary(shell: Shell, written: list[Path], removed: list[Path]) -> None:
     report, unit = shell.report, shell.file.unit
     sheet, deployed, residuals = report["sheet"], report["deployed"], report["residuals"]
     grid = shell.motion.mechanism.grid
@@ -122,16 +140,32 @@ def _print_summary(shell: Shell, written: list[Path]) -> None:
         f"area {sheet['area']:.4g} {unit}2",
         f"deployed  {deployed['width']:.4g} x {deployed['depth']:.4g} x "
         f"{deployed['height']:.4g} {unit}",
-        f"deviation f {report['deviation']['f']['max']:.4g} {unit}, "
-        f"g {report['deviation']['g']['max']:.4g} {unit}",
+        *_standing_lines(shell),
         *_deviation_lines(shell),
         f"rigid     panel lengths to {residuals['panel_length']:.1e}, fold angles to "
         f"{residuals['fold_angle_rad']:.1e} rad over {len(shell.motion)} states",
         *_lock_lines(shell),
         *(f"wrote     {text}" for text in shortened(written)),
+        *(f"removed   {text}, of an earlier run" for text in shortened(removed)),
     ]
     for line in lines:
-        typer.echo(line)
+        say(line)
+
+
+def _standing_lines(shell: Shell) -> list[str]:
+    stands, unit = shell.report["stands"], shell.file.unit
+    if shell.file.target is None:
+        return []
+    if stands is None:
+        return [
+            "stands    nowhere: f's ends are not its lowest part, so g is left in the plane z = 0"
+        ]
+    rows = "rows {} and {}".format(*stands["rows"])
+    if stands["level"]:
+        return [f"stands    level on z = {stands['z']:.4g} on {rows}"]
+    return [
+        f"stands    on {rows}, from z = {stands['z']:.4g} up to {stands['uneven']:.4g} {unit} above"
+    ]
 
 
 def _choice_lines(shell: Shell) -> list[str]:
@@ -146,10 +180,13 @@ def _choice_lines(shell: Shell) -> list[str]:
 
 def _deviation_lines(shell: Shell) -> list[str]:
     deviation, unit = shell.report["deviation"], shell.file.unit
+    if deviation is None:
+        return ["no target: nothing to compare the shell with"]
     surface, approached = deviation["surface"], deviation["approached"]
     lines = [
+        f"deviation f {deviation['f']['max']:.4g} {unit}, g {deviation['g']['max']:.4g} {unit}",
         f"surface   max {surface['max']:.4g} {unit} (known to {surface['sample_spacing']:.1g}), "
-        f"rms {surface['rms']:.4g} {unit}"
+        f"rms {surface['rms']:.4g} {unit}",
     ]
     if approached is not None:
         size = approached["max"]
@@ -159,6 +196,8 @@ def _deviation_lines(shell: Shell) -> list[str]:
 
 
 def _lock_lines(shell: Shell) -> list[str]:
+    from orishell.quoting import in_degrees
+
     lock, contact = shell.lock, shell.lock.first_contact
     if lock.proof is None:
         return ["not checked: " + "; ".join(shell.report["not_checked"])]
@@ -167,7 +206,9 @@ def _lock_lines(shell: Shell) -> list[str]:
         return [f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"]
     if lock.cause == "clash":
         first, second = (list(panel) for panel in contact.panels)
-        met = "" if lock.early else f", beyond the target at {in_degrees(lock.target)} deg"
+        aim = "target" if shell.design.swept is not None else "stage"
+        beyond = not lock.early and shell.design.stopped is None
+        met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
         return [
             f"lock      at {in_degrees(lock.drive)} deg{met}: panels {first} and {second} clash "
             f"({contact.kind}), none before: {proved}"

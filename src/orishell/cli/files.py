@@ -8,14 +8,27 @@ from itertools import groupby
 from pathlib import Path
 
 from orishell.errors import InputError
-from orishell.io import LAST
-from orishell.io.registry import ALL, FORMATS
 
-STATES = {"flat": 0, "locked": LAST}
-"""States that have a name."""
+WRITE_HELP = (
+    "More formats, commas between: fold, dxf, svg, pdf, origami-simulator, obj, stl, ply, glb, "
+    "3dm, vtu, csv, html; or all."
+)
+"""Its names are those of :mod:`orishell.io.registry`, which ``--help`` is not to import."""
 
-WRITE_HELP = f"More formats, commas between: {', '.join(each.name for each in FORMATS)}; or {ALL}."
 STATE_HELP = "State for formats that show one: flat, locked, or the number of a frame from 0."
+
+
+def directory(text: str) -> Path:
+    """A directory by its name.
+
+    Raises
+    ------
+    InputError
+        If the name is empty, which would be where the command was given.
+    """
+    if not text:
+        raise InputError("the name is empty", where="--out", expected="the name of a directory")
+    return Path(text)
 
 
 def state_number(text: str) -> int:
@@ -26,8 +39,11 @@ def state_number(text: str) -> int:
     InputError
         If it is neither.
     """
-    if text in STATES:
-        return STATES[text]
+    from orishell.io import LAST
+
+    states = {"flat": 0, "locked": LAST}
+    if text in states:
+        return states[text]
     if text.isascii() and text.isdecimal() and len(text) < 10:
         return int(text)
     raise InputError(

@@ -5,19 +5,21 @@ from __future__ import annotations
 import sys
 import traceback
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
+from orishell._version import __version__
 from orishell.cli.check import check
 from orishell.cli.convert import convert
 from orishell.cli.design import design
 from orishell.cli.new import new
+from orishell.cli.printing import say
 from orishell.cli.solve import solve
 from orishell.cli.studio import studio
 from orishell.errors import OrishellError
 
 app = typer.Typer(
-    help="Design deployable origami shells: from two curves to a pattern that folds and locks.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
@@ -30,19 +32,38 @@ app.command()(convert)
 app.command()(studio)
 
 
+def _print_version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"orishell {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Show the version and exit."
+        ),
+    ] = False,
+) -> None:
+    """Design deployable origami shells: from two curves to a pattern that folds and locks."""
+
+
 def run() -> None:
     """Run the command line: one message and the contract's exit status for every error."""
     try:
         app()
     except OrishellError as error:
-        print(f"orishell: {error}", file=sys.stderr)
+        notes = getattr(error, "__notes__", [])
+        say(f"orishell: {' '.join([str(error), *notes])}", err=True)
         sys.exit(error.exit_status)
     except Exception as error:
         place = traceback.extract_tb(error.__traceback__)[-1]
-        print(
+        say(
             f"orishell: a fault of the program, please report it: {type(error).__name__}: {error} "
             f"({Path(place.filename).name}, line {place.lineno})",
-            file=sys.stderr,
+            err=True,
         )
         sys.exit(1)
 

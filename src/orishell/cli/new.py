@@ -7,15 +7,25 @@ from typing import Annotated
 
 import typer
 
+from orishell.cli.printing import say
 from orishell.errors import InputError
-from orishell.spec import starter_file
 
 
 def new(
-    family: Annotated[str, typer.Argument(help="The family, for example parallel-repeating.")],
+    family: Annotated[
+        str | None, typer.Argument(help="The family; without one they are listed.")
+    ] = None,
     file: Annotated[Path | None, typer.Argument(help="The file to write [FAMILY.toml].")] = None,
 ) -> None:
     """Write a starter design file."""
+    from orishell.spec import FAMILIES, starter_file
+
+    if family is None:
+        raise InputError(
+            "no family is named",
+            remedy="orishell new FAMILY, with one of these",
+            detail="\n".join(f"    {name:31}{each.what}" for name, each in FAMILIES.items()),
+        )
     text = starter_file(family)
     path = file if file is not None else Path(f"{family}.toml")
     try:
@@ -29,5 +39,5 @@ def new(
         raise InputError(
             "the file cannot be written", where=str(path), got=error.strerror or str(error)
         ) from None
-    typer.echo(f"wrote {path}")
-    typer.echo(f"next: orishell design {path} --out {path.stem}")
+    say(f"wrote {path}")
+    say(f"next: orishell design {path} --out {path.stem}")

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.families.longitudinal_linear_repeating import SEARCHED, describe_solutions
+from orishell.cli.printing import say
 
 SECOND = ("alpha_2", "beta_2", "gamma_2", "delta_2")
 
@@ -22,9 +22,11 @@ def solve(
     ] = False,
 ) -> None:
     """List all solutions of equation (4) for the sector angles of column 1."""
+    from orishell.families.longitudinal_linear_repeating import SEARCHED, describe_solutions
+
     found = describe_solutions([alpha, beta, gamma, delta])
     if json_report:
-        typer.echo(json.dumps(found, indent=2))
+        say(json.dumps(found, indent=2))
         return
     for number, entry in enumerate(found["solutions"]):
         angles = ", ".join(
@@ -33,8 +35,8 @@ def solve(
         )
         size = entry["largest_square"]
         largest = f"{size} x {size}" if size < SEARCHED else f"{size} x {size} or more"
-        typer.echo(f"solution {number} ({entry['version']} version): {angles}")
-        typer.echo(
+        say(f"solution {number} ({entry['version']} version): {angles}")
+        say(
             f"  c = {entry['c']:.12g}; v_1 from 0 to {entry['motion_end_deg']:.4f} degrees; "
             f"largest square sheet {largest} inner vertices"
         )

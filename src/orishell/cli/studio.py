@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-import tomllib
+import contextlib
+import errno
+import os
+import socket
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
+from orishell.cli.printing import say
 from orishell.errors import InputError
-from orishell.spec import read_design_file
-from orishell.studio.dropped import points_along
 
 CONNECTIONS = 150
 """Connections at a time, at most: all of them together must not take the machine's memory."""
@@ -31,40 +33,79 @@ def studio(
     if missing:
         raise InputError(
             "the studio needs " + ", ".join(missing),
-            remedy='pip install "orishell[studio]", or make studio',
+            remedy='pip install "orishell[studio]"',
         )
     import uvicorn
 
+    from orishell.io.formats.html import BUILD_PAGES
     from orishell.studio.app import PAGES, make_app
+    from orishell.studio.protocol import ImpatientProtocol
 
+    if not (PAGES / "index.html").exists():
+        raise InputError("the studio has no pages: they have not been built", remedy=BUILD_PAGES)
     start = None if file is None else _start(file)
     local = host in {"127.0.0.1", "localhost", "::1"}
-    names = {f"{name}:{port}" for name in ("127.0.0.1", "localhost", "[::1]", host)}
+    named = f"[{host}]" if ":" in host else host
+    names = {f"{name}:{port}" for name in ("127.0.0.1", "localhost", "[::1]", named)}
     app = make_app(hosts=names if local or host != "0.0.0.0" else None, start=start)
-    address = f"http://{'127.0.0.1' if host == '0.0.0.0' else host}:{port}/"
-    if not (PAGES / "index.html").exists():
-        typer.echo(
-            "orishell: warning: the studio's pages are not built; with Node.js 18 or newer, "
-            "make studio builds and starts them",
-            err=True,
+    address = f"http://{'127.0.0.1' if host == '0.0.0.0' else named}:{port}/"
+    with _listening(host, port) as place:
+        say(f"studio at {address} (Ctrl-C ends it)", err=True)
+        if browse:
+            typer.launch(address)
+        settings = uvicorn.Config(
+            app,
+            http=ImpatientProtocol,
+            log_level="warning",
+            server_header=False,
+            limit_concurrency=CONNECTIONS,
         )
-    typer.echo(f"studio at {address} (Ctrl-C ends it)", err=True)
-    if browse:
-        typer.launch(address)
-    uvicorn.run(
-        app,
-        host=host,
-        port=port,
-        log_level="warning",
-        server_header=False,
-        limit_concurrency=CONNECTIONS,
+        with contextlib.suppress(KeyboardInterrupt):
+            uvicorn.Server(settings).run(sockets=[place])
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    """A socket that takes connections, before anybody is sent there."""
+    try:
+        family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        place = socket.socket(family, kind)
+    except (OSError, ValueError) as error:
+        raise _no_such_place(host, error) from None
+    try:
+        if os.name == "posix":  # elsewhere it lets two listen at one port
+            place.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        place.bind(address)
+        place.listen()
+    except OSError as error:
+        place.close()
+        if error.errno == errno.EADDRINUSE:
+            raise InputError(
+                "something listens at this port already",
+                where="--port",
+                got=str(port),
+                remedy="end that, or choose another port",
+            ) from None
+        raise _no_such_place(host, error) from None
+    return place
+
+
+def _no_such_place(host: str, error: Exception) -> InputError:
+    return InputError(
+        "the studio cannot listen there",
+        where="--host",
+        got=f"{host!r} ({getattr(error, 'strerror', None) or error})",
+        expected="an address of this machine",
     )
 
 
 def _start(path: Path) -> dict[str, Any]:
     """Name and tables of a design file that can be shown, files of curves as their points."""
+    from orishell.spec import read_design_file
+    from orishell.studio.dropped import points_along
+    from orishell.toml_file import read_toml
+
     file = read_design_file(path)
-    tables = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    tables = read_toml(path)
     for name, curve in (("f", file.f), ("g", file.g)):
         table = tables["target"][name]
         if "formula" not in table and not isinstance(table.get("points"), list):

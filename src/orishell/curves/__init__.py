@@ -5,9 +5,14 @@ from orishell.curves.direction import run_along_axis
 from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
+from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
+from orishell.curves.remembered import remembered
 from orishell.curves.svg import read_svg
-from orishell.curves.trace import Trace, trace_curve
+from orishell.curves.trace import Trace
+from orishell.curves.trace import trace_curve as _trace_curve
+
+trace_curve = remembered(_trace_curve)
 
 __all__ = [
     "Curve",
@@ -15,10 +20,12 @@ __all__ = [
     "Trace",
     "curve_from_formulas",
     "curve_from_points",
+    "nearby_origin",
     "parse_formula",
     "read_dxf",
     "read_points",
     "read_svg",
+    "remembered",
     "run_along_axis",
     "trace_curve",
 ]

@@ -43,6 +43,8 @@ class Curve:
         The key of the design file that takes a part of the curve by its parameters as drawn.
     drawn
         Offset and factor (1 or -1): offset + factor * t is the parameter as the curve was drawn.
+    scale
+        How much the curve has been enlarged since it was drawn.
     """
 
     jet: CurveJet
@@ -52,6 +54,7 @@ class Curve:
     breaks: tuple[float, ...] = ()
     key: Literal["range", "part"] = "part"
     drawn: tuple[float, float] = (0.0, 1.0)
+    scale: float = 1.0
 
     def __post_init__(self) -> None:
         for name, value in (("start", self.start), ("stop", self.stop)):
@@ -67,6 +70,15 @@ class Curve:
                 expected="the smaller value first",
                 remedy=f"write [{self.stop:g}, {self.start:g}]" if self.start != self.stop else "",
             )
+
+    def __repr__(self) -> str:
+        first, last = (
+            "({:.6g}, {:.6g})".format(*self.position(t)) for t in (self.start, self.stop)
+        )
+        count = len(self.breaks)
+        broken = f", {count} corner{'s' * (count > 1)}" if count else ""
+        span = f"{self.start:.6g} to {self.stop:.6g}"
+        return f"{type(self).__name__}(from {first} to {last}, parameter {span}{broken})"
 
     def position(self, t: ArrayLike) -> Array:
         """Points (..., 2) at parameters t (...)."""
@@ -151,6 +163,17 @@ class Curve:
         low, high = sorted(float(self.as_drawn(t)) for t in (first, last))
         return low, high
 
+    def part_of_drawn(self, first: float, last: float) -> Self:
+        """The part between two parameters as the curve was drawn: what :attr:`key` says.
+
+        Parameters
+        ----------
+        first, last
+            The part's ends as the curve was drawn.
+        """
+        offset, factor = self.drawn
+        return self.part(*sorted((t - offset) / factor for t in (first, last)))
+
     def scaled(self, factor: float) -> Self:
         """The curve enlarged about the origin by ``factor`` > 0."""
 
@@ -161,6 +184,19 @@ class Curve:
         def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
             x, y = self.enclosure(low, high)
             return x.times(factor), y.times(factor)
+
+        return replace(self, jet=jet, enclosure=enclosure, scale=self.scale * factor)
+
+    def shifted(self, offset: Array) -> Self:
+        """The curve moved by a vector (2,) in its unit, ``offset``."""
+
+        def jet(t: Array) -> tuple[Array, Array, Array]:
+            position, first, second = self.jet(t)
+            return position + offset, first, second
+
+        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+            x, y = self.enclosure(low, high)
+            return x + Enclosure.constant(offset[0]), y + Enclosure.constant(offset[1])
 
         return replace(self, jet=jet, enclosure=enclosure)
 

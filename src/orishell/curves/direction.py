@@ -6,9 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.curves.remembered import remembered
 from orishell.curves.trace import Trace
 
 
+@remembered
 def run_along_axis(trace: Trace, theta: float = 0.0) -> Trace:
     """The curve run through in the direction of its x axis, whichever way it was drawn.
 

@@ -22,6 +22,7 @@ from orishell.curves.rules import (
 )
 from orishell.errors import FormulaError
 from orishell.intervals import Enclosure, Interval
+from orishell.quoting import in_one_line
 
 MAX_LENGTH = 500
 MAX_DEPTH = 100
@@ -46,6 +47,8 @@ class Formula:
     text: str
     variable: str | None
     _run: Run
+
+    __repr__ = in_one_line
 
     def jet(self, t: Array) -> Jet:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.curves.jets import Array
+from orishell.curves.remembered import remembered
 from orishell.curves.trace import Trace
 
 if TYPE_CHECKING:
@@ -34,10 +36,7 @@ class Nearest:
     @classmethod
     def to(cls, trace: Trace) -> Nearest:
         """Prepare for questions about one curve."""
-        import shapely
-
-        ends = np.stack([trace.points[:-1], trace.points[1:]], axis=1)
-        return cls(trace, shapely.STRtree(np.asarray(shapely.linestrings(ends), dtype=object)))
+        return cls(trace, _tree_of(trace))
 
     def __call__(self, points: Array) -> tuple[Array, Array]:
         """Feet (P, 2) and distances (P,) of points (P, 2)."""
@@ -46,18 +45,18 @@ class Nearest:
         trace = self.trace
         last = len(trace.t) - 2
         cell = self.cells.query_nearest(shapely.points(points), all_matches=False)[1]
-        # The chord's nearest point is next to the curve's: Newton there and in both
+        # The chord's nearest point is next to the curve's: Newton from there and in both
         # neighbouring cells, each on its own so that corners between cells do no harm, and the
         # samples themselves.
         cell = np.clip(cell + np.array([[-1], [0], [1]]), 0, last)
         low, high = trace.t[cell], trace.t[cell + 1]
-        t = 0.5 * (low + high)
+        t = low + (high - low) * self._shares(cell, points)
         for _ in range(POLISHING_STEPS):
             position, first, second = trace.curve.jet(t)
-            away, speed = points - position, (first * first).sum(axis=-1)
-            bend = speed - (away * second).sum(axis=-1)
+            away, speed = points - position, _dot(first, first)
+            bend = speed - _dot(away, second)
             # Newton; Gauss-Newton where the curve bends around the point, or more than is finite.
-            step = (away * first).sum(axis=-1) / np.where(bend > NEWTON * speed, bend, speed)
+            step = _dot(away, first) / np.where(bend > NEWTON * speed, bend, speed)
             better = np.clip(t + step, low, high)
             moved = np.abs(better - t).max()
             t = better
@@ -68,3 +67,24 @@ class Nearest:
         best = distances.argmin(axis=0)
         column = np.arange(len(points))
         return feet[best, column], distances[best, column]
+
+    def _shares(self, cell: NDArray[np.intp], points: Array) -> Array:
+        """Where on the chords of cells (3, P), from 0 to 1, the points nearest to (P, 2) are."""
+        start = self.trace.points[cell]
+        chord = self.trace.points[cell + 1] - start
+        squares = np.maximum(_dot(chord, chord), np.finfo(float).tiny)
+        return np.clip(_dot(points - start, chord) / squares, 0.0, 1.0)
+
+
+@remembered
+def _tree_of(trace: Trace) -> STRtree:
+    """The chords between samples."""
+    import shapely
+
+    ends = np.stack([trace.points[:-1], trace.points[1:]], axis=1)
+    return shapely.STRtree(np.asarray(shapely.linestrings(ends), dtype=object))
+
+
+def _dot(u: Array, v: Array) -> Array:
+    """Scalar products (...) of vectors (..., 2)."""
+    return np.asarray(u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1])

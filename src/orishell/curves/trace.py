@@ -6,7 +6,7 @@ The samples sit where the curve turns: between neighbours the tangent turns by a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 from orishell.curves.between import Samples, unseen
 from orishell.curves.checked import checked_jet, least_within, require_length, require_speed
 from orishell.curves.curve import Curve
+from orishell.curves.frames import nearby_origin
 from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.quoting import in_one_line
 
 MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""
@@ -50,6 +52,8 @@ class Trace:
         where it jumps by the corner's turn.
     arriving
         Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
+    origin
+        Where the origin of the points' frame lies on the drawing (2,), turned as the curve is.
     """
 
     curve: Curve
@@ -58,6 +62,9 @@ class Trace:
     arc: Array
     heading: Array
     arriving: Array
+    origin: Array = field(default_factory=lambda: np.zeros(2))
+
+    __repr__ = in_one_line
 
     @property
     def length(self) -> float:
@@ -78,18 +85,36 @@ class Trace:
             self.arc[-1] - self.arc[::-1],
             self.arriving[::-1] + np.pi,
             self.heading[::-1] + np.pi,
+            self.origin,
         )
 
     def rotated(self, angle: float) -> Trace:
         """The curve's trace, turned counter-clockwise about the origin by ``angle`` (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)
+        turn = np.array([[cos, sin], [-sin, cos]])
         return Trace(
             self.curve.rotated(angle),
             self.t,
-            self.points @ np.array([[cos, sin], [-sin, cos]]),
+            self.points @ turn,
             self.arc,
             self.heading + angle,
             self.arriving + angle,
+            self.origin @ turn,
+        )
+
+    def in_own_frame(self) -> Trace:
+        """The trace in a frame beside it, so that what is made of it keeps its digits.
+
+        A curve near the origin of its drawing stays where it is.
+        """
+        shift = nearby_origin(self.points)
+        if not shift.any():
+            return self
+        return replace(
+            self,
+            curve=self.curve.shifted(-shift),
+            points=self.points - shift,
+            origin=self.origin + shift,
         )
 
     def bounding_box(self) -> tuple[Array, Array]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.deviation.search import At
-from orishell.panels import area_vectors
+from orishell.panels import area_vectors, lengths
 from orishell.surface import Surface
 
 Array = NDArray[np.float64]
@@ -40,11 +40,15 @@ class Patch:
     left_out: float
 
     @classmethod
-    def of_shell(cls, positions: Array, samples: int) -> Patch:
+    def of_shell(
+        cls, positions: Array, samples: int, *, least: int = 2, longer: float | None = None
+    ) -> Patch:
         """About so many samples of panels (rows-1, columns-1), given by their vertices.
 
-        The parameters are row and column. Corners, edges and insides of all panels are among the
-        samples, however many panels there are.
+        The parameters are row and column. However many panels there are, each of their edges has
+        at least ``least`` steps: with 2 edges and insides of all are among the samples, with 1 the
+        corners. Steps along rows are ``longer`` than those down columns, as much as the panels if
+        nothing is said.
         """
 
         def at(u: Array, v: Array) -> Array:
@@ -58,10 +62,14 @@ class Patch:
             return np.asarray(above * (1 - p) + below * p)
 
         # Every panel alike in both directions: as many steps as its longest edge has.
-        down = np.linalg.norm(np.diff(positions, axis=0), axis=-1).max(axis=1)
-        right = np.linalg.norm(np.diff(positions, axis=1), axis=-1).max(axis=0)
-        step = float(np.sqrt(down.sum() * right.sum() / samples))
-        u, v = (_divided(np.maximum(np.rint(each / step), 2)) for each in (down, right))
+        down = lengths(np.diff(positions, axis=0)).max(axis=1)
+        right = lengths(np.diff(positions, axis=1)).max(axis=0)
+        step = np.sqrt(down.sum() * right.sum() / samples)
+        stretch = np.sqrt(_slenderness(positions) if longer is None else longer)
+        u, v = (
+            _divided(np.maximum(np.rint(each / (step * share)), least))
+            for each, share in ((down, 1 / stretch), (right, stretch))
+        )
         return cls(at, u, v, at(u[:, None], v[None, :]), 0.0)
 
     @classmethod
@@ -70,9 +78,7 @@ class Patch:
 
         The shell is given by its vertices (rows, columns, 3).
         """
-        wide = np.linalg.norm(np.diff(shell, axis=1), axis=-1).mean()
-        high = np.linalg.norm(np.diff(shell, axis=0), axis=-1).mean()
-        longer = float(np.clip(wide / high, 1 / MOST_LONGER, MOST_LONGER))
+        longer = _slenderness(shell)
         lattice = surface.lattice(np.sqrt(surface.area() / (longer * samples)), longer=longer)
         return cls(surface.points, lattice.u, lattice.v, lattice.points, lattice.left_out)
 
@@ -86,7 +92,7 @@ class Patch:
             first, second = distances[:-1], distances[1:]
             pairs = (near * first + (1 - near) * second, near * second + (1 - near) * first)
             distances = np.stack(pairs, axis=1).reshape(-1, distances.shape[1]).T
-        areas = np.linalg.norm(area_vectors(_cells(self.points)), axis=-1)
+        areas = lengths(area_vectors(_cells(self.points)))
         shares = np.repeat(np.repeat(areas / (4 * areas.sum()), 2, axis=0), 2, axis=1)
         return distances.ravel(), shares.ravel()
 
@@ -96,9 +102,16 @@ class Patch:
             0.5 * (self.u[:-1] + self.u[1:])[:, None], 0.5 * (self.v[:-1] + self.v[1:])[None, :]
         )
         corners = _cells(self.points)
-        to_middle = np.linalg.norm(corners - middle[..., None, :], axis=-1).max(axis=-1)
-        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=-2), axis=-1).max(axis=-1)
+        to_middle = lengths(corners - middle[..., None, :]).max(axis=-1)
+        edges = lengths(corners - np.roll(corners, 1, axis=-2)).max(axis=-1)
         return np.asarray(np.maximum(to_middle, 0.5 * edges))
+
+
+def _slenderness(shell: Array) -> float:
+    """How many times longer panels are along g than down f, within limits."""
+    wide = lengths(np.diff(shell, axis=1)).mean()
+    high = lengths(np.diff(shell, axis=0)).mean()
+    return float(np.clip(wide / high, 1 / MOST_LONGER, MOST_LONGER))
 
 
 def _divided(parts: Array) -> Array:

@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.deviation.triangles import Nearest, Triangles
+from orishell.panels import lengths
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -115,8 +116,8 @@ class Cells:
         """The cells with ceilings as low as they can be shown to be, and which to cut across u."""
         u0, u1, v0, v1 = self.sides
         middle = at(0.5 * (u0 + u1), 0.5 * (v0 + v1))
-        sag = np.linalg.norm(middle - self.points.mean(axis=0), axis=-1)
-        to_corners = np.linalg.norm(self.points - middle, axis=-1).max(axis=0)
+        sag = lengths(middle - self.points.mean(axis=0))
+        to_corners = lengths(self.points - middle).max(axis=0)
         wide, high = _spans(self.points)
         chord_u, chord_v = _spans(self.feet)
         along_u = 0.5 * chord_u * self._steepness(((0, 1), (3, 2)), other) + sag
@@ -198,7 +199,13 @@ class Cells:
 
 
 def find_largest(
-    parts: Iterator[Cells], at: At, other: Triangles, attained: float, samples: int
+    parts: Iterator[Cells],
+    at: At,
+    other: Triangles,
+    attained: float,
+    samples: int,
+    *,
+    limit: float | None = None,
 ) -> tuple[float, float]:
     """The largest distance of cells from another surface, and by how much it may be exceeded.
 
@@ -216,6 +223,8 @@ def find_largest(
         A distance that is attained.
     samples
         How many further points may be asked for.
+    limit
+        If given, it is enough to know whether the largest distance exceeds it.
     """
     largest, left_out = attained, attained
     waiting: list[tuple[Cells, Booleans]] = []
@@ -223,7 +232,8 @@ def find_largest(
     def wait(cells: Cells) -> float:
         """Put off what may exceed the largest, at most as much as is affordable."""
         cells, cut_u = cells.bounded(at, other)
-        chosen = _highest(cells.ceiling[0], (1 + PRECISION) * largest, samples)
+        known = largest if limit is None else max(largest, limit)
+        chosen = _highest(cells.ceiling[0], (1 + PRECISION) * known, samples)
         waiting.append((cells[chosen], cut_u[chosen]))
         return float(cells.ceiling[0, ~chosen].max(initial=0.0))
 
@@ -234,7 +244,8 @@ def find_largest(
         cut_u = np.concatenate([each for _, each in waiting])
         ceiling = cells.ceiling[0]
         highest = float(ceiling.max(initial=0.0))
-        if highest <= (1 + PRECISION) * largest or samples < 2:
+        enough = (1 + PRECISION) * largest if limit is None else limit
+        if highest <= enough or largest > enough or samples < 2:
             return largest, max(left_out, highest) - largest
         # The most promising first, so that the bound falls evenly.
         now = _highest(ceiling, largest + URGENT * (highest - largest), samples // 2)
@@ -253,8 +264,8 @@ def _corners(lattice: NDArray[Number]) -> NDArray[Number]:
 
 def _spans(points: Array) -> tuple[Array, Array]:
     """Longer sides (C,) of quads (4, C, 3) along u and along v."""
-    length = np.linalg.norm(points - np.roll(points, -1, axis=0), axis=-1)
-    return np.maximum(length[0], length[2]), np.maximum(length[1], length[3])
+    sides = lengths(points - np.roll(points, -1, axis=0))
+    return np.maximum(sides[0], sides[2]), np.maximum(sides[1], sides[3])
 
 
 def _highest(values: Array, above: float, most: int) -> Booleans:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.deviation.mesh import mesh_surface
 from orishell.deviation.patches import Patch
+from orishell.quoting import in_one_line
 from orishell.surface import Surface
 
 Array = NDArray[np.float64]
@@ -35,6 +36,8 @@ class SignedDistances:
     distances: Array
     creases: tuple[Booleans, Booleans]
     strides: tuple[int, int]
+
+    __repr__ = in_one_line
 
 
 def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Array:
@@ -70,7 +73,7 @@ def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> S
         ridges and valleys still alternate.
     """
     (down, i), (right, j) = (_thinned(count, most) for count in shell.shape[:2])
-    patch = Patch.of_shell(shell[np.ix_(i, j)], samples)
+    patch = Patch.of_shell(shell[np.ix_(i, j)], samples, longer=1.0)
     mesh, _ = mesh_surface(surface, samples)
     found = mesh.nearest(patch.points)
     return SignedDistances(

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.panels import lengths
+
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
@@ -113,12 +115,12 @@ def _turning(points: Array) -> tuple[Array, Array]:
 
 def _directions(edges: Array) -> Array:
     """Unit vectors; not a number where an edge has no length."""
-    length = np.linalg.norm(edges, axis=-1, keepdims=True)
+    length = lengths(edges)[..., None]
     return np.asarray(np.divide(edges, length, out=np.full_like(edges, np.nan), where=length > 0))
 
 
 def _largest_angles(directions: Array) -> Array:
     """Largest angles (A-1,) between directions (A, B, 3) of neighbouring rows; pi for unknown."""
-    chord = np.linalg.norm(np.diff(directions, axis=0), axis=-1)
+    chord = lengths(np.diff(directions, axis=0))
     angles = 2 * np.arcsin(np.minimum(0.5 * np.nan_to_num(chord, nan=2.0), 1.0))
     return np.asarray(angles.max(axis=1, initial=0.0))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.io import FoldFile
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -36,6 +37,8 @@ class Check:
     text: str
     facts: dict[str, Any]
 
+    __repr__ = in_one_line
+
     def as_dict(self) -> dict[str, Any]:
         """The fields of the report."""
         return {"passed": self.passed, "text": self.text, **self.facts}
@@ -55,6 +58,8 @@ class Contacts:
 
     frame: int
     pairs: Integers
+
+    __repr__ = in_one_line
 
 
 class Worst:

@@ -16,9 +16,13 @@ from orishell.inspection.folds import AssignmentTest, FoldAngleTest
 from orishell.inspection.rigidity import ConvexTest, DevelopableTest, FlatTest, RigidTest
 from orishell.inspection.sheet import Sheet, State
 from orishell.io import FoldFile, FoldFrame
+from orishell.quoting import in_one_line
 
 TOLERANCE = 1e-6
 """Allowed error of lengths relative to the diagonal of the flat sheet's bounding box."""
+
+DIGITS = 1e-12
+"""Coordinates whose last digit is less than this share of the sheet's diagonal say enough."""
 
 
 class Watched(Protocol):
@@ -65,6 +69,8 @@ class Inspection:
     tolerance: float
     checks: tuple[Check, ...]
     not_checked: tuple[str, ...]
+
+    __repr__ = in_one_line
 
     @property
     def passed(self) -> bool:
@@ -151,12 +157,16 @@ def inspect_fold(
         *(clash.checks() if convex.passed else []),
     )
     bent = any(check.name == "planarity" and not check.passed for check in rigid_checks)
+    largest = max(float(np.abs(frame.positions).max()) for frame in file.frames)
+    digit = float(np.spacing(largest)) / sheet.diagonal
     dangling = int((file.mesh.edge_faces < 0).all(axis=1).sum())
     without = [] if sheet.flat and not folded else angles.frames_without
     untested = [
         (not folded, "folded states (the file has none): rigid panels, fold angles, contact"),
         (not sheet.flat, f"the flat sheet (the file has none): lengths are those of frame "
         f"{sheet.frame.number}, overlaps of the pattern are not seen"),
+        (digit > DIGITS, f"lengths to better than {digit:.1e} of the diagonal (coordinates of "
+        f"{largest:.3g} have no more digits)"),
         (not len(sheet.inner), "developability (no inner vertices)"),
         (bool(without), f"fold angles of {_frames(without)} (no edges_foldAngle of their own)"),
         (angles.pattern_untested, "edges_foldAngle of the flat sheet (no frame is folded so)"),

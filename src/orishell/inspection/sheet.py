@@ -11,6 +11,7 @@ from orishell.errors import InputError
 from orishell.io import FoldFile, FoldFrame
 from orishell.mesh import QuadMesh, measure_mesh_folds
 from orishell.panels import area_vectors, corner_distances, reflex_corners
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -68,6 +69,8 @@ class Sheet:
     vertex_limits: Array
     up: Array
     inner: Integers
+
+    __repr__ = in_one_line
 
     @classmethod
     def of(cls, file: FoldFile, tolerance: float) -> Sheet:

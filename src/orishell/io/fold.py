@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell._version import __version__
 from orishell.document import Document, DocumentState
 from orishell.io.settings import DEFAULT_SETTINGS, Settings
 
@@ -37,12 +37,12 @@ def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETT
         return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
     states = iter(document.states)
-    key = _flat(document) if document.flat is not None else _state(next(states))
+    key = _flat(document) if document.flat is not None else _state(document, next(states))
     with path.open("wb") as file:
         file.write(dump({**_head(document), **key, **_mesh(document)})[:-1])
         separator = b',\n"file_frames":[\n'
         for state in states:
-            frame = {**_state(state), "frame_parent": 0, "frame_inherit": True}
+            frame = {**_state(document, state), "frame_parent": 0, "frame_inherit": True}
             file.write(separator + dump(frame))
             separator = b",\n"
         file.write(b"}\n" if separator.startswith(b',\n"') else b"\n]}\n")
@@ -52,7 +52,7 @@ def _head(document: Document) -> dict[str, Any]:
     animated = len(document.states) > 1
     return {
         "file_spec": 1.2,
-        "file_creator": f"orishell {version('orishell')}",
+        "file_creator": f"orishell {__version__}",
         "file_title": document.title,
         "file_classes": ["singleModel", "animation"] if animated else ["singleModel"],
         **({"frame_unit": document.unit} if document.unit != "unit" else {}),
@@ -68,12 +68,12 @@ def _flat(document: Document) -> dict[str, Any]:
     }
 
 
-def _state(state: DocumentState) -> dict[str, Any]:
+def _state(document: Document, state: DocumentState) -> dict[str, Any]:
     drive = state.drive_deg
     return {
         "frame_classes": ["foldedForm"],
         "frame_attributes": ["3D"],
-        "vertices_coords": state.positions,
+        "vertices_coords": document.in_world(state.positions),
         **_angles(state.fold_angles_deg),
         **({"orishell:drive_deg": drive} if drive is not None else {}),
     }

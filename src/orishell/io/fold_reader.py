@@ -9,20 +9,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import InputError
+from orishell.document import LARGEST
+from orishell.errors import InputError, printable
 from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
 from orishell.mesh import QuadMesh, build_mesh
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LETTERS = frozenset("BMVFUCJ")
 """Assignments of FOLD 1.2: border, mountain, valley, flat, unassigned, cut, join."""
-
-LARGEST = 1e50
-"""Coordinates above this are refused: their products would overflow."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,6 +48,8 @@ class FoldFrame:
     positions: Array
     fold_angles_deg: Array | None
     drive_deg: float | None
+
+    __repr__ = in_one_line
 
     @property
     def fold_angles(self) -> Array | None:
@@ -86,6 +87,8 @@ class FoldFile:
     grid_shape: tuple[int, int] | None
     frames: tuple[FoldFrame, ...]
 
+    __repr__ = in_one_line
+
 
 def read_fold(path: Path) -> FoldFile:
     """Read and check a FOLD file whose faces have four corners.
@@ -116,7 +119,7 @@ def _read(path: Path, frames: Frames) -> FoldFile:
     mesh = build_mesh(faces, vertex_count, edges, cut)
     return FoldFile(
         path,
-        read_title(frames) or path.stem,
+        read_title(frames) or printable(path.stem),
         read_unit(frames),
         mesh,
         assignment,

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
+import secrets
 import shutil
-import tempfile
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from orishell.errors import InputError
+from orishell.io.manifest import NAME, Manifest, hash_of, read_manifest
+from orishell.stopping import cleaning_up, uninterrupted
+
+DRAFT = ".orishell-"
+"""What the names of temporary directories begin with."""
+_DRAFT_NAME = re.compile(re.escape(DRAFT) + "[0-9a-f]{16}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +41,14 @@ class OutputDirectory:
         InputError
             If the path, or a parent of it, is a file or cannot be written to.
         """
-        existing = self.path
-        while not existing.exists() and existing != existing.parent:
-            existing = existing.parent
-        if not existing.is_dir():
+        try:
+            existing = self.path
+            while not existing.exists() and existing != existing.parent:
+                existing = existing.parent
+            usable = existing.is_dir()
+        except OSError as error:  # a name that is too long, for instance
+            raise _unwritable(self.path, error) from None
+        if not usable:
             raise InputError(
                 "the output directory cannot be made",
                 where=str(self.path),
@@ -46,29 +58,77 @@ class OutputDirectory:
         if not os.access(existing, os.W_OK | os.X_OK):
             raise InputError("the output directory cannot be written to", where=str(self.path))
 
+    def of_earlier_run(self) -> list[Path]:
+        """The files that an earlier run wrote here, as far as they are there and unchanged."""
+        manifest = read_manifest(self.path)
+        known = {} if manifest is None else manifest.known
+        return [
+            self.path / name for name in sorted(known) if hash_of(self.path / name) in known[name]
+        ]
+
     @contextlib.contextmanager
-    def writing(self) -> Iterator[Path]:
+    def adding(self) -> Iterator[Path]:
         """A temporary directory whose files are moved to the path if nothing is raised."""
-        made = [path for path in (self.path, *self.path.parents) if not path.exists()]
-        done = False
+        with self._drafting() as draft:
+            yield draft
+            with self._alone():
+                self._move(draft)
+
+    @contextlib.contextmanager
+    def replacing(self) -> Iterator[Path]:
+        """The same, and what an earlier run wrote here is removed, unless somebody changed it."""
+        with self._drafting() as draft:
+            yield draft
+            new = Manifest.of(sorted(draft.iterdir()))
+            with self._alone():
+                before = read_manifest(self.path) or Manifest({})
+                (draft / NAME).write_text(Manifest(new.files, before.known).text())
+                self._move(draft, first=NAME)
+                for name in before.known.keys() - new.files.keys():
+                    if hash_of(self.path / name) in before.known[name]:
+                        (self.path / name).unlink()
+                (draft / NAME).write_text(new.text())
+                self._move(draft)
+
+    @contextlib.contextmanager
+    def _drafting(self) -> Iterator[Path]:
+        """A temporary directory beside the files; those of runs that are dead are removed."""
+        draft = self.path / f"{DRAFT}{secrets.token_hex(8)}"
+        made: list[Path] = []
+
+        def discard() -> None:
+            shutil.rmtree(draft, ignore_errors=True)
+            for path in made:  # only empty ones go
+                with contextlib.suppress(OSError):
+                    path.rmdir()
+
         try:
-            self.path.mkdir(parents=True, exist_ok=True)
-            draft = Path(tempfile.mkdtemp(prefix=".orishell-", dir=self.path))
-            try:
+            made += (path for path in (self.path, *self.path.parents) if not path.exists())
+            with cleaning_up(discard), contextlib.ExitStack() as held:
+                self.path.mkdir(parents=True, exist_ok=True)
+                with _locked(self.path):
+                    self._remove_dead()
+                    draft.mkdir()
+                    held.enter_context(_locked(draft))
                 yield draft
-                self._move(sorted(draft.iterdir()))
-                done = True
-            finally:
-                shutil.rmtree(draft, ignore_errors=True)
         except OSError as error:
             raise _unwritable(self.path, error) from None
-        finally:
-            if not done:
-                for path in made:
-                    with contextlib.suppress(OSError):
-                        path.rmdir()
 
-    def _move(self, files: list[Path]) -> None:
+    @contextlib.contextmanager
+    def _alone(self) -> Iterator[None]:
+        """No other run moves its files meanwhile, and this one is not stopped."""
+        with _locked(self.path), uninterrupted():
+            yield
+
+    def _remove_dead(self) -> None:
+        for path in self.path.iterdir():
+            if _DRAFT_NAME.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
+                with _locked(path, wait=False) as free:
+                    if free:
+                        shutil.rmtree(path, ignore_errors=True)
+
+    def _move(self, draft: Path, first: str = "") -> None:
+        files = sorted(draft.iterdir(), key=lambda file: (file.name != first, file.name))
         for file in files:
             if (self.path / file.name).is_dir():
                 raise InputError(
@@ -78,7 +138,27 @@ class OutputDirectory:
             file.replace(self.path / file.name)
 
 
+@contextlib.contextmanager
+def _locked(directory: Path, *, wait: bool = True) -> Iterator[bool]:
+    """Lock a directory, if it can be; the system unlocks it when the process ends, however."""
+    if sys.platform == "win32":
+        yield False
+        return
+    import fcntl
+
+    descriptor = os.open(directory, os.O_RDONLY)
+    try:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+            held = True
+        except OSError:  # held by another, or the file system has no locks
+            held = False
+        yield held
+    finally:
+        os.close(descriptor)
+
+
 def _unwritable(path: Path, error: OSError) -> InputError:
     return InputError(
-        "the files cannot be written", where=str(path), got=error.strerror or str(error)
+        "the files cannot be written", where=str(path), got=error.strerror or type(error).__name__
     )

@@ -51,7 +51,7 @@ def dump_view(document: Document, extra: Mapping[str, Any] | None = None) -> byt
         "title": document.title,
         "unit": document.unit,
         "grid": document.grid_shape,
-        "origin": origin.tolist(),
+        "origin": document.in_world(origin).tolist(),
         "drives_deg": [state.drive_deg for state in states],
         "report": dict(document.report),
         "contact": contact_of(document.report, document.grid_shape),

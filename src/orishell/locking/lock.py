@@ -14,6 +14,7 @@ from orishell.design import Design
 from orishell.metrics import corrugation_depth, diagonal
 from orishell.motion import Mechanism
 from orishell.pattern import Grid
+from orishell.quoting import in_degrees
 
 Array = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
@@ -98,6 +99,12 @@ class Lock:
     depth: float
     touching: tuple[tuple[Panel, Panel], ...]
     proof: Proof | None
+
+    def __repr__(self) -> str:
+        target = f"target at {in_degrees(self.target)} degrees"
+        end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
+        path = "path not examined" if self.proof is None else "path proved"
+        return f"{type(self).__name__}({end}, {target}, {path})"
 
     @property
     def early(self) -> bool:

@@ -9,16 +9,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import DISTANCE_MAP
 from orishell.motion import panel_normals
 from orishell.plot.scene import (
-    DPI,
+    BORDER,
+    HEADING,
+    LEGEND,
+    TITLE,
     WIDTH,
     Camera,
+    add_part,
     choose_camera,
     draw_targets,
     frame,
     line_width,
+    new_figure,
     row_height,
+    save,
+    set_title,
 )
 
 if TYPE_CHECKING:
@@ -28,9 +36,10 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
 
-COLOURS = "RdBu_r"
 CREASE = (0.15, 0.15, 0.18)
 LIGHT = np.array([-0.45, -0.55, 0.70])
+SHARE = 0.9
+"""The part of the picture's width that the shell is drawn in, beside the bar of colours."""
 SHADE = 0.12
 """Panels that turn away from the light are darker by this share."""
 
@@ -66,26 +75,21 @@ def plot_deviation(
     unit
         Unit of length.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-
     camera = choose_camera(points)
     picture = camera.project(points)[0]
-    layout = ConstrainedLayoutEngine(h_pad=0.12, w_pad=0.12)
-    height = row_height(0.9 * WIDTH, [picture]) + 0.6
-    figure = Figure(figsize=(WIDTH, height), facecolor="white", layout=layout)
-    FigureCanvasAgg(figure)
-    figure.suptitle(title, fontsize=15, fontweight="bold")
-    axes = figure.add_subplot()
-    axes.set_title(note)
+    height = row_height(SHARE * WIDTH, [picture])
+    figure = new_figure(LEGEND + height + TITLE + HEADING, title)
+    axes = add_part(figure, 0, LEGEND, SHARE * WIDTH, height)
+    set_title(axes, note)
     scale = _draw_cells(axes, points, distances, creases, camera)
     draw_targets(axes, targets, camera)
     shown = [picture.reshape(-1, 2), *(camera.project(curve)[0] for curve in targets.values())]
     frame(axes, np.concatenate(shown))
-    bar = figure.colorbar(scale, ax=axes, shrink=0.8, aspect=30, pad=0.02)
+    bottom, tall = LEGEND + 0.1 * height, 0.8 * height
+    beside = add_part(figure, SHARE * WIDTH, bottom, 2 * BORDER + 0.15, tall)
+    bar = figure.colorbar(scale, cax=beside)
     bar.set_label(f"distance from the surface ({unit}), positive above it")
-    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+    save(figure, path)
 
 
 def _draw_cells(
@@ -95,49 +99,46 @@ def _draw_cells(
     creases: tuple[Booleans, Booleans],
     camera: Camera,
 ) -> ScalarMappable:
-    """Panels from the farthest to the nearest: each its cells, then its outline."""
+    """Panels from the farthest to the nearest, coloured smoothly within each."""
     from matplotlib.cm import ScalarMappable
-    from matplotlib.collections import PolyCollection
-    from matplotlib.colors import Normalize
+    from matplotlib.colors import LinearSegmentedColormap, Normalize
+
+    from orishell.plot.shading import ShadedPanels
 
     limit = float(np.abs(distances).max()) or 1.0
-    scale = ScalarMappable(Normalize(-limit, limit), COLOURS)
+    scale = ScalarMappable(
+        Normalize(-limit, limit), LinearSegmentedColormap.from_list("distance", DISTANCE_MAP)
+    )
     rows, columns = (np.flatnonzero(each) for each in creases)
     panels = points[np.ix_(rows, columns)]
-    depth = camera.project(_corners(panels))[1].mean(axis=-1)
-    light = _brightness(panels, camera)
+    picture, depth = camera.project(_corners(panels))
+    order = np.argsort(depth.mean(axis=-1).ravel(), kind="stable")
 
     of_row = np.searchsorted(rows, np.arange(points.shape[0] - 1), side="right") - 1
     of_column = np.searchsorted(columns, np.arange(points.shape[1] - 1), side="right") - 1
-    panel = np.ix_(of_row, of_column)
-    corners = [distances[:-1, :-1], distances[1:, :-1], distances[1:, 1:], distances[:-1, 1:]]
-    colours = np.asarray(scale.to_rgba(np.mean(corners, axis=0)))
-    colours[..., :3] *= light[panel][..., None]
+    panel = np.add.outer(of_row * (len(columns) - 1), of_column).ravel()
+    colours = _corners(np.asarray(scale.to_rgba(distances))).reshape(-1, 4, 4)
+    colours[..., :3] *= _brightness(panels, camera).ravel()[panel, None, None]
 
-    cells = camera.project(_corners(points))[0].reshape(-1, 4, 2)
-    outlines = camera.project(_corners(panels))[0].reshape(-1, 4, 2)
-    faces = np.concatenate([colours.reshape(-1, 4), np.zeros((len(outlines), 4))])
-    edges = np.concatenate([colours.reshape(-1, 4), np.tile([*CREASE, 0.8], (len(outlines), 1))])
-    order = np.lexsort(
-        (
-            np.repeat([0, 1], [len(cells), len(outlines)]),
-            np.concatenate([depth[panel].ravel(), depth.ravel()]),
-        )
-    )
-    crease = line_width(camera.project(panels)[0], 0.9 * WIDTH, 0.6, 0.12)
-    widths = np.repeat([0.3, crease], [len(cells), len(outlines)])
-    axes.add_collection(
-        PolyCollection(
-            list(np.concatenate([cells, outlines])[order]),
-            facecolors=faces[order],
-            edgecolors=edges[order],
-            linewidths=widths[order],
+    place = np.empty_like(order)
+    place[order] = np.arange(len(order))
+    behind = np.argsort(place[panel], kind="stable")
+    outlines = np.take(picture, [0, 1, 2, 3, 0], axis=-2).reshape(-1, 5, 2)
+    axes.add_artist(
+        ShadedPanels(
+            camera.project(_corners(points))[0].reshape(-1, 4, 2)[behind],
+            colours[behind],
+            np.cumsum(np.bincount(place[panel])),
+            outlines[order],
+            edge=(*CREASE, 0.8),
+            width=line_width(camera.project(panels)[0], SHARE * WIDTH, 0.6, 0.12),
         )
     )
     return scale
 
 
 def _corners(points: Array) -> Array:
+    """What (A, B, N) belongs to the corners of every cell (A-1, B-1, 4, N)."""
     return np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=-2)
 
 

@@ -10,17 +10,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import LIGHT, rgb
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
 from orishell.pattern import CreaseValues
 from orishell.plot.scene import (
-    DPI,
+    BORDER,
+    HEADING,
+    LEGEND,
+    TITLE,
     WIDTH,
     Camera,
+    add_part,
     choose_camera,
     draw_targets,
     frame,
     line_width,
+    new_figure,
     row_height,
+    save,
+    set_title,
 )
 
 if TYPE_CHECKING:
@@ -28,15 +36,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MOUNTAIN, VALLEY, BORDER, UNFOLDED = "#d62728", "#1f5fbf", "#000000", "#9a9a9a"
-PAPER = np.array([0.957, 0.937, 0.894])
-BACK = np.array([0.72, 0.78, 0.86])
-LIGHT = np.array([-0.45, -0.55, 0.70])
+MOUNTAIN, VALLEY, UNFOLDED = (LIGHT[name] for name in ("mountain", "valley", "unfolded"))
+RIM, CONTACT = LIGHT["border-crease"], LIGHT["contact"]
+PAPER, BACK = np.array(rgb("panel-front")), np.array(rgb("panel-back"))
+LAMP = np.array([-0.45, -0.55, 0.70])
 STATE_SHARES = (0.25, 0.5, 0.75)
 """States shown between flat and locked, as shares of the drive at lock."""
 PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
-CONTACT_COLOUR = "#ff7f0e"
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +81,7 @@ def plot_overview(
     motion
         Its flat, half folded and locked states are shown.
     targets
-        Target curves "f" and "g" (N, 3), drawn with the locked shell.
+        Target curves "f" and "g" (N, 3), drawn with the locked shell; may be empty.
     title
         Heading.
     last
@@ -84,10 +91,6 @@ def plot_overview(
     contact
         A contact to draw beside the other states, if there is one before lock.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-
     lock = motion.mechanism.lock_drive
     locked = motion.locked.positions
     camera = choose_camera(locked)
@@ -101,29 +104,29 @@ def plot_overview(
     above = row_height(width / 2, [sheet, camera.project(locked)[0]])
     count = len(states)
     below = row_height(width / count, [camera.project(positions)[0] for positions in states])
-    layout = ConstrainedLayoutEngine(h_pad=0.12, w_pad=0.08)
-    figure = Figure(figsize=(width, above + below), facecolor="white", layout=layout)
-    FigureCanvasAgg(figure)
-    grid = figure.add_gridspec(2, 2 * count, height_ratios=(above, below))
-    figure.suptitle(title, fontsize=15, fontweight="bold")
+    foot = BORDER + below + TITLE + LEGEND
+    figure = new_figure(foot + above + TITLE + HEADING, title)
 
-    pattern = figure.add_subplot(grid[0, :count])
+    pattern = add_part(figure, 0, foot, width / 2, above)
     thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), width / 2)
     size = np.ptp(sheet.reshape(-1, 2), axis=0)
-    pattern.set_title(f"Crease pattern, {size[0]:.3g} × {size[1]:.3g} {unit}{thinned}")
-    shell = figure.add_subplot(grid[0, count:])
+    set_title(pattern, f"Crease pattern, {size[0]:.3g} × {size[1]:.3g} {unit}{thinned}")
+    shell = add_part(figure, width / 2, foot, width / 2, above)
     _draw_shell(shell, locked, camera, width / 2)
     draw_targets(shell, targets, camera)
     sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
-    shell.set_title(f"{last}, with f and g, {sizes} {unit}")
-    frames = [figure.add_subplot(grid[1, 2 * k : 2 * k + 2]) for k in range(count)]
+    shown = f"{last}, with f and g" if targets else last
+    set_title(shell, f"{shown}, {sizes} {unit}")
+    frames = [
+        add_part(figure, k * width / count, BORDER, width / count, below) for k in range(count)
+    ]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
         _draw_shell(axes, positions, camera, width / count)
-        axes.set_title(f"Drive {np.rad2deg(drive):.3g}°")
+        set_title(axes, f"Drive {np.rad2deg(drive):.3g}°")
     if contact is not None:
         _mark_panels(frames[-1], states[-1], contact, camera)
     _same_scale(frames)
-    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+    save(figure, path)
 
 
 def _thin(positions: Array, signs: CreaseValues, most: int) -> tuple[Array, CreaseValues, int, int]:
@@ -165,11 +168,11 @@ def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) 
                 LineCollection(list(segments), colors=colour, linewidths=width, linestyles=[style])
             )
     border = np.concatenate([sheet[0], sheet[1:, -1], sheet[-1, -2::-1], sheet[-2::-1, 0]])
-    axes.plot(*border.T, color=BORDER, linewidth=max(1.2, width), solid_joinstyle="miter")
+    axes.plot(*border.T, color=RIM, linewidth=max(1.2, width), solid_joinstyle="miter")
     axes.fill(*border.T, color=PAPER, zorder=0)
     axes.set_aspect("equal")
     axes.axis("off")
-    names = [(MOUNTAIN, "mountain"), (VALLEY, "valley"), (BORDER, "border")]
+    names = [(MOUNTAIN, "mountain"), (VALLEY, "valley"), (RIM, "border")]
     if (signs.row == 0).any() or (signs.column == 0).any():
         names.insert(2, (UNFOLDED, "unfolded"))
     for colour, name in names:
@@ -214,14 +217,12 @@ def _mark_panels(axes: Axes, positions: Array, contact: DrawnContact, camera: Ca
         for i, j in contact.panels
     ]
     axes.add_collection(
-        PolyCollection(
-            marked, facecolors=CONTACT_COLOUR, edgecolors=BORDER, linewidths=0.6, alpha=0.85
-        )
+        PolyCollection(marked, facecolors=CONTACT, edgecolors=RIM, linewidths=0.6, alpha=0.85)
     )
     middle = np.concatenate(marked).mean(axis=0)
-    axes.plot(*middle, "o", markersize=26, fillstyle="none", color=CONTACT_COLOUR, linewidth=1.5)
+    axes.plot(*middle, "o", markersize=26, fillstyle="none", color=CONTACT, linewidth=1.5)
     names = " and ".join(f"[{i}, {j}]" for i, j in contact.panels)
-    axes.set_title(f"First contact, drive {np.rad2deg(contact.drive):.4g}°:\npanels {names}")
+    set_title(axes, f"First contact, drive {np.rad2deg(contact.drive):.4g}°:\npanels {names}")
 
 
 def _shade(normals: Array, camera: Camera) -> Array:
@@ -229,7 +230,7 @@ def _shade(normals: Array, camera: Camera) -> Array:
     towards = camera.axes()[2]
     front = normals @ towards >= 0
     facing = np.where(front[:, None], normals, -normals)
-    light = LIGHT / np.linalg.norm(LIGHT)
+    light = LAMP / np.linalg.norm(LAMP)
     right, up, _ = camera.axes()
     lamp = light[0] * right + light[2] * up + 0.75 * towards
     brightness = 0.55 + 0.45 * np.clip(facing @ (lamp / np.linalg.norm(lamp)), 0, 1)

@@ -1,6 +1,6 @@
 """Polylines that follow curves: numbers only."""
 
-from orishell.polylines.chords import Chords, Placement, Spacing, place_chords
+from orishell.polylines.chords import Chords, Placement, Spacing, measure_chords, place_chords
 from orishell.polylines.closeness import Closeness, measure_closeness
 from orishell.polylines.coarse import warn_of_coarse_row
 from orishell.polylines.staircase import Staircase, fit_staircase
@@ -26,6 +26,7 @@ __all__ = [
     "choose_theta",
     "choose_xi",
     "fit_staircase",
+    "measure_chords",
     "measure_closeness",
     "place_chords",
     "place_zigzag",

@@ -17,10 +17,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.curves import Trace
+from orishell.curves import Trace, remembered
 from orishell.curves.jets import Array
-from orishell.polylines.closeness import measure_closeness
+from orishell.polylines.closeness import Closeness, measure_closeness
 from orishell.polylines.edge_errors import measure_edges
+from orishell.quoting import in_one_line
 
 Spacing = Literal["curvature", "equal"]
 Placement = Literal["inscribed", "balanced"]
@@ -66,7 +67,10 @@ class Chords:
     parameters: Array
     vertices: Array
 
+    __repr__ = in_one_line
 
+
+@remembered
 def place_chords(
     trace: Trace,
     count: int,
@@ -94,8 +98,22 @@ def place_chords(
     if placement == "inscribed":
         return inscribed
     balanced = _settle(trace, count, spacing, "balanced")
-    distances = [measure_closeness(trace, each.vertices).max for each in (balanced, inscribed)]
+    distances = [measure_chords(trace, each).max for each in (balanced, inscribed)]
     return balanced if distances[0] < distances[1] else inscribed
+
+
+@remembered
+def measure_chords(trace: Trace, chords: Chords) -> Closeness:
+    """Measure a polyline against its curve, as :func:`measure_closeness` does.
+
+    Parameters
+    ----------
+    trace
+        The curve.
+    chords
+        The polyline.
+    """
+    return measure_closeness(trace, chords.vertices)
 
 
 def _settle(trace: Trace, count: int, spacing: Spacing, placement: Placement) -> Chords:

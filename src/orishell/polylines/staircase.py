@@ -16,14 +16,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.curves.jets import Array
 from orishell.curves.nearest import Nearest
+from orishell.polylines.in_step import Search, answered, in_step
+from orishell.quoting import in_one_line
 
 MAX_ITERATIONS = 60
 SMALLEST_STEP = 1e-3
 """Share of a Newton step that is taken even if it does not bring the corners closer to balance."""
+DENSE = 64
+"""Systems up to this size are solved as dense ones, which is quicker."""
 BALANCE = 1e-9
 """Corners are balanced when their distances agree to this, relative to the distance."""
 
@@ -56,6 +61,8 @@ class Staircase:
     distance: float
     balanced: bool
 
+    __repr__ = in_one_line
+
     @property
     def evenness(self) -> float:
         """Shortest edge relative to the mean."""
@@ -79,8 +86,13 @@ def fit_staircase(trace: Trace, xi: float, edges: int) -> Staircase:
     Staircase
         The better one of those that begin upwards and downwards.
     """
-    nearest = Nearest.to(trace)
-    candidates = [_balance(_Levels.of(trace, nearest, xi, edges, first)) for first in (1, -1)]
+    return answered(search_staircase(trace, xi, edges), Nearest.to(trace))
+
+
+def search_staircase(trace: Trace, xi: float, edges: int) -> Search[Staircase]:
+    """The search of :func:`fit_staircase`, for points of the curve near to given ones."""
+    both = [_balance(_Levels.of(trace, xi, edges, first)) for first in (1, -1)]
+    candidates = yield from in_step(both)
     return min(candidates, key=lambda staircase: staircase.distance)
 
 
@@ -94,7 +106,6 @@ class _Levels:
     """
 
     trace: Trace
-    nearest: Nearest
     xi: float
     first: int
     edges: int
@@ -104,25 +115,25 @@ class _Levels:
     v: Array
 
     @classmethod
-    def of(cls, trace: Trace, nearest: Nearest, xi: float, edges: int, first: int) -> _Levels:
+    def of(cls, trace: Trace, xi: float, edges: int, first: int) -> _Levels:
         """Directions of the edges, and the curve's samples in the oblique coordinates."""
         sin, cos = np.sin(xi / 2), np.cos(xi / 2)
         x, y = (trace.points - trace.points[0]).T
         u, v = 0.5 * (x / sin + first * y / cos), 0.5 * (x / sin - first * y / cos)
         up, down = np.array([sin, first * cos]), np.array([sin, -first * cos])
-        return cls(trace, nearest, xi, first, edges, up, down, u, v)
+        return cls(trace, xi, first, edges, up, down, u, v)
 
     @property
     def side(self) -> Array:
         """+1 for odd corners, -1 for even ones (m,)."""
         return np.where(np.arange(self.edges - 1) % 2 == 0, 1.0, -1.0)
 
-    def signed_distances(self, level: Array) -> tuple[Array, Array, Array]:
+    def signed_distances(self, level: Array) -> Search[tuple[Array, Array, Array]]:
         """Signed distances (m,) of the corners, and their derivatives by both levels of each."""
         uv = np.stack([level[:-1], level[1:]], axis=-1)
         uv[0::2] = uv[0::2, ::-1]
         points = self.trace.points[0] + uv[:, :1] * self.up + uv[:, 1:] * self.down
-        foot, distance = self.nearest(points)
+        foot, distance = yield points
         sign = np.where(uv[:, 0] >= np.interp(uv[:, 1], self.v, self.u), 1.0, -1.0)
         normal = sign[:, None] * (points - foot) / np.maximum(distance, 1e-300)[:, None]
         slope = np.stack([normal @ self.up, normal @ self.down], axis=-1)
@@ -160,10 +171,10 @@ class _Levels:
         return Staircase(self.xi, self.first, lengths, vertices, distance, balanced)
 
 
-def _balance(levels: _Levels) -> Staircase:
+def _balance(levels: _Levels) -> Search[Staircase]:
     """Move the inner edges until all corners are equally far from the curve (damped Newton)."""
     side, level = levels.side, levels.first_guess()
-    distance, by_before, by_after = levels.signed_distances(level)
+    distance, by_before, by_after = yield from levels.signed_distances(level)
     height = float(np.abs(distance).mean())
     best = (float(np.abs(distance).max()), level)
     for _ in range(MAX_ITERATIONS):
@@ -175,7 +186,7 @@ def _balance(levels: _Levels) -> Staircase:
         while True:
             trial = level.copy()
             trial[1:-1] += step * change
-            distance, by_before, by_after = levels.signed_distances(trial)
+            distance, by_before, by_after = yield from levels.signed_distances(trial)
             new = side * distance - (height + step * rise)
             if new @ new < residual @ residual or step < SMALLEST_STEP:
                 break
@@ -189,17 +200,31 @@ def _balance(levels: _Levels) -> Staircase:
 
 def _newton_step(side: Array, before: Array, after: Array, residual: Array) -> tuple[Array, float]:
     """Changes of the inner levels and of the common distance that cancel the residual."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.linalg import spsolve
-
     m = len(side)
     corner = np.arange(m)
     rows = np.concatenate([corner[:-1], corner[1:], corner])
     columns = np.concatenate([corner[:-1], corner[:-1], np.full(m, m - 1)])
     entries = np.concatenate([(side * after)[:-1], (side * before)[1:], np.full(m, -1.0)])
-    matrix = coo_array((entries, (rows, columns)), shape=(m, m)).tocsc()
-    solution = np.asarray(spsolve(matrix, -residual))
+    solution = _solve(entries, rows, columns, -residual)
     return solution[:-1], float(solution[-1])
+
+
+def _solve(
+    entries: Array, rows: NDArray[np.intp], columns: NDArray[np.intp], right: Array
+) -> Array:
+    """The solution (m,) of a sparse system, not a number where there is none."""
+    if len(right) <= DENSE:
+        matrix = np.zeros((len(right), len(right)))
+        matrix[rows, columns] = entries
+        try:
+            return np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
+        except np.linalg.LinAlgError:
+            return np.full(len(right), np.nan)
+    from scipy.sparse import coo_array
+    from scipy.sparse.linalg import spsolve
+
+    sparse = coo_array((entries, (rows, columns)), shape=(len(right), len(right))).tocsc()
+    return np.asarray(spsolve(sparse, right))
 
 
 def _longest_step(level: Array, change: Array) -> float:

@@ -6,10 +6,15 @@ staircase exists when every tangent of the rotated curve lies within (pi - xi)/2
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from orishell.curves import Trace
-from orishell.polylines.staircase import fit_staircase
+from orishell.curves.jets import Array
+from orishell.curves.nearest import Nearest
+from orishell.polylines.in_step import Search, answered, in_step, turned
+from orishell.polylines.staircase import Staircase, search_staircase
 
 MIN_EVENNESS = 0.25
 """"auto" keeps the shortest edge above this fraction of the mean (0.5 is usual: the two end edges
@@ -78,23 +83,24 @@ def choose_xi(trace: Trace, edges: int, accuracy: float = XI_ACCURACY) -> float:
     accuracy
         How near to come to the widest (radians).
     """
+    return answered(_search_xi(trace, edges, accuracy), Nearest.to(trace)).xi
+
+
+def _search_xi(trace: Trace, edges: int, accuracy: float) -> Search[Staircase]:
+    """The staircase of the angle that :func:`choose_xi` chooses."""
     widest = min(xi_limit(*trace.heading_range()) * (1 - MARGIN), WIDEST_XI)
-
-    def evenness(xi: float) -> float:
-        return fit_staircase(trace, xi, edges).evenness
-
-    tried: list[tuple[float, float]] = []
+    tried: list[Staircase] = []
     for trial in np.linspace(widest, 0.1 * widest, 13):
-        tried.append((evenness(float(trial)), float(trial)))
-        if tried[-1][0] >= MIN_EVENNESS:
+        tried.append((yield from search_staircase(trace, float(trial), edges)))
+        if tried[-1].evenness >= MIN_EVENNESS:
             break
     else:
-        return max(tried)[1]
-    good, bad = tried[-1][1], tried[max(len(tried) - 2, 0)][1]
+        return max(tried, key=lambda staircase: (staircase.evenness, staircase.xi))
+    good, bad = tried[-1], tried[max(len(tried) - 2, 0)].xi
     # Bisection on the even side: the evenness may jump where another first edge becomes better.
-    while bad - good > accuracy:
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if evenness(middle) >= MIN_EVENNESS else (good, middle)
+    while bad - good.xi > accuracy:
+        middle = yield from search_staircase(trace, 0.5 * (good.xi + bad), edges)
+        good, bad = (middle, bad) if middle.evenness >= MIN_EVENNESS else (good, middle.xi)
     return good
 
 
@@ -119,22 +125,35 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
     begin, end = begin + margin, end - margin
     coarse = min(edges, COARSE_EDGES)
 
-    def cost(theta: float, edges: int = coarse) -> float:
-        rotated = trace.rotated(theta)
-        angle = choose_xi(rotated, edges, COARSE_ACCURACY) if xi is None else xi
-        staircase = fit_staircase(rotated, angle, edges)
-        lacking = MIN_EVENNESS - staircase.evenness
-        # Rotations that keep the edges even come first; the size of the curve separates them.
-        return staircase.distance if lacking < 1e-6 else trace.length * (10 + lacking)
+    nearest = Nearest.to(trace)
+
+    def costs(thetas: Iterable[float], edges: int = coarse) -> Array:
+        every = [turned(_search_cost(trace.rotated(theta), edges, xi), theta) for theta in thetas]
+        return np.array(answered(in_step(every), nearest))
 
     # The scan is symmetric about the middle, where a symmetric curve has its optimum.
     scan = np.linspace(begin, end, 11)
-    costs = [cost(float(theta)) for theta in scan]
-    k = int(np.argmin(costs))
+    k = int(np.argmin(costs(scan)))
     bracket = (float(scan[max(k - 1, 0)]), float(scan[min(k + 1, len(scan) - 1)]))
-    found = minimize_scalar(cost, bounds=bracket, method="bounded", options={"xatol": 1e-3})
+    found = minimize_scalar(
+        lambda theta: float(costs([theta])[0]),
+        bounds=bracket,
+        method="bounded",
+        options={"xatol": 1e-3},
+    )
     candidates = [float(scan[k]), float(found.x)]
     if begin < 0 < end:
         candidates.insert(0, 0.0)  # unrotated, unless another rotation is really closer
-    finals = [cost(theta, edges) for theta in candidates]
-    return candidates[int(np.argmin(np.array(finals) > (1 + WORTHWHILE) * min(finals)))]
+    finals = costs(candidates, edges)
+    return candidates[int(np.argmin(finals > (1 + WORTHWHILE) * finals.min()))]
+
+
+def _search_cost(rotated: Trace, edges: int, xi: float | None) -> Search[float]:
+    """The distance of the staircase; rotations that keep the edges even come first."""
+    if xi is None:
+        staircase = yield from _search_xi(rotated, edges, COARSE_ACCURACY)
+    else:
+        staircase = yield from search_staircase(rotated, xi, edges)
+    lacking = MIN_EVENNESS - staircase.evenness
+    # The size of the curve separates them.
+    return staircase.distance if lacking < 1e-6 else rotated.length * (10 + lacking)

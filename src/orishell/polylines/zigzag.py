@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.curves.jets import Array
+from orishell.quoting import in_one_line
 
 Complex = NDArray[np.complex128]
 
@@ -51,6 +52,8 @@ class Zigzag:
     feet: Array
     first: int
     depth: float
+
+    __repr__ = in_one_line
 
     @property
     def lengths(self) -> Array:

@@ -8,19 +8,28 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, Field, ValidationError, model_validator
+from pydantic import (
+    BaseModel,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from orishell.choosing import Tolerance
 from orishell.curves import Curve
 from orishell.errors import InputError
 from orishell.locking import CONTACT_TOLERANCE
+from orishell.quoting import in_one_line
 from orishell.spec.families import FAMILIES, Pattern, require_family
 from orishell.spec.faults import Location, explain
 from orishell.spec.table import Number, Table
 from orishell.spec.target import Target, Targets
-from orishell.spec.toml_file import read_toml
 from orishell.spec.workshop import WorkshopTable
+from orishell.standing import Ground
+from orishell.toml_file import read_toml
 from orishell.units import Unit
 from orishell.workshop import Workshop
 
@@ -35,6 +44,7 @@ ANY_SIZE = {"rows": 1, "columns": 2}
 class _Shell(Table):
     family: str
     unit: Unit
+    ground: Ground = "z0"
 
 
 class _Motion(Table):
@@ -60,11 +70,20 @@ class _Tolerance(Table):
 
 class _File(Table):
     shell: _Shell
-    target: Targets
+    target: Annotated[Targets | None, Field(validate_default=True)] = None
     pattern: dict[str, Any] = Field(default_factory=dict)
     tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
     workshop: WorkshopTable = WorkshopTable()
+
+    @field_validator("target")
+    @classmethod
+    def _require_target(cls, target: Targets | None, info: ValidationInfo) -> Targets | None:
+        shell = info.data.get("shell")
+        family = FAMILIES.get(shell.family) if shell is not None else None
+        if target is None and (family is None or family.pattern.needs_target):
+            raise PydanticCustomError("missing", "Field required")
+        return target
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,8 +98,8 @@ class DesignFile:
         The family's name.
     unit
         Unit of length of the curves and of all files written.
-    f, g
-        The target curves.
+    target
+        The target curves f and g, or None.
     pattern
         The family's parameters; its rows and columns have no meaning if there is a tolerance.
     tolerance
@@ -91,18 +110,48 @@ class DesignFile:
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     workshop
         How the flat sheet is drawn and cut.
+    ground
+        Where a shell that can stand is put.
     """
 
     path: Path
     family: str
     unit: str
-    f: Curve
-    g: Curve
+    target: tuple[Curve, Curve] | None
     pattern: Pattern
     tolerance: Tolerance | None
     frames: int
     contact_tolerance: float
     workshop: Workshop
+    ground: Ground = "z0"
+
+    __repr__ = in_one_line
+
+    @property
+    def f(self) -> Curve:
+        """The swept curve."""
+        return self.require_target()[0]
+
+    @property
+    def g(self) -> Curve:
+        """The curve that it is swept along."""
+        return self.require_target()[1]
+
+    def require_target(self) -> tuple[Curve, Curve]:
+        """Both target curves.
+
+        Raises
+        ------
+        InputError
+            If the file has none.
+        """
+        if self.target is None:
+            raise InputError(
+                "there is no target",
+                where=f"{self.path}: [target]",
+                remedy="add [target.f] and [target.g], or use orishell design, which needs none",
+            )
+        return self.target
 
 
 def read_design_file(path: Path) -> DesignFile:
@@ -118,7 +167,8 @@ def read_design_file(path: Path) -> DesignFile:
     InputError
         Naming the file, the key, what was found and what is expected.
     """
-    return check_design(read_toml(path), path)
+    remedy = "orishell new parallel-repeating writes one to begin with"
+    return check_design(read_toml(path, "design file", remedy), path)
 
 
 def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> DesignFile:
@@ -145,33 +195,36 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
     table = file.pattern
     if file.tolerance is not None:
+        if file.target is None:
+            raise InputError(
+                "a tolerance needs a target to be measured from",
+                where=f"{path}: [tolerance]",
+                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
+                "rows and columns",
+            )
         table = {**_require_no_size(path, table), **ANY_SIZE}
     try:
         pattern = family.pattern.model_validate(table)
     except ValidationError as error:
         raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
     require_memory(path, pattern, file.motion.frames)
+    directory = path.parent if files else None
     try:
-        workshop = file.workshop.settings(path.parent if files else None)
+        workshop = file.workshop.settings(directory)
+        target = None if file.target is None else file.target.curves(directory, file.shell.unit)
     except InputError as error:
         raise error.located(f"{path}:") from None
-    curves = {}
-    for name, target in (("f", file.target.f), ("g", file.target.g)):
-        try:
-            curves[name] = target.curve(path.parent if files else None, file.shell.unit)
-        except InputError as error:
-            raise error.located(f"{path}: [target.{name}]") from None
     return DesignFile(
         path,
         file.shell.family,
         file.shell.unit,
-        curves["f"],
-        curves["g"],
+        target,
         pattern,
         None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
         file.motion.frames,
         file.motion.contact_tolerance,
         workshop,
+        file.shell.ground,
     )
 
 

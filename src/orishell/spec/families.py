@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal, Self, TypeVar
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.choosing import Tolerance
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
-from orishell.errors import InputError
+from orishell.errors import InputError, Value
 from orishell.families.longitudinal_linear_repeating import (
     Coupling,
     RowKind,
@@ -43,9 +43,15 @@ class Pattern(Table):
 
     most: ClassVar[int] = 201
     """Rows and columns that are tried at most to meet a tolerance."""
+    needs_target: ClassVar[bool] = True
+    """Whether there is no design without f and g."""
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for."""
+        raise NotImplementedError
+
+    def design_without_target(self) -> Design:
+        """Design what these parameters alone ask for, in a family that needs no target."""
         raise NotImplementedError
 
     def sized(self, rows: int, columns: int) -> Self:
@@ -56,9 +62,24 @@ class Pattern(Table):
         """What the file leaves open, settled in ways that may meet a tolerance with few panels."""
         return [self]
 
-    def designed(self, f: Curve, g: Curve, flap: float | Auto) -> Design:
-        """The design of other curves f and g with a flap of another width (in their unit)."""
-        return self.model_copy(update={"flap": flap}).design(f, g)
+    def changed(self, values: Mapping[str, Value | None]) -> Pattern:
+        """The same with other values of its keys, None for a key removed, or of another family.
+
+        Raises
+        ------
+        InputError
+            If a value does not fit.
+        """
+        table = {**self.model_dump(exclude_unset=True), **values}
+        family = table.pop("family", None)
+        model = type(self) if family is None else FAMILIES[family].pattern
+        try:
+            return model.model_validate(
+                {key: value for key, value in table.items() if value is not None}
+            )
+        except ValidationError as error:
+            first = error.errors()[0]
+            raise InputError(first["msg"], where=".".join(map(str, first["loc"]))) from None
 
 
 class ParallelRepeatingPattern(Pattern):
@@ -150,6 +171,7 @@ class LongitudinalPattern(Pattern):
     """Parameters of the longitudinal linear repeating family."""
 
     most: ClassVar[int] = 25
+    needs_target: ClassVar[bool] = False
 
     sector_deg: Annotated[list[Angle], Field(min_length=4, max_length=4)] | Auto
     solution: Annotated[int, Field(ge=0)] = 0
@@ -177,6 +199,13 @@ class LongitudinalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
+        return self._design(f, g)
+
+    def design_without_target(self) -> Design:
+        """Design the sheet alone."""
+        return self._design(None, None)
+
+    def _design(self, f: Curve | None, g: Curve | None) -> Design:
         angles = self.sector_deg
         return design_longitudinal_linear_repeating(
             f,
@@ -196,17 +225,44 @@ class LongitudinalPattern(Pattern):
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """What the design file needs to know of a family: its table and a starter file."""
+    """What the design file and whoever lists families need to know of one.
+
+    Parameters
+    ----------
+    pattern
+        Its table.
+    starter
+        A design file to begin with.
+    label
+        What headings call it.
+    what
+        What it makes, in a few words.
+    """
 
     pattern: type[Pattern]
     starter: str
+    label: str
+    what: str
 
 
 FAMILIES: Mapping[str, Family] = {
-    "parallel-repeating": Family(ParallelRepeatingPattern, starters.PARALLEL_REPEATING),
-    "orthodiagonal": Family(OrthodiagonalPattern, starters.ORTHODIAGONAL),
+    "parallel-repeating": Family(
+        ParallelRepeatingPattern,
+        starters.PARALLEL_REPEATING,
+        "Parallel repeating",
+        "Any f along any g, at right angles or oblique",
+    ),
+    "orthodiagonal": Family(
+        OrthodiagonalPattern,
+        starters.ORTHODIAGONAL,
+        "Orthodiagonal",
+        "A wavy cylinder: f along g, in parallel planes",
+    ),
     "longitudinal-linear-repeating": Family(
-        LongitudinalPattern, starters.LONGITUDINAL_LINEAR_REPEATING
+        LongitudinalPattern,
+        starters.LONGITUDINAL_LINEAR_REPEATING,
+        "Longitudinal",
+        "A convex f along a line, growing",
     ),
 }
 

@@ -84,6 +84,7 @@ LONGITUDINAL_LINEAR_REPEATING = """\
 family = "longitudinal-linear-repeating"
 unit = "m"                  # mm, cm, m, in, ft
 
+# without both targets: as far as it folds, and lengths are lengths
 [target.f]                  # the curve that is swept, in its own plane: convex
 formula = ["cos(t)", "sin(t)"]  # x(t), y(t); or y(x): "-x**2"
 range = [0.3, 2.8416]

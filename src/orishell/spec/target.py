@@ -145,6 +145,17 @@ class Targets(Table):
     f: Target
     g: Target
 
+    def curves(self, directory: Path | None, unit: str) -> tuple[Curve, Curve]:
+        """The curves f and g, see :meth:`Target.curve`."""
+
+        def curve(name: str, target: Target) -> Curve:
+            try:
+                return target.curve(directory, unit)
+            except InputError as error:
+                raise error.located(f"[target.{name}]") from None
+
+        return curve("f", self.f), curve("g", self.g)
+
 
 def _beside(directory: Path | None, name: str) -> Path:
     if directory is None:

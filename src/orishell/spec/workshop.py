@@ -10,7 +10,7 @@ from pydantic import Field, ValidationError
 from orishell.errors import InputError
 from orishell.spec.faults import explain
 from orishell.spec.table import Number, Table
-from orishell.spec.toml_file import read_toml
+from orishell.toml_file import read_toml
 from orishell.workshop import Workshop
 from orishell.workshop.palettes import load_palette, palette_names
 
@@ -87,7 +87,7 @@ def read_workshop(path: Path) -> Workshop:
     InputError
         Naming the file, the key, what was found and what is expected.
     """
-    raw = read_toml(path)
+    raw = read_toml(path, "workshop file")
     if "workshop" not in raw:
         raise InputError("this file has no table [workshop]", where=str(path))
     try:

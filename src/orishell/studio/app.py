@@ -7,16 +7,16 @@ import json
 from collections.abc import AsyncIterator, Collection
 from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import HTMLResponse, JSONResponse, StreamingResponse
+from fastapi.responses import JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 
+from orishell._version import __version__
 from orishell.io.registry import FORMATS
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families
@@ -32,12 +32,6 @@ from orishell.units import MILLIMETRES
 
 PAGES = Path(__file__).parent / "static"
 """Where the front end is, once it is built."""
-
-NOT_BUILT = """<!doctype html><html lang="en"><meta charset="utf-8"><title>orishell studio</title>
-<body style="font: 16px system-ui; max-width: 40em; margin: 4em auto">
-<h1>The studio is not built</h1>
-<p>Its pages are made from TypeScript, for which Node.js 18 or newer and npm are needed (on Debian:
-<code>apt-get install nodejs npm</code>). Then <code>make studio</code> builds and starts it.</p>"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +94,7 @@ def make_app(
     @app.get("/api/info")
     def info() -> dict[str, Any]:
         return {
-            "version": version("orishell"),
+            "version": __version__,
             "units": list(MILLIMETRES),
             "families": describe_families(),
             "examples": describe_examples(),
@@ -130,10 +124,8 @@ def make_app(
     for task, pool in (("ranges", slow), ("parse", quick), ("format", quick), ("curve", quick)):
         _add_task(app, task, pool)
 
-    if (PAGES / "index.html").exists():
+    if PAGES.is_dir():
         app.mount("/", StaticFiles(directory=PAGES, html=True))
-    else:
-        app.add_api_route("/", lambda: HTMLResponse(NOT_BUILT, status_code=503))
     return Guard(app, hosts, limits.bytes, limits.receiving)
 
 

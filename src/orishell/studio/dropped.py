@@ -68,7 +68,9 @@ def read_dropped(name: str, content: str, unit: str) -> dict[str, Any]:
                 kind = "a spline through" if smooth else "the polyline of"
                 note = f"{kind} {len(points)} points along {part}{name}"
         except InputError as error:
-            error.where = error.where.replace(str(path), name)
+            for field, text in vars(error).items():
+                if isinstance(text, str):
+                    setattr(error, field, text.replace(str(path), name))
             raise
     return {"points": points.tolist(), "smooth": smooth, "note": note}
 

@@ -13,6 +13,8 @@ Receive = Callable[[], Awaitable[Message]]
 Send = Callable[[Message], Awaitable[None]]
 App = Callable[[Message, Receive, Send], Awaitable[None]]
 
+VALUES = 200_000
+"""Commas of a body, at most: to read more of them would hold up everybody else."""
 HEADERS = (
     (
         b"content-security-policy",
@@ -69,6 +71,9 @@ class Guard:
         if body is None:
             await _answer(send, 413, f"the request is larger than {self.most} bytes")
             return
+        if body.count(b",") > VALUES:
+            await _answer(send, 413, f"the request has more than {VALUES} values")
+            return
         given = False
 
         async def whole() -> Message:
@@ -110,15 +115,23 @@ class Guard:
         if self.hosts is not None and host not in self.hosts:
             return 403, "this host is not served: open the address that the studio printed"
         origin = headers.get(b"origin")
-        if origin is not None and urlsplit(origin.decode("latin-1")).netloc.lower() != host:
+        if origin is not None and _place(origin) != host:
             return 403, "pages from elsewhere are not answered"
         if method == "POST" and not headers.get(b"content-type", b"").startswith(
             b"application/json"
         ):
             return 415, "the body of a request is JSON (application/json)"
         length = headers.get(b"content-length", b"0")
-        if not length.isdigit() or int(length) > self.most:
+        if not length.isdigit() or len(length) > 15 or int(length) > self.most:
             return 413, f"the request is larger than {self.most} bytes"
+        return None
+
+
+def _place(origin: bytes) -> str | None:
+    """Host and port of an origin; None if it is none."""
+    try:
+        return urlsplit(origin.decode("latin-1")).netloc.lower()
+    except ValueError:
         return None
 
 

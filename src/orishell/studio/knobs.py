@@ -72,7 +72,7 @@ KNOBS: Final[Mapping[str, Knob]] = {
     ),
     "solution": Knob(
         "Solution", "Which solution of equation (4), as `orishell solve` lists them", "integer",
-        slider=(0, 15), step=1,
+        slider=(0, 1), step=1,
     ),
     "stage_deg": Knob(
         "Stage", "Fold angle of column 1 at which the shell stands", "number", True, "deg",
@@ -96,12 +96,6 @@ KNOBS: Final[Mapping[str, Knob]] = {
 }  # fmt: skip
 """By the key of the table [pattern]; keys that are not here have no control."""
 
-TITLES: Final[Mapping[str, tuple[str, str]]] = {
-    "parallel-repeating": ("Parallel repeating", "Any f along any g, at right angles or oblique"),
-    "orthodiagonal": ("Orthodiagonal", "A wavy cylinder: f along g, in parallel planes"),
-    "longitudinal-linear-repeating": ("Longitudinal", "A convex f along a line, growing"),
-}
-
 
 def describe_families() -> dict[str, Any]:
     """Names, parameters and defaults of all families."""
@@ -111,18 +105,14 @@ def describe_families() -> dict[str, Any]:
 def describe_examples() -> list[dict[str, str]]:
     """A design of every family to begin with."""
     return [
-        {"name": name, "title": f"{_title(name)[0]} shell of the paper", "text": starter_file(name)}
-        for name in FAMILIES
+        {"name": name, "title": f"{family.label} shell of the paper", "text": starter_file(name)}
+        for name, family in FAMILIES.items()
     ]
 
 
-def _title(name: str) -> tuple[str, str]:
-    return TITLES.get(name, (name.replace("-", " ").capitalize(), ""))
-
-
 def _describe(name: str) -> dict[str, Any]:
-    fields = FAMILIES[name].pattern.model_fields
-    label, what = _title(name)
+    family = FAMILIES[name]
+    fields = family.pattern.model_fields
     parameters = []
     for key in ["rows", "columns", *(each for each in fields if each not in {"rows", "columns"})]:
         if key not in KNOBS:
@@ -140,4 +130,4 @@ def _describe(name: str) -> dict[str, Any]:
                 "default": None if field.is_required() else field.default,
             }
         )
-    return {"label": label, "what": what, "parameters": parameters}
+    return {"label": family.label, "what": family.what, "parameters": parameters}

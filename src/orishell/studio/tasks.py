@@ -6,7 +6,6 @@ import base64
 import io
 import tempfile
 import time
-import tomllib
 import zipfile
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -15,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from orishell.curves import Curve, trace_curve
-from orishell.errors import DesignError, InputError, OrishellError
+from orishell.errors import ClashError, DesignError, InputError, OrishellError
 from orishell.io import LAST, Settings
 from orishell.io.registry import find_formats
 from orishell.io.view import contact_of, dump_view
@@ -25,6 +24,7 @@ from orishell.spec import DesignFile, check_design
 from orishell.studio.dropped import read_dropped
 from orishell.studio.ranges import find_ranges
 from orishell.studio.workers import Payload, Progress, Task
+from orishell.toml_file import parse_toml
 from orishell.units import MILLIMETRES
 from orishell.writing import write_format
 
@@ -56,15 +56,18 @@ def describe_error(error: OrishellError) -> dict[str, Any]:
     """
     if isinstance(error, RefusedDesignError):
         return {**describe_error(error.error), "curves": error.curves}
-    fields = ("what", "where", "got", "expected", "remedy", "condition", "place", "size", "nearest")
+    fields = ("what", "where", "got", "expected", "remedy", "condition", "place", "size", "limit")
     found = {name: getattr(error, name, "") for name in fields}
-    kind = "design" if isinstance(error, DesignError) else "input"
+    kind, remedies = ("design", error.remedies) if isinstance(error, DesignError) else ("input", ())
     return {
         "error": {
             **found,
             "what": found["what"] or found["condition"],
             "kind": kind,
             "message": str(error).removeprefix(f"{NAME}.toml: "),
+            "remedies": [
+                {"text": str(remedy), "changes": dict(remedy.changes)} for remedy in remedies
+            ],
         },
     }
 
@@ -121,7 +124,7 @@ def verify(payload: Payload, advanced: Progress) -> dict[str, Any]:
     refusal = None
     try:
         shell = _examined(file, advanced, allowed=False)
-    except DesignError as error:
+    except ClashError as error:
         refusal = describe_error(error)["error"]
         shell = _examined(file, advanced, allowed=True)
     document = lay_surface(shell.document, shell.design)
@@ -174,10 +177,7 @@ def parse(payload: Payload, advanced: Progress) -> dict[str, Any]:
     InputError
         If it is not TOML, or no design.
     """
-    try:
-        tables = tomllib.loads(str(payload.get("text", "")))
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise InputError("this is not TOML", got=str(error)) from None
+    tables = parse_toml(str(payload.get("text", "")))
     _read({**payload, "design": tables})
     return {"design": tables}
 
@@ -278,6 +278,7 @@ def _read(payload: Payload, *, tolerated: bool = False) -> DesignFile:
         each for each in str(payload.get("name", NAME)) if each.isalnum() or each in "-_ "
     )
     file = check_design(design, Path(f"{name or NAME}.toml"), files=False)
+    file.require_target()
     if file.tolerance is not None and not tolerated:
         return file
     vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
@@ -293,7 +294,11 @@ def _read(payload: Payload, *, tolerated: bool = False) -> DesignFile:
 
 
 def _examined(file: DesignFile, advanced: Progress, *, allowed: bool) -> Shell:
-    test = ClashTest(allowed=allowed, advanced=lambda share: advanced(share, "looking for contact"))
+    test = ClashTest(
+        allowed=allowed,
+        advanced=lambda share: advanced(share, "looking for contact"),
+        mended=lambda share: advanced(share, "looking for what works"),
+    )
     return make_shell(
         file, clash_test=test, searched=lambda share: advanced(share, "choosing rows and columns")
     )

@@ -5,11 +5,16 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import multiprocessing
+import os
+import shutil
+import tempfile
 from collections.abc import AsyncGenerator, Callable
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from typing import Any, Literal
+
+from orishell.stopping import cleaning_up
 
 Payload = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -43,15 +48,14 @@ class RefusalError(Exception):
 
 @dataclass(slots=True)
 class _Worker:
-    """One process and the pipe to it."""
+    """One process and the pipe to it; its life is ended with its files."""
 
     process: SpawnProcess
     pipe: Connection
+    life: contextlib.ExitStack
 
     def stop(self) -> None:
-        self.process.kill()
-        self.process.join()
-        self.pipe.close()
+        self.life.close()
 
 
 @dataclass(slots=True)
@@ -162,10 +166,21 @@ class Pool:
 def _start() -> _Worker:
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(theirs,), daemon=True)
-    process.start()
-    theirs.close()
-    return _Worker(process, ours)
+    files = tempfile.mkdtemp(prefix="orishell-")
+    process = context.Process(target=_serve, args=(theirs, files), daemon=True)
+
+    def end() -> None:
+        if process.pid is not None:
+            process.kill()
+            process.join()
+        ours.close()
+        shutil.rmtree(files, ignore_errors=True)
+
+    with contextlib.ExitStack() as starting:
+        starting.enter_context(cleaning_up(end))
+        process.start()
+        theirs.close()
+        return _Worker(process, ours, starting.pop_all())
 
 
 def _stop_started(starting: asyncio.Task[_Worker]) -> None:
@@ -191,7 +206,7 @@ async def _readable(pipe: Connection, end: float) -> None:
         loop.remove_reader(pipe.fileno())
 
 
-def _serve(pipe: Connection) -> None:
+def _serve(pipe: Connection, files: str) -> None:
     """Work through requests until the pipe closes: the life of a process."""
     import signal
     import warnings
@@ -200,6 +215,7 @@ def _serve(pipe: Connection) -> None:
     from orishell.studio.tasks import TASKS, describe_error
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server says when it is over
+    tempfile.tempdir = files  # the server removes what a process leaves that it stops
     # Numbers beyond all measure are refused by what they lead to, not by a word on the terminal.
     warnings.simplefilter("ignore", RuntimeWarning)
     while True:
@@ -220,5 +236,6 @@ def _serve(pipe: Connection) -> None:
         except OrishellError as error:
             answer = ("refusal", describe_error(error))
         except Exception as error:
-            answer = ("fault", f"{type(error).__name__}: {error}")
+            words = f"{type(error).__name__}: {error}"
+            answer = ("fault", words.replace(f"{files}{os.sep}", ""))
         pipe.send(answer)

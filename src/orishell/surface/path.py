@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from orishell.curves import Trace
 from orishell.curves.trace import SMALLEST_CELL
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -41,6 +42,8 @@ class Path:
     trace: Trace
     nodes: Integers
     last: Array
+
+    __repr__ = in_one_line
 
     @classmethod
     def of(cls, trace: Trace) -> Path:

@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.quoting import in_one_line
 from orishell.surface.path import Complex, Integers, Path
 
 Array = NDArray[np.float64]
@@ -65,6 +66,8 @@ class Sliding:
     axis: complex
     tilt: float = 0.0
 
+    __repr__ = in_one_line
+
     @property
     def stop(self) -> float:
         """Where u ends."""
@@ -114,6 +117,8 @@ class Turning:
     path: Path
     plane: float
     affine: bool = False
+
+    __repr__ = in_one_line
 
     @property
     def stop(self) -> float:

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace
-from orishell.panels import area_vectors
+from orishell.panels import area_vectors, lengths
+from orishell.quoting import in_one_line
 from orishell.surface.path import Path
 from orishell.surface.rails import Rail
 
@@ -42,6 +43,8 @@ class Lattice:
     points: Array
     left_out: float
 
+    __repr__ = in_one_line
+
     def triangles(self) -> Integers:
         """Corners (T, 3) of triangles, two a cell, by row of ``points`` as (A*B, 3).
 
@@ -55,7 +58,7 @@ class Lattice:
 
     def area(self) -> float:
         """Area of its cells."""
-        return float(np.linalg.norm(area_vectors(_cells(self.points)), axis=-1).sum())
+        return float(lengths(area_vectors(_cells(self.points))).sum())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,6 +88,8 @@ class Surface:
     profile: Trace
     origin: Array
     rail: Rail
+
+    __repr__ = in_one_line
 
     def points(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at places u along g (...) and parameters v of f (...)."""

@@ -11,6 +11,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.quoting import in_one_line
+
 Array = NDArray[np.float64]
 
 Layer = Literal["CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL"]
@@ -41,6 +43,8 @@ class Line:
     layer: Layer
     points: Array
     closed: bool = False
+
+    __repr__ = in_one_line
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,3 +118,5 @@ class Drawing:
     lines: tuple[Line, ...]
     circles: tuple[Circle, ...] = ()
     texts: tuple[Text, ...] = ()
+
+    __repr__ = in_one_line

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -11,13 +10,13 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from orishell.colours import LIGHT
 from orishell.errors import InputError
+from orishell.toml_file import parse_toml, read_toml
 from orishell.workshop.drawing import LAYERS, Layer
 
 _KEYS = {"colour", "aci", "width_mm"}
 _COLOUR = re.compile("#[0-9a-f]{6}")
-_LARGEST = 1_000_000
-"""Bytes of a palette file that are read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,20 +99,11 @@ def load_palette(name: str) -> Palette:
 @cache
 def _known() -> dict[str, Palette]:
     text = (files("orishell.workshop") / "palettes.toml").read_text(encoding="utf-8")
-    return {name: _parse(name, table) for name, table in tomllib.loads(text).items()}
+    return {name: _parse(name, table) for name, table in parse_toml(text).items()}
 
 
 def _read_palette(path: Path) -> Palette:
-    try:
-        with path.open("rb") as file:
-            text = file.read(_LARGEST).decode("utf-8")
-        tables = tomllib.loads(text)
-    except OSError as error:
-        raise InputError(
-            "the palette cannot be read", where=str(path), got=error.strerror or str(error)
-        ) from None
-    except (ValueError, RecursionError) as error:
-        raise InputError("the palette is not valid TOML", where=str(path), got=str(error)) from None
+    tables = read_toml(path, "palette")
     if len(tables) != 1:
         raise InputError(
             "a palette file has one table, the palette",
@@ -153,6 +143,7 @@ def _pen(where: str, value: Any) -> Pen:
             "a layer has a colour, an aci and a width_mm, or is false", where=where, got=repr(value)
         )
     colour, aci, width = value["colour"], value["aci"], value["width_mm"]
+    colour = LIGHT.get(colour, colour) if isinstance(colour, str) else colour
     if not isinstance(colour, str) or not _COLOUR.fullmatch(colour.lower()):
         raise InputError(
             "no colour", where=f"{where} colour", got=repr(colour), expected='as in "#ff0000"'

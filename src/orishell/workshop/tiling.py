@@ -29,6 +29,8 @@ LONGEST = 3
 """Pages along the longer side of the model, if the scale is chosen."""
 MOST = 400
 """More pages are refused."""
+LARGEST_MM = 1e14
+"""Larger sheets are refused: no scale that is tried would do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,9 +119,11 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     Raises
     ------
     InputError
-        If a given scale needs more than 400 pages.
+        If a given scale needs more than 400 pages, or the sheet is larger than all measure.
     """
     size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
+    if max(size) > LARGEST_MM:
+        raise InputError("the sheet is too large for a paper model", got=f"{max(size):.3g} mm")
     upright = PAPERS_MM[paper]
     if scale == "auto":
         tried = (1 / (10.0**power * step) for power in range(12) for step in (1, 2, 2.5, 5))

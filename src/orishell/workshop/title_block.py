@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
+from orishell._version import __version__
 from orishell.document import Document
+from orishell.errors import printable
 from orishell.units import MILLIMETRES
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
 from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text
@@ -204,7 +205,7 @@ def _facts(document: Document, part: Part, drawn: Drawing, workshop: Workshop) -
         f"{_decimal(area[0], unit)} × {_quoted(area[1], unit)}",
         f"Creases {made}",
         "Mountains rise towards this side of the sheet",
-        f"orishell {version('orishell')}, palette {Path(workshop.palette).stem}",
+        f"orishell {__version__}, palette {printable(Path(workshop.palette).stem)}",
     ]
 
 

@@ -8,9 +8,9 @@ import pytest
 
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
-from orishell.errors import CurveError, DesignError, InputError
+from orishell.errors import CurveError, DesignError, InputError, Remedy
 from orishell.families.parallel_repeating import ParallelRepeating
-from strategies import Request, graph, pair
+from strategies import Request, graph, pair, parallel_repeating
 
 PARABOLA = graph("-x**2", -1, 1)
 WAVE = graph("5*sin(pi*x/10)", 0, 20)
@@ -18,13 +18,13 @@ STRAIGHT = graph("0*x", 0, 20)
 
 
 def request(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Request:
-    return Request(f, g, {"rows": 9, "columns": 11, "xi": np.deg2rad(50), "flap": 0.3, **options})
+    asked = {"rows": 9, "columns": 11, "xi": np.deg2rad(50), "flap": 0.3, **options}
+    return parallel_repeating(f, g, **asked)
 
 
-def refusal(what: Request) -> DesignError:
-    with pytest.raises(DesignError) as caught:
-        what.design()
-    return caught.value
+def of_key(error: DesignError, key: str) -> list[Any]:
+    """Values that a refusal's candidates have at a key."""
+    return [each.changes[key] for each in error.candidates if key in each.changes]
 
 
 def test_figure_1_needs_no_mending() -> None:
@@ -35,26 +35,29 @@ def test_figure_1_needs_no_mending() -> None:
 
 
 def test_too_large_xi_names_the_limit() -> None:
-    error = refusal(request(xi=np.deg2rad(60)))
-    assert "53.13" in error.nearest
+    error = request(xi=np.deg2rad(60)).refusal()
+    assert "below 53.1301" in error.size
     assert "xi_deg = 60 is too large" in error.condition
-    assert request(xi=np.deg2rad(60)).mended(error).design()
+    what = request(xi=np.deg2rad(60))
+    values = of_key(error, "pattern.xi_deg")
+    assert values == sorted(values, reverse=True)
+    assert 53 < values[0] < 53.1301
+    for degrees in values:
+        assert what.changed(Remedy({"pattern.xi_deg": degrees})).design()
 
 
 def test_too_large_xi_offers_the_rotations_that_work() -> None:
-    what = request(f=graph("exp(x)", -2, 1), xi=np.deg2rad(60))
-    error = refusal(what)
-    match = re.search(r"theta_deg between (\S+) and (\S+)$", error.nearest)
-    assert match is not None
-    middle = np.deg2rad(0.5 * (float(match[1]) + float(match[2])))
-    assert request(f=what.f, xi=np.deg2rad(60), theta=middle).design()
+    what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi=np.deg2rad(60))
+    error = what.refusal()
+    for degrees in of_key(error, "pattern.theta_deg"):
+        assert what.changed(Remedy({"pattern.theta_deg": degrees})).design()
 
 
 def test_rotation_that_admits_no_xi() -> None:
     what = request(f=graph("exp(x)", -2, 1), g=STRAIGHT, xi="auto", theta=np.deg2rad(40))
-    error = refusal(what)
+    error = what.refusal()
     assert "no staircase for theta_deg = 40" in error.condition
-    assert what.mended(error).design()
+    assert what.improved(error).design()
 
 
 def test_f_that_turns_too_much() -> None:
@@ -65,74 +68,67 @@ def test_f_that_turns_too_much() -> None:
         {"xi": "auto", "theta": "auto"},
     ]
     for options in asked:
-        error = refusal(request(f=circle, **options))
+        error = request(f=circle, **options).refusal()
         assert "turns too much" in error.condition
-    match = re.search(r"from parameter (\S+) to (\S+) with theta_deg", error.nearest)
-    assert match is not None
-    shorter = pair("cos(t)", "sin(t)", float(match[1]), float(match[2]))
-    assert request(f=shorter, g=STRAIGHT, xi="auto", theta="auto").design()
+        assert "orthodiagonal" in of_key(error, "shell.family")
+        assert request(f=circle, g=STRAIGHT, xi="auto").mended().design()
 
 
 def test_bend_tighter_than_the_reach_of_f() -> None:
     what = request(g=graph("exp(-(x-10)**2)", 0, 20), columns=99)
-    error = refusal(what)
+    error = what.refusal()
     assert "bends more sharply" in error.condition
     assert re.search(r"at row (0|10) between columns \d+ and \d+", error.place)
-    # The quoted scale works, and 1 % more does not.
-    match = re.search(r"scale in \[target.f\] times ([^\s,]+)", error.nearest)
-    assert match is not None
-    assert what.mended(error).design()
-    refusal(request(f=PARABOLA.scaled(1.01 * float(match[1])), g=what.g, columns=99))
-    # So does the scale of g.
-    match = re.search(r"scale in \[target.g\] times (\S+)", error.nearest)
-    assert match is not None
-    assert request(g=what.g.scaled(float(match[1]) * 1.001), columns=99).design()
+    # The largest scale of f works, and 1 % more does not; so does the smallest of g.
+    remedies = list(error.candidates)
+    of_f = [float(str(each.changes.get("target.f.scale", 0))) for each in remedies]
+    assert what.changed(remedies[0]).design()
+    request(f=PARABOLA.scaled(1.01 * max(of_f)), g=what.g, columns=99).refusal()
+    (first, *_) = (each for each in remedies if "target.g.scale" in each.changes)
+    assert what.changed(first).design()
 
 
 def test_plane_that_does_not_cross_g() -> None:
     what = request(plane=np.deg2rad(10))
-    error = refusal(what)
+    error = what.refusal()
     assert "does not cross" in error.condition
-    assert what.mended(error).design()
-    low, high = (float(x) for x in re.findall(r"[\d.]+", error.nearest))
-    for plane in (low, high):  # both ends of the quoted interval are admissible
+    match = re.search(r"between ([\d.]+) and ([\d.]+)$", error.size)
+    assert match is not None
+    low, high = (float(each) for each in match.groups())
+    for plane in (low + 0.01, high - 0.01):  # both ends of the interval are admissible
         try:
             request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(plane)).design()
         except DesignError as other:
             assert "does not cross" not in other.condition  # noqa: PT017
-    refusal(request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(low - 0.3)))
+    request(f=PARABOLA.scaled(0.05), plane=np.deg2rad(low - 0.3)).refusal()
 
 
 def test_too_few_columns_for_any_plane() -> None:
     what = request(g=pair("20*cos(t)", "20*sin(t)", 0, 6), columns=2)
-    error = refusal(what)
-    match = re.match(r"columns = (\d+)$", error.nearest)
-    assert match is not None
-    columns = int(match[1])
+    error = what.refusal()
+    columns = min(of_key(error, "pattern.columns"))
     assert request(g=what.g, columns=columns, f=PARABOLA.scaled(0.1)).design()
-    refusal(request(g=what.g, columns=columns - 1, f=PARABOLA.scaled(0.1)))
+    request(g=what.g, columns=columns - 1, f=PARABOLA.scaled(0.1)).refusal()
 
 
 def test_flat_sheet_that_overlaps_itself() -> None:
     # The flat sheet turns by sin(xi/2) of what g turns: 7 * 0.97 is more than a full turn.
     ring = pair("20*cos(t)", "20*sin(t)", 0, 7)
     what = request(f=graph("0.1*x", -1, 1), g=ring, columns=60, xi=np.deg2rad(150))
-    error = refusal(what)
+    error = what.refusal()
     assert "overlaps itself" in error.condition
-    assert what.mended(error).design()
-    match = re.match(r"xi_deg = ([\d.]+),", error.nearest)
-    assert match is not None
-    assert request(f=what.f, g=ring, columns=60, xi=np.deg2rad(float(match[1]))).design()
+    for mended in what.candidates(error):
+        assert mended.design()
 
 
 def test_flaps_that_overlap_in_the_flat_sheet() -> None:
     # Flat, the ring turns by 6.2 * sin(80 degrees) = 6.1: almost a full turn.
     ring = pair("20*cos(t)", "20*sin(t)", 0, 6.2)
     what = request(f=graph("0.05*x", -1, 1), g=ring, columns=60, xi=np.deg2rad(160), flap=4.0)
-    error = refusal(what)
+    error = what.refusal()
     assert "flaps overlap" in error.condition
-    assert what.mended(error).design()
-    assert Request(what.f, ring, {**what.options, "flap": 0}).design()
+    assert what.improved(error).design()
+    assert what.changed(Remedy({"pattern.flap": 0})).design()
 
 
 def test_too_few_columns_are_said_aloud() -> None:
@@ -182,11 +178,12 @@ def test_targets_are_placed_on_the_locked_shell() -> None:
 
 
 def test_panels_lost_in_rounding_are_refused() -> None:
-    error = refusal(request(flap=1e-12))
+    error = request(flap=1e-12).refusal()
     assert "flaps are no flaps" in error.condition
-    assert request().mended(error).design()
-    refusal(request(flap=1e300))
-    refusal(request(f=graph("-(x-1e8)**2", 1e8 - 1, 1e8 + 1), g=graph("x/5", 1e9, 1e9 + 20)))
+    assert request().improved(error).design()
+    request(flap=1e300).refusal()
+    request(flap=1e-320).refusal()
+    assert "a panel is so small" in request(f=graph("-1e9*x**2", -1e-9, 1e-9)).refusal().condition
 
 
 @pytest.mark.parametrize(
@@ -213,7 +210,7 @@ def test_parameters_without_meaning_are_refused(name: str, value: Any) -> None:
 
 def test_places_are_named_as_f_was_drawn() -> None:
     # Steepest at t = 1, where the curve drawn from right to left is at (-1, -1).
-    error = refusal(request(f=pair("-t", "-t**2", -0.2, 1), xi=np.deg2rad(80)))
+    error = request(f=pair("-t", "-t**2", -0.2, 1), xi=np.deg2rad(80)).refusal()
     assert error.place == "at the point (-1, -1) of f"
 
 

@@ -11,7 +11,7 @@ from orishell.families.parallel_repeating import ParallelRepeating, design_paral
 from orishell.metrics import diagonal, measure_residuals
 from orishell.motion import FoldedState, FoldingMotion, find_assignment, measure_fold_angles
 from orishell.polylines import fit_staircase
-from strategies import Request, feasible_design, graph, requests
+from strategies import Request, graph, requests
 
 
 def mechanism_of(design: Design) -> ParallelRepeating:
@@ -34,7 +34,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     request: Request, share: float
 ) -> None:
     # Every request works, or works with the nearest value that the error names.
-    mechanism = mechanism_of(feasible_design(request))
+    mechanism = mechanism_of(request.feasible())
     drives = np.array([share * np.pi, np.pi])
     states = [FoldedState.of(mechanism, float(drive)) for drive in drives]
     residuals, assignment = measure_residuals(states, FoldedState.of(mechanism, 0.0))
@@ -57,7 +57,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
 @settings(max_examples=60)
 @given(requests())
 def test_locked_state_lies_on_the_polylines(request: Request) -> None:
-    mechanism = mechanism_of(feasible_design(request))
+    mechanism = mechanism_of(request.feasible())
     locked = mechanism.positions(np.pi)
     middle = (locked.shape[0] - 1) // 2
     row = locked[middle, mechanism.inner_columns]
@@ -86,7 +86,7 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
 @settings(max_examples=60)
 @given(requests())
 def test_row_lengths_are_those_of_the_flat_sheet(request: Request) -> None:
-    mechanism = mechanism_of(feasible_design(request))
+    mechanism = mechanism_of(request.feasible())
     flat = mechanism.positions(0.0)
     size = diagonal(flat)
     for row in (0, flat.shape[0] - 1):

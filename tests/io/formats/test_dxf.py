@@ -1,7 +1,3 @@
-import hashlib
-import os
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -28,8 +24,6 @@ from orishell.workshop.outline import signed_areas
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.settings import CreaseStyle
 from orishell.workshop.sheets import draw_sheets
-
-TESTS = Path(__file__).parent.parent.parent
 
 
 def written(path: Path, document: Document, workshop: Workshop = DEFAULT) -> DxfDocument:
@@ -154,38 +148,3 @@ def test_a_document_without_a_unit_is_refused_and_no_file_is_left(tmp_path: Path
 def test_ezdxf_is_left_as_it_was(tmp_path: Path) -> None:
     written(tmp_path / "pattern.dxf", demo_document())
     assert ezdxf.options.write_fixed_meta_data_for_testing is False
-
-
-SCRIPT = """
-import sys
-from pathlib import Path
-from documents import FAMILIES, demo_document
-from orishell.io.formats.dxf import write_dxf
-from orishell.io.formats.origami_simulator import write_origami_simulator
-from orishell.io.formats.svg import write_svg
-from orishell.io.settings import Settings
-from orishell.workshop import Workshop
-
-settings = Settings(
-    workshop=Workshop(palette="lightburn", creases="dashes", relief_hole=0.005, labels="both")
-)
-for family in FAMILIES:
-    for write, name in (
-        (write_dxf, "dxf"), (write_svg, "svg"), (write_origami_simulator, "origami.svg")
-    ):
-        write(Path(sys.argv[1]) / f"{family}.{name}", demo_document(family), settings)
-"""
-
-
-def test_drawings_are_the_same_bytes_whatever_the_hash_seed(tmp_path: Path) -> None:
-    digests = []
-    for seed in ("1", "2"):
-        out = tmp_path / seed
-        out.mkdir()
-        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(TESTS)}
-        subprocess.run([sys.executable, "-c", SCRIPT, str(out)], check=True, env=environment)
-        digests.append(
-            {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in out.iterdir()}
-        )
-    assert len(digests[0]) == 9
-    assert digests[0] == digests[1]

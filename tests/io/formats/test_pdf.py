@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -22,7 +19,6 @@ from orishell.io.formats.pdf import write_pdf
 from orishell.io.settings import Settings
 from orishell.workshop import Workshop
 
-TESTS = Path(__file__).parent.parent.parent
 MM = 72 / 25.4
 A4 = (210 * MM, 297 * MM)
 FRAME_LEFT, FRAME_BOTTOM = 10 * MM, 22 * MM
@@ -203,20 +199,3 @@ def test_refusals(tmp_path: Path) -> None:
 def test_titles_of_any_letters_can_be_printed(tmp_path: Path) -> None:
     reader = written(tmp_path, replace(demo_document(), title="Schale 貝 (Größe \\ 1) " * 9))
     assert "Größe" in reader.pages[0].extract_text()
-
-
-def test_the_same_bytes_whatever_the_hash_seed(tmp_path: Path) -> None:
-    code = (
-        f"import sys; sys.path.insert(0, {str(TESTS)!r})\n"
-        "from pathlib import Path\n"
-        "from documents import demo_document\n"
-        "from orishell.io.formats.pdf import write_pdf\n"
-        "from orishell.io.settings import Settings\n"
-        "write_pdf(Path(sys.argv[1]), demo_document(), Settings())\n"
-    )
-    files = [tmp_path / f"{seed}.pdf" for seed in ("1", "77")]
-    for file in files:
-        environment = os.environ | {"PYTHONHASHSEED": file.stem}
-        subprocess.run([sys.executable, "-c", code, str(file)], env=environment, check=True)
-    assert files[0].read_bytes() == files[1].read_bytes()
-    assert str(tmp_path).encode() not in files[0].read_bytes()

@@ -1,4 +1,4 @@
-"""Files for design tools: the same document gives the same bytes, whatever seed hashes have."""
+"""Files are the same bytes in another process, in another directory, whatever seed hashes have."""
 
 import hashlib
 import os
@@ -6,33 +6,47 @@ import subprocess
 import sys
 from pathlib import Path
 
-TESTS = Path(__file__).parent.parent.parent
-SCRIPT = """
+from documents import FAMILIES
+from orishell.io.registry import ALL, find_formats
+
+TESTS = Path(__file__).parents[2]
+DRAWINGS = ["dxf", "svg", "origami-simulator"]
+SCRIPT = f"""
 import sys
 from pathlib import Path
-from documents import demo_document
-from orishell.io.formats import gltf, obj, ply, rhino, stl, vtk
-from orishell.io.settings import Settings
+sys.path.insert(0, {str(TESTS)!r})
+from documents import FAMILIES, demo_document
+from orishell.io import Settings
+from orishell.io.registry import ALL, find_formats
+from orishell.workshop import Workshop
 
-out, document, settings = Path(sys.argv[1]), demo_document(), Settings()
-obj.write_obj(out / "shell.obj", document, settings)
-stl.write_stl(out / "shell.stl", document, settings)
-ply.write_ply(out / "shell.ply", document, settings)
-gltf.write_gltf(out / "shell.glb", document, settings)
-rhino.write_rhino(out / "shell.3dm", document, settings)
-vtk.write_vtk(out / "shell.vtu", document, settings)
+out = Path(sys.argv[1])
+for each in find_formats([ALL]):
+    each.write(out / each.file, demo_document(), Settings())
+settings = Settings(
+    workshop=Workshop(palette="lightburn", creases="dashes", relief_hole=0.005, labels="both")
+)
+for family in FAMILIES:
+    for each in find_formats({DRAWINGS}):
+        each.write(out / f"{{family}}-{{each.file}}", demo_document(family), settings)
 """
 
 
 def test_same_bytes_in_two_processes_and_directories(tmp_path: Path) -> None:
     digests = []
-    for seed in ("1", "2"):
+    for seed in ("1", "77"):
         out = tmp_path / seed
         out.mkdir()
-        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": str(TESTS)}
-        subprocess.run([sys.executable, "-c", SCRIPT, str(out)], check=True, env=environment)
-        digests.append(
-            {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in out.iterdir()}
+        subprocess.run(
+            [sys.executable, "-c", SCRIPT, str(out)],
+            env=os.environ | {"PYTHONHASHSEED": seed},
+            check=True,
+            timeout=120,
         )
-    assert len(digests[0]) == 6 + 8
+        files = sorted(out.iterdir())
+        assert not [file.name for file in files if str(tmp_path).encode() in file.read_bytes()]
+        digests.append({file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files})
+    names = {each.file for each in find_formats([ALL])}
+    names |= {f"{family}-{each.file}" for family in FAMILIES for each in find_formats(DRAWINGS)}
+    assert names <= digests[0].keys()
     assert digests[0] == digests[1]

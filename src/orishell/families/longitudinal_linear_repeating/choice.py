@@ -2,27 +2,80 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import TypeVar
+
 import numpy as np
+from numpy.typing import NDArray
 
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.sectors import NAMES, Sectors
-from orishell.families.longitudinal_linear_repeating.solutions import Solution, find_solutions
+from orishell.families.longitudinal_linear_repeating.solutions import (
+    ROUNDING,
+    Solution,
+    find_solutions,
+    is_free,
+)
+from orishell.quoting import rounded
 
-QUICK = 2001
-"""Points of the scan while searching for inputs that have a solution."""
+Array = NDArray[np.float64]
+
 APART = 0.02
 """Solutions are offered if c differs from that of the parallel strip, -1, by this."""
 AUTO_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25, 0.17, 0.12, 0.08, 0.05, 0.03, 0.02, 0.01)
 """Sector angles "auto" are the paper's, their deviations from 90 degrees reduced to such a share:
 the smaller, the larger are the sheets that exist and the less the radius grows."""
-
+EVEN_ENOUGH = 8.0
+"""Sector angles "auto" are the widest whose longest inner crease is at most this many times the
+shortest."""
+AUTO_SECTORS = Remedy({"pattern.sector_deg": "auto"})
 SMALLEST_ANGLE = 1e-4
 """Sector angles are looked for no nearer to 0 and 180 (degrees)."""
+
+Made = TypeVar("Made")
 
 
 def auto_sectors(share: float) -> Sectors:
     """The paper's (85, 80, 95, 100) degrees, nearer to 90 by a share."""
     return Sectors.from_degrees(90 + share * np.array([-5.0, -10.0, 5.0, 10.0]))
+
+
+def choose_auto(
+    make: Callable[[Solution], Made], ratio: Callable[[Made], float]
+) -> tuple[Solution, Made]:
+    """The widest angles for which a sheet exists: the fewest panels would do with them.
+
+    Parameters
+    ----------
+    make
+        Makes the sheet of a solution.
+    ratio
+        Its longest inner crease over the shortest.
+
+    Raises
+    ------
+    DesignError
+        If there is none even with the narrowest.
+    """
+    failure: DesignError | None = None
+    for share in AUTO_SHARES:
+        solution = auto_solution(share)
+        try:
+            made = make(solution)
+        except DesignError as error:
+            failure = error
+            continue
+        if ratio(made) <= EVEN_ENOUGH or share == AUTO_SHARES[-1]:
+            return solution, made
+    assert failure is not None
+    raise failure
+
+
+@cache
+def auto_solution(share: float) -> Solution:
+    """The first solution for the sector angles that a share gives."""
+    return choose_solution(auto_sectors(share))
 
 
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
@@ -42,7 +95,7 @@ def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
             size="it has one, number 0"
             if len(solutions) == 1
             else f"it has {len(solutions)}, numbers 0 to {len(solutions) - 1}",
-            nearest=f"solution = {len(solutions) - 1}",
+            candidates=[Remedy({"pattern.solution": len(solutions) - 1})],
         )
     return solutions[number]
 
@@ -50,26 +103,45 @@ def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
 def no_solution(sectors: Sectors) -> DesignError:
     """Why these sector angles fold nothing, and the nearest ones that fold."""
     shown = ", ".join(f"{angle:.7g}" for angle in sectors.degrees)
-    alpha, beta, gamma, delta = np.abs(np.array(sectors.degrees))
     reason = "it has only the degenerate one, a strip of parallel columns"
     outside = find_solutions(sectors, inside=False)
     if outside:
         angles = [f"{angle:.4f}" for angle in outside[0].second.degrees]
         reason += f"; ({', '.join(angles)}) would solve it, but such sums close no panel"
-    if abs(gamma + delta - 180) < 1e-6:
+    if abs(sectors.gamma + sectors.delta) <= ROUNDING:
         reason = "gamma + delta = 180: both creases of an S vertex are straight and fold alone"
-    elif abs(alpha + beta - 180) < 1e-6 and abs(alpha - beta) < 1e-6:
+    elif max(abs(sectors.alpha), abs(sectors.beta)) <= ROUNDING:
         reason = "alpha = beta = 90: both creases of an F vertex are straight and fold alone"
-    elif max(alpha, beta, gamma, delta) - min(alpha, beta, gamma, delta) < 1e-6:
-        reason = "all four are equal, so that every delta_2 solves it and none is singled out"
-    nearest = nearest_with_solution(sectors)
+    elif is_free(sectors):
+        reason = "gamma = delta, and every delta_2 solves it, so that none is singled out"
+    elif abs(sectors.gamma - sectors.delta) <= ROUNDING:
+        reason = "gamma = delta: column 2 would not fold (c = 0)"
     return DesignError(
         f"equation (4) has no solution for the sector angles ({shown})",
         size=reason,
-        nearest="sector_deg = [" + ", ".join(f"{angle:.7g}" for angle in nearest) + "]"
-        if nearest
-        else "sector_deg = [85, 80, 95, 100]",
+        candidates=_with_solution(sectors),
     )
+
+
+def _with_solution(sectors: Sectors) -> Iterator[Remedy]:
+    nearest = nearest_with_solution(sectors)
+    if nearest:
+        yield Remedy({"pattern.sector_deg": [rounded(angle, 7) for angle in nearest]})
+    yield AUTO_SECTORS
+
+
+def nearer_to_90(sectors: Array) -> Iterator[Remedy]:
+    """Sector angles nearer to 90 degrees, of which larger sheets exist.
+
+    Parameters
+    ----------
+    sectors
+        Deviations (4,) of the angles from 90 degrees (radians).
+    """
+    for share in (0.7, 0.5, 0.25, 0.1):
+        angles = 90 + share * np.rad2deg(sectors)
+        yield Remedy({"pattern.sector_deg": [rounded(float(angle), 6) for angle in angles]})
+    yield AUTO_SECTORS
 
 
 def nearest_with_solution(sectors: Sectors) -> list[float] | None:
@@ -94,7 +166,7 @@ def _smallest_change(start: np.ndarray, index: int, sign: int, limit: float) -> 
         angles[index] = np.round(angles[index] + sign * change, 4)
         if not 0.01 < angles[index] < 179.99:
             return False
-        solutions = find_solutions(Sectors.from_degrees(angles), points=QUICK)
+        solutions = find_solutions(Sectors.from_degrees(angles))
         return any(abs(solution.c + 1) > APART for solution in solutions)
 
     bad, good = 0.0, 0.01

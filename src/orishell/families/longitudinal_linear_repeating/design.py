@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.errors import DesignError, InputError
+from orishell.errors import DesignError, InputError, Remedy
+from orishell.families.candidates import bisect, fewer, sizes
 from orishell.families.longitudinal_linear_repeating.choice import (
-    AUTO_SHARES,
-    auto_sectors,
+    AUTO_SECTORS,
+    choose_auto,
     choose_solution,
 )
 from orishell.families.longitudinal_linear_repeating.even_lengths import (
@@ -25,10 +25,15 @@ from orishell.families.longitudinal_linear_repeating.even_lengths import (
 from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
 from orishell.families.longitudinal_linear_repeating.placement import place
 from orishell.families.longitudinal_linear_repeating.program import Wanted
+from orishell.families.longitudinal_linear_repeating.request import (
+    Auto,
+    Periodic,
+    SheetRequest,
+    given_lengths,
+)
 from orishell.families.longitudinal_linear_repeating.sectors import Sectors
 from orishell.families.longitudinal_linear_repeating.sheet import (
     require_flat_sheet,
-    require_size,
     with_fitting_border,
 )
 from orishell.families.longitudinal_linear_repeating.solutions import Solution
@@ -39,23 +44,14 @@ from orishell.families.longitudinal_linear_repeating.tessellation import (
     Coupling,
     Directions,
     RowKind,
-    continue_columns,
-    repeat_columns,
 )
+from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
 from orishell.motion import require_resolution
-from orishell.quoting import tidy_degrees
-
-Array = NDArray[np.float64]
-Auto = Literal["auto"]
-Periodic = Literal["periodic"]
-EVEN_ENOUGH = 8.0
-"""Sector angles "auto" are the widest whose longest inner crease is at most this many times the
-shortest."""
 
 
 def design_longitudinal_linear_repeating(
-    f: Curve,
-    g: Curve,
+    f: Curve | None = None,
+    g: Curve | None = None,
     *,
     rows: int,
     columns: int,
@@ -69,6 +65,10 @@ def design_longitudinal_linear_repeating(
     flap: float | Auto = "auto",
 ) -> Design:
     """Design a shell whose column 1 follows a convex f, swept along a straight g (section 4).
+
+    Without f and g, what the sector angles and the lengths of a row and a column fold: the question
+    that the paper asks. Then any solution will do, lengths are lengths, and the design has no
+    surface to be compared with.
 
     Parameters
     ----------
@@ -88,12 +88,15 @@ def design_longitudinal_linear_repeating(
     first_row
         Kind of the first row.
     row_lengths
-        Ratios of the middle row's lengths (n-1), or "auto" for the most even sheet.
+        Ratios of the middle row's lengths (n-1), or "auto" for the most even sheet. Without f and
+        g the lengths themselves.
     column_lengths
-        Ratios of column 1's lengths (m+1), or "auto" for those that follow f.
+        Ratios of column 1's lengths (m+1), or "auto" for those that follow f. Without f and g the
+        lengths themselves, or "auto" for the most even sheet; its mean column crease is 1 long if
+        both are "auto".
     stage
         The drive v_1 at which the shell is to meet f (radians), or "auto" for the one at which
-        column 1 turns as much as f.
+        column 1 turns as much as f; without f and g, where a crease is folded flat.
     flap
         Length of the row creases at the left and right border, in the unit of the curves, or
         "auto".
@@ -103,9 +106,10 @@ def design_longitudinal_linear_repeating(
     CurveError
         If f or g is not a usable curve.
     InputError
-        If couplings or ratios of lengths are not as many as the sheet needs.
+        If couplings or lengths are not as many as the sheet needs, or only one of f and g is given.
     DesignError
-        If the family cannot reach the target: the condition, where, by how much, what works.
+        If the family cannot reach the target, or there is no such sheet: the condition, where, by
+        how much, what works.
 
     Examples
     --------
@@ -118,117 +122,93 @@ def design_longitudinal_linear_repeating(
     >>> design.mechanism.grid
     Grid(rows=11, columns=11)
     """
-    profile, line = Profile.of(trace_curve(f, "f")), Line.along(trace_curve(g, "g"))
-    request = _Request(
-        profile=profile,
-        line=line,
+    request = SheetRequest(
         rows=rows,
         columns=columns,
         first_row=first_row,
         couplings=couplings,
-        row_lengths=_ratios("row_lengths", row_lengths, columns - 1),
-        column_lengths=_ratios("column_lengths", column_lengths, rows + 1),
+        row_lengths=given_lengths("row_lengths", row_lengths, columns - 1),
+        column_lengths=given_lengths("column_lengths", column_lengths, rows + 1),
         stage=None if stage == "auto" else stage,
         flap=flap,
     )
-    chosen = _choose_sectors(request) if sectors == "auto" else choose_solution(sectors, solution)
-    found, mechanism = request.build(chosen)
-    placed = place(mechanism, profile, line, found)
+    if f is None and g is None:
+        return design_without_target(request, sectors, solution)
+    if f is None or g is None:
+        raise InputError(
+            "f and g belong together", got="one of them", expected="both, or none for no target"
+        )
+    f_trace, g_trace = trace_curve(f, "f").in_own_frame(), trace_curve(g, "g").in_own_frame()
+    target = _Target(Profile.of(f_trace), Line.along(g_trace), request)
+    if sectors == "auto":
+        chosen, made = choose_auto(target.build, lambda made: made[1].lengths.inner_ratio)
+    else:
+        chosen = choose_solution(sectors, solution)
+        made = target.build(chosen)
+    found, mechanism = made
+    placed = place(mechanism, target.profile, target.line, found)
     return Design(
         mechanism=placed.mechanism,
-        parameters={
-            "sector_deg": [tidy_degrees(np.deg2rad(angle)) for angle in chosen.first.degrees],
-            "second_sector_deg": [
-                tidy_degrees(np.deg2rad(angle)) for angle in chosen.second.degrees
-            ],
-            "version": chosen.version,
-            "c": chosen.c,
-            "couplings": couplings
-            if couplings == "periodic"
-            else [str(each) for each in couplings],
-            "first_row": first_row,
-            "stage_deg": tidy_degrees(found.drive),
-            "motion_end_deg": tidy_degrees(mechanism.crease_end),
-            "longest_to_shortest": _evenness(mechanism),
-            "row_lengths": mechanism.lengths.row[rows // 2, 1:-1].tolist(),
-            "column_lengths": mechanism.lengths.column[:, 0].tolist(),
-            "flap": float(mechanism.lengths.row[0, 0]),
-            **placed.measures,
-        },
+        parameters={**request.describe(chosen, placed.mechanism), **placed.measures},
         targets=placed.targets,
         closeness=placed.closeness,
-        surface=placed.surface,
+        swept=placed.surface,
         approached=placed.approached,
+        origin=np.append(g_trace.origin, 0.0),
         warnings=(),
         lock_drive=mechanism.crease_end,
     )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Request:
-    """What was asked for, but for the sector angles."""
+class _Target:
+    """A convex f, a straight g, and the sheet that is to meet them."""
 
     profile: Profile
     line: Line
-    rows: int
-    columns: int
-    first_row: RowKind
-    couplings: Sequence[Coupling] | Periodic
-    row_lengths: Array | None
-    column_lengths: Array | None
-    stage: float | None
-    flap: float | Auto
+    request: SheetRequest
 
     def build(self, solution: Solution) -> tuple[Stage, LongitudinalLinearRepeating]:
         """The stage and the sheet that a solution of (4) gives."""
+        request = self.request
         if solution.version == "sine":
             raise DesignError(
                 "a solution of (4) in its sine version folds its S rows to alternate sides, so "
                 "that no column follows a convex curve",
-                nearest="a solution of the cosine version (orishell solve lists them first), or "
-                'sector_deg = "auto"',
+                candidates=[Remedy({"pattern.solution": 0}), AUTO_SECTORS],
             )
-        columns = self._coupled(solution)
-        require_size(columns, self.rows, self.first_row)
+        columns = request.coupled(solution)
         stage = find_stage(
             self.profile,
             columns,
-            self.rows,
-            self.first_row,
-            drive=self.stage,
-            lengths=self.column_lengths,
+            request.rows,
+            request.first_row,
+            drive=request.stage,
+            lengths=request.column_lengths,
         )
         inner = self._lengths(columns, stage)
         mechanism = with_fitting_border(
             columns,
-            self.first_row,
+            request.first_row,
             inner,
             (float(stage.lengths[0]), float(stage.lengths[-1])),
-            self.flap,
+            request.flap,
             side=stage.side,
         )
         require_flat_sheet(mechanism)
-        require_resolution(mechanism, "change rows, columns, flap or the lengths given")
+        require_resolution(
+            mechanism, chain(fewer("rows", request.rows), fewer("columns", request.columns))
+        )
         return stage, mechanism
-
-    def _coupled(self, solution: Solution) -> Columns:
-        if self.couplings == "periodic":
-            return repeat_columns(solution, self.columns)
-        if len(self.couplings) != self.columns - 1:
-            raise InputError(
-                "couplings do not fit",
-                got=f"{len(self.couplings)} entries",
-                expected=f'{self.columns - 1}, one fewer than columns, or "periodic"',
-            )
-        return continue_columns(solution, self.couplings)
 
     def _lengths(self, columns: Columns, stage: Stage) -> InnerLengths:
         """Lengths of the inner creases: column 1 follows f, the middle row is as long as g."""
-        directions = Directions.of(columns, self.rows, self.first_row)
-        row, column = self.row_lengths, stage.lengths[1:-1]
+        request = self.request
+        directions = Directions.of(columns, request.rows, request.first_row)
+        row, column = request.row_lengths, stage.lengths[1:-1]
         weights = stage.section.advance
-        if self.rows == 1:
-            row = np.ones(self.columns - 1) if row is None else row
+        if request.rows == 1:
+            row = np.ones(request.columns - 1) if row is None else row
             scale = self.line.length / float(weights @ row)
             return InnerLengths.marched(directions, scale * row, column)
         ends = (float(stage.lengths[0]), float(stage.lengths[-1]))
@@ -241,50 +221,30 @@ class _Request:
             given = "these row_lengths" if row is not None else "column 1 following f"
             raise DesignError(
                 f"no lengths keep all creases of the sheet positive with {given}",
-                nearest='row_lengths = "auto"'
+                candidates=[Remedy({"pattern.row_lengths": "auto"})]
                 if row is not None
-                else 'fewer rows or columns, or sector_deg = "auto"',
+                else chain(
+                    fewer("rows", request.rows), fewer("columns", request.columns), [AUTO_SECTORS]
+                ),
             )
         low, high = limits
-        nearest = low if self.line.length < low else high
+        works_at = low if self.line.length < low else high
+
+        def works(length: float) -> bool:
+            wanted = replace(free, advance=(weights, length))
+            return find_even_lengths(directions, wanted) is not None
+
+        def candidates() -> Iterator[Remedy]:
+            # The range is that of sheets in proportion; others are made, too.
+            start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
+            if start is not None:
+                length = bisect(start, self.line.length, works)
+                yield from sizes("g", self.line.trace.curve, length / self.line.length)
+            yield AUTO_SECTORS
+
         raise DesignError(
             "no lengths keep all creases of the sheet positive with a middle row as long as g",
             size=f"g is {self.line.length:.6g} long, and with column 1 following f the row may "
             f"be {low:.6g} to {high:.6g}",
-            nearest=f"scale in [target.g] times {nearest / self.line.length:.6g} (scale is 1 "
-            "where none is given)",
+            candidates=candidates(),
         )
-
-
-def _choose_sectors(request: _Request) -> Solution:
-    """The widest angles for which the sheet exists: the fewest panels would do with them."""
-    failure: DesignError | None = None
-    for share in AUTO_SHARES:
-        solution = choose_solution(auto_sectors(share))
-        try:
-            _, mechanism = request.build(solution)
-        except DesignError as error:
-            failure = error
-            continue
-        if _evenness(mechanism) <= EVEN_ENOUGH or share == AUTO_SHARES[-1]:
-            return solution
-    raise failure if failure is not None else DesignError("no sector angles were tried")
-
-
-def _evenness(mechanism: LongitudinalLinearRepeating) -> float:
-    lengths = mechanism.lengths
-    return InnerLengths(lengths.row[:, 1:-1], lengths.column[1:-1]).ratio
-
-
-def _ratios(name: str, lengths: Sequence[float] | Auto, count: int) -> Array | None:
-    """Given lengths as an array, or None for "auto"."""
-    if lengths == "auto":
-        return None
-    array = np.asarray(lengths, dtype=np.float64)
-    if array.shape != (count,) or not (array > 0).all():
-        raise InputError(
-            f"{name} does not fit",
-            got=f"{array.size} entries",
-            expected=f"{count} positive lengths",
-        )
-    return array

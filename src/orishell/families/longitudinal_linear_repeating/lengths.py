@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.families.longitudinal_linear_repeating.tessellation import Directions
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 
@@ -40,6 +41,8 @@ class EdgeLengths:
     row: Array
     column: Array
 
+    __repr__ = in_one_line
+
     def __post_init__(self) -> None:
         for array in (self.row, self.column):
             array.flags.writeable = False
@@ -47,6 +50,12 @@ class EdgeLengths:
     def shortest(self) -> float:
         """The shortest crease."""
         return float(min(self.row.min(), self.column.min()))
+
+    @property
+    def inner_ratio(self) -> float:
+        """The longest inner crease over the shortest."""
+        inner = np.concatenate([self.row[:, 1:-1].ravel(), self.column[1:-1].ravel()])
+        return float(inner.max() / inner.min())
 
 
 @dataclass(frozen=True, slots=True, eq=False)

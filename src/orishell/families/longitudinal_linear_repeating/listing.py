@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import islice
 from typing import Any
 
 from orishell.families.longitudinal_linear_repeating.choice import no_solution
@@ -47,7 +48,9 @@ def describe_solutions(sector_deg: Sequence[float]) -> dict[str, Any]:
     sectors = Sectors.from_degrees(sector_deg)
     solutions = find_solutions(sectors)
     if not solutions:
-        raise no_solution(sectors)
+        refusal = no_solution(sectors)
+        refusal.remedies = tuple(islice(refusal.candidates, 1))  # these have a solution
+        raise refusal
     entries = []
     for solution in solutions:
         columns = repeat_columns(solution, SEARCHED)

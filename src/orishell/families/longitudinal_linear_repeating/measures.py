@@ -61,3 +61,20 @@ def circle_radius(points: Array) -> float:
     system = np.stack([x, y, np.ones_like(x)], axis=-1)
     a, b, c = np.linalg.lstsq(system, x**2 + y**2, rcond=None)[0]
     return float(np.sqrt(max(c + (a * a + b * b) / 4, 0.0)))
+
+
+def section_radii(seen: Array) -> list[float]:
+    """Radii of the sections of column 1 and of the last column.
+
+    Parameters
+    ----------
+    seen
+        Vertices (m+2, n+2, 2) seen along the line that the sheet rolls about.
+    """
+    return [circle_radius(seen[:, j]) for j in (1, -2)]
+
+
+def describe_radii(radii: list[float]) -> dict[str, float | list[float]]:
+    """What the report says of such radii."""
+    first, last = radii
+    return {"radius": radii, "radius_growth": last / first if first > 0 else float("nan")}

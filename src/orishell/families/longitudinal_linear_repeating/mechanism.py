@@ -36,6 +36,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation import (
     RowKind,
     flat_foldable_rows,
 )
+from orishell.motion import mechanism_in_one_line
 from orishell.pattern import CreaseValues, Grid
 
 Array = NDArray[np.float64]
@@ -87,6 +88,8 @@ class LongitudinalLinearRepeating:
     side: int = 1
     stop: float | None = None
     pose: Pose = Pose()
+
+    __repr__ = mechanism_in_one_line
 
     @property
     def grid(self) -> Grid:

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from orishell.design import Approached, Parameter
 from orishell.families.longitudinal_linear_repeating.measures import (
-    circle_radius,
+    describe_radii,
     measure_departures,
+    section_radii,
 )
 from orishell.families.longitudinal_linear_repeating.mechanism import (
     LongitudinalLinearRepeating,
@@ -89,7 +90,7 @@ def place(
         + (start @ right) * right
     )
     centroid = shift + sheet[1 + (sheet.shape[0] - 2) // 2, 1:-1].mean(axis=0)
-    pose = Pose(_vector(centroid), _vector(_rotation_vector(rotation)))
+    pose = pose_of(centroid, rotation)
     placed = replace(free, pose=pose)
 
     final = placed.positions(stage.drive)
@@ -99,7 +100,7 @@ def place(
     along_row = (relative[middle, 1:-1] @ forward)[:, None]
     ideal = trace.points - stage.polygon[middle]
     distance = np.hypot(*np.moveaxis(seen[middle, 1:-1], -1, 0))
-    radii = [circle_radius(seen[:, j]) for j in (1, -2)]
+    radii = section_radii(seen)
     return Placed(
         mechanism=placed,
         targets={
@@ -119,8 +120,7 @@ def place(
             None,
         ),
         measures={
-            "radius": radii,
-            "radius_growth": radii[1] / radii[0] if radii[0] > 0 else float("nan"),
+            **describe_radii(radii),
             "row_span": [float(along_row.min()), float(along_row.max())],
             "column_1_depth": float(np.ptp(relative[:, 1] @ forward)),
             **measure_departures(placed),
@@ -128,12 +128,13 @@ def place(
     )
 
 
+def pose_of(centroid: Array, rotation: Array) -> Pose:
+    """The pose with a centroid (3,) of the middle row, turned by a matrix (3, 3) at the end."""
+    from scipy.spatial.transform import Rotation
+
+    return Pose(_vector(centroid), _vector(Rotation.from_matrix(rotation).as_rotvec()))
+
+
 def _vector(array: Array) -> tuple[float, float, float]:
     x, y, z = (float(each) for each in array)
     return x, y, z
-
-
-def _rotation_vector(matrix: Array) -> Array:
-    from scipy.spatial.transform import Rotation
-
-    return np.asarray(Rotation.from_matrix(matrix).as_rotvec())

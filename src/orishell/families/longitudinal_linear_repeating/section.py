@@ -21,6 +21,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation import (
     Directions,
     RowKind,
 )
+from orishell.panels import dots, lengths
 
 Array = NDArray[np.float64]
 
@@ -74,10 +75,7 @@ class Section:
         middle = 1 + rows // 2
         right = panels[..., middle + 1, 1:-1].turned(np.exp(1j * directions.row[middle, 1:-1]))
 
-        # Frames that lie alike on their row: the rows' own turn in the flat sheet goes with them.
-        fan = Rotations.of_vector(np.array([0.0, 0.0, directions.row[2, 1] - directions.row[0, 1]]))
-        turn = panels[..., 2, 1] @ fan @ panels[..., 0, 1].inverse()
-        axis = np.array([turn.b.real, turn.b.imag, turn.a.imag]).ravel()
+        axis = _axis(panels, directions).ravel()
         axis = axis / np.linalg.norm(axis)
         advance = right @ axis
         if advance.sum() < 0:
@@ -96,3 +94,33 @@ class Section:
             across=lengths[1:-1],
             advance=advance,
         )
+
+
+def turnings(columns: Columns, rows: int, first_row: RowKind, drives: Array, side: int) -> Array:
+    """How much column 1 of m rows turns at drives (D,), without a sign: :attr:`Section.turning`.
+
+    The turns of three rows are enough, because all others repeat them: this is for many drives.
+    """
+    other: RowKind = "S" if first_row == "F" else "F"
+    one = columns.first(1)
+    edges = EdgeLengths(np.ones((3, 2)), np.ones((4, 1)))
+    panels = LongitudinalLinearRepeating(one, other, edges, -side).panels(drives)
+    directions = Directions.of(one, 3, other)
+    down = panels[..., :, 1].turned(-1j * np.exp(1j * directions.column[:, 0]))
+    axis = _axis(panels, directions)
+    axis = (axis / lengths(axis)[:, None])[:, None]
+    across = down - dots(down, axis)[..., None] * axis
+    before, after = across[:, :-1], across[:, 1:]
+    turns = np.arctan2(dots(np.cross(before, after), axis), dots(before, after))
+    beyond, first = turns[:, 0], turns[:, 1]
+    last = beyond if rows % 2 else first
+    inner = (rows + 1) // 2 * first + rows // 2 * beyond
+    return np.asarray(np.abs(inner + 0.5 * (beyond + last)))
+
+
+def _axis(panels: Rotations, directions: Directions) -> Array:
+    """Along the line that panels (..., m+1, n+1) roll about: vectors (..., 3) of any length."""
+    # Frames that lie alike on their row: the rows' own turn in the flat sheet goes with them.
+    fan = Rotations.of_vector(np.array([0.0, 0.0, directions.row[2, 1] - directions.row[0, 1]]))
+    turn = panels[..., 2, 1] @ fan @ panels[..., 0, 1].inverse()
+    return np.stack([turn.b.real, turn.b.imag, turn.a.imag], axis=-1)

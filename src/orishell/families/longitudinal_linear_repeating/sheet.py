@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import chain
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import fewer, values
+from orishell.families.longitudinal_linear_repeating.choice import nearer_to_90
 from orishell.families.longitudinal_linear_repeating.even_lengths import (
     PROGRAM_PANELS,
     InnerLengths,
@@ -52,15 +55,15 @@ def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
     fewer_rows = largest_size(
         lambda size: sheet_exists(columns, size, first_row), min(rows, LARGEST_SEARCH)
     )
-    choices = [f"rows = {square} and columns = {square}"] if square > 1 else []
+    choices = [Remedy({"pattern.rows": square, "pattern.columns": square})] if square > 1 else []
     if fewer_rows > 1 or not choices:
-        choices.insert(0, f"rows = {fewer_rows}")
+        choices.insert(0, Remedy({"pattern.rows": fewer_rows}))
     if min(rows, n) <= LARGEST_SEARCH:
         fewer_columns = largest_size(
             lambda size: sheet_exists(columns.first(size), rows, first_row), min(n, LARGEST_SEARCH)
         )
         if fewer_columns > 1:
-            choices.append(f"columns = {fewer_columns}")
+            choices.append(Remedy({"pattern.columns": fewer_columns}))
     condition = (
         f"no sheet of {rows} x {n} inner vertices exists for these sector angles: rows and columns "
         "converge, and no lengths keep all creases positive"
@@ -70,7 +73,7 @@ def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
     )
     raise DesignError(
         condition,
-        nearest=", or ".join(dict.fromkeys(choices)) + ", or sector angles nearer to 90 degrees",
+        candidates=chain(choices, nearer_to_90(columns.sectors[0])),
     )
 
 
@@ -116,13 +119,13 @@ def with_fitting_border(
             raise DesignError(
                 "the flap panels are not convex: their row creases meet",
                 size=f"flap = {given:.4g} is too wide",
-                nearest=f"flap = {0.99 * share * given:.4g}",
+                candidates=values("flap", 0.0, share * given, given),
             )
         mechanism = _with_flap(mechanism, 0.5 * share * given)
     return mechanism
 
 
-def require_flat_sheet(mechanism: LongitudinalLinearRepeating, rows_key: str = "rows") -> None:
+def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
     """Refuse panels at the ends that are not convex, and a flat sheet that overlaps itself."""
     turns = _corner_turns(mechanism)
     for row, name in ((0, "first"), (-1, "last")):
@@ -131,14 +134,21 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating, rows_key: str = "
             raise DesignError(
                 f"the {name} row of panels is not convex: its column creases meet",
                 place=f"at column {max(worst, 1)}",
-                nearest=f"more {rows_key}, or a shorter {name} entry of column_lengths",
+                candidates=[
+                    *(Remedy({"pattern.rows": len(turns) - 1 + more}) for more in (2, 4, 8)),
+                    Remedy({"pattern.column_lengths": "auto"}),
+                ],
             )
     flat = mechanism.positions(0.0)[..., :2]
     border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2:0:-1, 0]])
     if not is_simple_polygon(border):
         raise DesignError(
-            "the flat sheet overlaps itself: its rows fan out too far",
-            nearest="fewer rows, or sector angles nearer to 90 degrees",
+            "the flat sheet overlaps itself: its rows or columns fan out too far",
+            candidates=chain(
+                fewer("rows", len(turns) - 1),
+                fewer("columns", turns.shape[1] - 1),
+                nearer_to_90(mechanism.columns.sectors[0]),
+            ),
         )
 
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import angles
+from orishell.families.longitudinal_linear_repeating.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.mechanism import crease_end
-from orishell.families.longitudinal_linear_repeating.section import Section
+from orishell.families.longitudinal_linear_repeating.section import Section, turnings
 from orishell.families.longitudinal_linear_repeating.sheet import sheet_exists
 from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.families.longitudinal_linear_repeating.tessellation import Columns, RowKind
@@ -23,6 +24,7 @@ Array = NDArray[np.float64]
 FIRST = 1e-4
 """The smallest stage looked at, as a share of the sector angles' deviations from 90 degrees."""
 STEPS = 400
+"""Stages looked at for the first that turns enough."""
 SHORTEST = 1e-6
 """Edges of column 1 are longer than this share of its length."""
 
@@ -81,13 +83,7 @@ def find_stage(
     """
     if drive is None:
         drive = _drive_for(profile, columns, rows, first_row)
-    end = crease_end(columns, rows, first_row)
-    if drive > end:
-        raise DesignError(
-            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
-            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
-            nearest=f"stage_deg = {np.floor(np.rad2deg(end) * 1e4) / 1e4:.4f}",
-        )
+    require_before_end(drive, crease_end(columns, rows, first_row))
     side = profile.side
     found = Section.of(columns, rows, first_row, drive, side)
     if found.turning * side > 0:
@@ -111,6 +107,18 @@ def find_stage(
     return Stage(drive, found, _fitted(polygon, ideal @ np.array([1, 1j])), lengths, side)
 
 
+def require_before_end(drive: float, end: float) -> None:
+    """Refuse a stage beyond the end of the motion (radians)."""
+    if drive > end:
+        raise DesignError(
+            f"stage_deg = {in_degrees(drive)} is beyond the end of the motion",
+            size=f"a row crease is folded flat at {in_degrees(end)} degrees",
+            candidates=chain(
+                angles("stage_deg", 0.0, end, drive), [Remedy({"pattern.stage_deg": "auto"})]
+            ),
+        )
+
+
 def _fitted(polygon: Array, ideal: Array) -> Array:
     """Turn and move a polygon (K,) onto another, least squares over the vertices; (K, 2)."""
     centred, goal = polygon - polygon.mean(), ideal - ideal.mean()
@@ -120,6 +128,8 @@ def _fitted(polygon: Array, ideal: Array) -> Array:
 
 
 def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind) -> float:
+    from scipy.optimize import brentq
+
     end = crease_end(columns, rows, first_row)
     begin = FIRST * float(np.abs(columns.sectors[0]).max())
 
@@ -136,21 +146,23 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
         turns = np.concatenate([[found.beyond[0]], found.turns, [found.beyond[1]]])
         return bool((turns * found.turning > 0).all())
 
-    def nearest(way: int) -> str:
+    def candidates(way: int) -> Iterator[Remedy]:
         count = _nearest_rows(follows, rows, way)
-        if count is None or not sheet_exists(columns, count, first_row):
-            return 'sector_deg = "auto"'
-        return f"rows = {count}"
+        if count is not None and sheet_exists(columns, count, first_row):
+            yield Remedy({"pattern.rows": count})
+        yield AUTO_SECTORS
 
     if turning(begin) > profile.turning:
         raise DesignError(
             f"{rows} rows of these sector angles turn more than f, however little they fold",
             size=f"by {in_degrees(turning(begin))} degrees at least, because rows fan out in the "
             f"flat sheet; f turns by {in_degrees(profile.turning)}",
-            nearest=nearest(-1),
+            candidates=candidates(-1),
         )
     at = np.geomspace(begin, end, STEPS)
-    for low, high in pairwise(at):
+    enough = turnings(columns, rows, first_row, at, profile.side) >= profile.turning
+    found = int(enough.argmax()) if enough.any() else STEPS
+    for low, high in pairwise(at[max(found - 2, 0) :]):  # rounding may have moved it by one
         if turning(high) >= profile.turning:
             return float(
                 brentq(lambda x: turning(x) - profile.turning, low, high, xtol=1e-15, rtol=1e-14)
@@ -159,7 +171,7 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
         f"{rows} rows cannot turn as much as f",
         size=f"by {in_degrees(turning(end))} degrees at the end of the motion; f turns by "
         f"{in_degrees(profile.turning)}",
-        nearest=nearest(1),
+        candidates=candidates(1),
     )
 
 
@@ -177,7 +189,7 @@ def _require_one_way(turns: Array, profile: Profile) -> None:
             "rows of these sector angles turn to both sides, so that they follow no convex curve",
             place=f"at row {row}",
             size=f"F and S rows turn by {in_degrees(turns[0])} and {in_degrees(turns[1])} degrees",
-            nearest='sector_deg = "auto"',
+            candidates=[AUTO_SECTORS],
         )
 
 
@@ -197,5 +209,5 @@ def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
         "f bends too sharply for rows that all turn by the same angle",
         place=f"at parameter {trace.curve.as_drawn(trace.t[near]):.6g} of f, row {max(worst, 1)}",
         size=f"the crease there would be {forward[worst]:.4g} long",
-        nearest="an f with this bend rounded, or equal column_lengths",
+        candidates=[Remedy({"pattern.column_lengths": [1.0] * (len(turns) + 1)})],
     )

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace, run_along_axis
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import part
 from orishell.geometry import rise
-from orishell.quoting import in_degrees, inside
+from orishell.quoting import in_degrees, inside, rounded
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ class Line:
                 "g is not straight, and this family sweeps along a straight line only",
                 place=f"at parameter {trace.curve.as_drawn(trace.t[worst]):.6g} of g",
                 size=f"g leaves a line by {leaves:.4g}, its length being {trace.length:.4g}",
-                nearest=f'formula = "0*x", range = [0, {trace.length:.6g}] in [target.g]',
+                candidates=[_straight(trace)],
             )
         return cls(trace, trace.points[0], chord / length, length)
 
@@ -82,7 +83,6 @@ class Profile:
         if abs(turned) < TURNING_BACK:
             raise DesignError(
                 "f is straight, and the rows of this family turn all the same way",
-                nearest="an f that turns by some degrees",
             )
         side = -1 if turned > 0 else 1
         back = -side * np.stack([trace.arriving, trace.heading]).T.ravel()
@@ -139,17 +139,22 @@ def _not_convex(trace: Trace) -> DesignError:
     places = trace.t[np.concatenate([[0], change + 1, [len(trace.t) - 1]])]
     longest = int(np.argmax(np.diff(places)))
     low, high = places[longest], places[longest + 1]
-    middle = 0.5 * (low + high)
-    curve = trace.curve
-    low, high = curve.drawn_part(*(inside(end, middle) for end in (low, high)))
+    middle = float(0.5 * (low + high))
+    low, high = (inside(float(end), middle) for end in (low, high))
     spread = trace.heading.max() - trace.heading.min()
     return DesignError(
         "f is not convex: the rows of this family turn all the same way",
-        place=f"at parameter {curve.as_drawn(places[1]):.6g} of f",
+        place=f"at parameter {trace.curve.as_drawn(places[1]):.6g} of f",
         size=f"f turns the other way from there, its tangents spreading over {in_degrees(spread)} "
         "degrees",
-        nearest=f"{curve.key} = [{low:.6g}, {high:.6g}] in [target.f]",
+        candidates=[part("f", trace.curve, low, high)],
     )
+
+
+def _straight(trace: Trace) -> Remedy:
+    """A line as long as a curve."""
+    length = rounded(trace.length / trace.curve.scale, 6)
+    return Remedy({"target.g.formula": "0*x", "target.g.range": [0.0, length]})
 
 
 def _intersections(points: Array, unit: Array) -> Array:

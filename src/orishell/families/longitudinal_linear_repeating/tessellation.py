@@ -16,12 +16,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.solutions import (
     Solution,
     Version,
     find_solutions,
 )
+from orishell.quoting import in_one_line
 
 Array = NDArray[np.float64]
 RowKind = Literal["F", "S"]
@@ -45,6 +46,8 @@ class Columns:
     version: Version
     sectors: Array
     multipliers: Array
+
+    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         for array in (self.sectors, self.multipliers):
@@ -97,12 +100,16 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
         further = [solution] if number == 0 else find_solutions(sectors[-1])
         further = [each for each in further if each.version == solution.version]
         if not further:
+            ends = ["parallel"] * (len(couplings) - number)
             shown = ", ".join(f"{angle:.4f}" for angle in sectors[-1].degrees)
             raise DesignError(
                 "equation (4) has no further solution, so the columns stop",
                 place=f"at column {number + 2}",
                 size=f"column {number + 1} has the sector angles ({shown})",
-                nearest=f'couplings[{number}] = "parallel", or columns = {max(number + 1, 2)}',
+                candidates=[
+                    Remedy({"pattern.couplings": [*couplings[:number], *ends]}),
+                    Remedy({"pattern.couplings": "periodic"}),
+                ],
             )
         sectors.append(further[0].second)
         multipliers.append(multipliers[-1] * further[0].c)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Literal
 
 import numpy as np
@@ -11,6 +12,8 @@ from numpy.typing import NDArray
 
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
+from orishell.families.candidates import fewer
+from orishell.families.orthodiagonal.flaps import cut_flaps, sunk
 from orishell.families.orthodiagonal.headings import (
     Headings,
     SideChoice,
@@ -26,6 +29,7 @@ from orishell.polylines import (
     Placement,
     Spacing,
     Zigzag,
+    measure_chords,
     measure_closeness,
     place_chords,
     warn_of_coarse_row,
@@ -37,6 +41,8 @@ Auto = Literal["auto"]
 
 FLAP_SHARE = 0.5
 """An "auto" flap takes at most this share of the width that there is room for."""
+MUCH_NARROWER = 0.5
+"""Flaps that become narrower by this do not change sides to stay above the feet."""
 LEVEL = 1e-12
 """A middle row that rises by less than this is level (radians)."""
 
@@ -75,7 +81,8 @@ def design_orthodiagonal(
         or half of what there is room for if that is less. 0 leaves them out: then nothing locks the
         shell.
     flap_sides
-        End of f to which the left and the right flap fold; "auto" is where there is more room.
+        End of f to which the left and the right flap fold; "auto" is where there is more room,
+        unless they would reach below the feet there and not at the other end.
     spacing
         How g's vertices are spread along g.
     placement
@@ -92,7 +99,8 @@ def design_orthodiagonal(
     -----
     Six zigzags are tried, that begin to either side of f with end edges of three lengths. Of those
     that admit the heading the one is taken whose shell can be cut off level at f's ends, or at
-    least straight, and of equals the one that allows g the widest stretch along f's plane.
+    least straight, and of equals the one that allows g the widest stretch along f's plane. Flaps
+    are cut off there, too.
 
     Examples
     --------
@@ -103,9 +111,13 @@ def design_orthodiagonal(
     >>> design.mechanism.positions(np.pi).shape
     (11, 15, 3)
     """
-    f_trace, g_trace = run_along_axis(trace_curve(f, "f")), run_along_axis(trace_curve(g, "g"))
+    f_trace, g_trace = (
+        run_along_axis(trace_curve(curve, name).in_own_frame())
+        for curve, name in ((f, "f"), (g, "g"))
+    )
     zigzags = require_zigzags(f_trace, rows, depth)
-    vertices = place_chords(g_trace, columns, spacing, placement).vertices
+    chords = place_chords(g_trace, columns, spacing, placement)
+    vertices = chords.vertices
     left, right = (None if side == "auto" else side for side in flap_sides)
     width = None if flap == "auto" else flap
     demands = [headings_of(zigzag, vertices, width, (left, right)) for zigzag in zigzags]
@@ -118,15 +130,15 @@ def design_orthodiagonal(
     ]
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading)
-    zigzag, headings, mechanism, ends = max(candidates, key=lambda candidate: _ground(candidate[3]))
-    require_resolution(mechanism, "change rows, columns, flap or depth")
+    zigzag, headings, mechanism, ends = max(candidates, key=lambda each: _footing(*each[2:]))
+    require_resolution(mechanism, chain(fewer("rows", rows), fewer("columns", columns)))
 
     # Any of the zigzags would do: a heading is admissible where one of them admits it.
     admissible = union(np.concatenate([each.intervals() for each in demands]))
     interval = nearest_interval(admissible, heading) or (heading, heading)
     closeness = {
         "f": measure_closeness(f_trace, zigzag.vertices),
-        "g": measure_closeness(g_trace, vertices),
+        "g": measure_chords(g_trace, chords),
     }
     of_zigzag = headings.interval(heading)
     alpha = [_alpha_0(headings, zigzag, angle) for angle in (heading, *of_zigzag)]
@@ -148,8 +160,9 @@ def design_orthodiagonal(
         },
         targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
         closeness=closeness,
-        surface=sweep(f_trace, zigzag, g_trace, mechanism),
+        swept=sweep(f_trace, zigzag, g_trace, mechanism),
         approached=approach(f_trace, zigzag, g_trace, mechanism),
+        origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_no_lock(mechanism.flaps[0]),
@@ -180,28 +193,62 @@ def _choose_heading(demands: Sequence[Headings]) -> float:
 def _assemble(
     f: Trace, zigzag: Zigzag, headings: Headings, heading: float, flap: float | None
 ) -> tuple[Zigzag, Headings, Orthodiagonal, list[End]]:
-    """The mechanism of one zigzag, and the planes in which it ends."""
-    if flap is None:
-        flap = float(min(zigzag.lengths.mean(), FLAP_SHARE * headings.room(heading)))
+    """The mechanism of one zigzag, and the planes in which it ends.
+
+    Where it is left open to which side flaps fold, it is one on which they stay above the feet,
+    unless they would have to be much narrower there.
+    """
+    found: list[tuple[Orthodiagonal, list[End]]] = []
+    for sides in headings.side_choices(heading):
+        room = replace(headings, sides=sides).room(heading)
+        width = float(min(zigzag.lengths.mean(), FLAP_SHARE * room)) if flap is None else flap
+        if found and not (width < room and width >= MUCH_NARROWER * found[0][0].flaps[0]):
+            continue
+        found.append(_with_flaps(f, zigzag, headings.points, heading, width=width, sides=sides))
+        if not sunk(found[-1][0]):
+            break
+    return zigzag, headings, *min(found, key=lambda each: sunk(each[0]))
+
+
+def _with_flaps(
+    f: Trace,
+    zigzag: Zigzag,
+    points: NDArray[np.complex128],
+    heading: float,
+    *,
+    width: float,
+    sides: tuple[FlapSide, FlapSide],
+) -> tuple[Orthodiagonal, list[End]]:
+    """The mechanism with its ends trimmed, and its flaps cut off there.
+
+    Where flaps cannot be cut, or would reach less far below the feet if the ends were trimmed so
+    that they need no cut, that is done.
+    """
     tilt = zigzag.axis
-    mechanism = Orthodiagonal(
+    whole = Orthodiagonal(
         lengths=zigzag.lengths,
         angles=zigzag.angles,
         first=zigzag.first,
         tilt=0.0 if abs(tilt) < LEVEL else tilt,
-        points=headings.points,
+        points=points,
         heading=heading,
-        flaps=(flap, flap),
-        flap_sides=headings.flap_sides(heading),
+        flaps=(width, width),
+        flap_sides=sides,
     )
-    ends, trims = trim_ends(f, zigzag, mechanism.shifts())
-    return zigzag, headings, replace(mechanism, trims=trims), ends
+    shifts = whole.shifts()
+    ends, trims, planes = trim_ends(f, zigzag, shifts[whole.inner_columns])
+    cut = cut_flaps(replace(whole, trims=trims), planes)
+    if cut is not None and not sunk(cut):
+        return cut, ends
+    others, trims, _ = trim_ends(f, zigzag, shifts)
+    uncut = replace(whole, trims=trims)
+    return (uncut, others) if cut is None or sunk(uncut) < sunk(cut) else (cut, ends)
 
 
-def _ground(ends: list[End]) -> float:
-    """How well a shell stands: on level ground, or at least on straight ends."""
+def _footing(mechanism: Orthodiagonal, ends: list[End]) -> float:
+    """How well a shell stands: on level ground, or at least on straight ends, not on its flaps."""
     value = {"level": 1.0, "square": 0.6, "untrimmed": 0.0}
-    return sum(value[end] for end in ends)
+    return sum(value[end] for end in ends) - (1.0 if sunk(mechanism) else 0.0)
 
 
 def _alpha_0(headings: Headings, zigzag: Zigzag, heading: float) -> float:

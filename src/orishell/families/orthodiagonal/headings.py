@@ -86,6 +86,16 @@ class Headings:
         left, right = self.rooms(heading)
         return choose(self.sides[0], left), choose(self.sides[1], right)
 
+    def side_choices(self, heading: float) -> list[tuple[FlapSide, FlapSide]]:
+        """What :meth:`flap_sides` says, and other sides where these are not asked for."""
+        chosen = self.flap_sides(heading)
+        others: dict[FlapSide, FlapSide] = {"start": "end", "end": "start"}
+        left, right = (
+            (side,) if asked else (side, others[side])
+            for side, asked in zip(chosen, self.sides, strict=True)
+        )
+        return [(first, second) for first in left for second in right]
+
     def room(self, heading: float) -> float:
         """The widest flap that both sides have room for."""
         sides = self.flap_sides(heading)

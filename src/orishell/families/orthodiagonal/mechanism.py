@@ -25,13 +25,15 @@ P being column 1. This is equation (3): sums of products of one factor per row a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from orishell.design import FlapSide
 from orishell.families.orthodiagonal.acceleration import bound_edges
+from orishell.families.orthodiagonal.columns import Columns, product, running
+from orishell.motion import mechanism_in_one_line
 from orishell.pattern import CreaseValues, Grid
 from orishell.polylines import alternating
 from orishell.vertex import half_turns, row_fold_angle
@@ -66,6 +68,9 @@ class Orthodiagonal:
         To which end of f each flap folds: "end" is along +t, "start" along -t.
     trims
         Growth by K of the first and of the last edge of a column.
+    kept
+        Share (2, m+2) of its width that the left and the right flap keep at every row, in (0, 1]:
+        less than 1 where a flap is cut off at an end of f.
     """
 
     lengths: Array
@@ -77,9 +82,12 @@ class Orthodiagonal:
     flaps: tuple[float, float]
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
     trims: tuple[float, float] = (0.0, 0.0)
+    kept: Array = field(default_factory=lambda: np.ones((2, 1)))
+
+    __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
-        for name in ("lengths", "angles", "points"):
+        for name in ("lengths", "angles", "points", "kept"):
             array = np.array(getattr(self, name))
             array.flags.writeable = False
             object.__setattr__(self, name, array)
@@ -102,15 +110,19 @@ class Orthodiagonal:
 
     def shifts(self) -> Array:
         """K (n+2,) of every column, 0 at column 1; (n,) without flaps."""
-        return _running(self._columns().k)[self._there]
+        return running(self._columns().k)[self._there]
 
     def column_lengths(self) -> Array:
-        """Lengths (m+1, columns of the grid) of all columns' creases: affine in K, never changing.
+        """Lengths (m+1, columns of the grid) of all columns' edges: they never change.
 
-        Not positive where neighbouring rows meet before they reach the column.
+        Those of creases are affine in K, and not positive where neighbouring rows meet before they
+        reach the column.
         """
-        growth = np.concatenate([self.trims[:1], np.diff(self._tangents()), self.trims[1:]])
-        return np.asarray(self.lengths[:, None] + growth[:, None] * self.shifts())
+        lengths = self._whole_lengths()
+        for _, edge, _ in self._cuts():
+            outline = self.positions(0.0)[:, edge]
+            lengths[:, edge] = np.linalg.norm(np.diff(outline, axis=0), axis=-1)
+        return lengths
 
     def sector_angles(self) -> Array:
         """The paper's alpha_{i,1} ... alpha_{i,4n} (m, n, 4), equation (3) (radians).
@@ -146,13 +158,16 @@ class Orthodiagonal:
             (spread.real * t.imag, column.real * t.imag),
             (spread.imag, column.imag),
         )
-        shift = _running(columns.k)[self._there]
+        shift = running(columns.k)[self._there]
         shape = (*drive.shape, self.grid.rows, self.grid.columns)
         out, plane = np.empty((*shape, 3)), np.empty(shape)
         for axis, (growth, start) in enumerate(factors):
             np.multiply(growth[..., None], shift, out=plane)
             plane += start[..., None]
             np.add(plane, row[..., None, :, axis], out=out[..., axis])
+        for kept, edge, near in self._cuts():
+            base = out[..., near, :]
+            out[..., edge, :] = base + kept[:, None] * (out[..., edge, :] - base)
         return out
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
@@ -174,34 +189,52 @@ class Orthodiagonal:
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the acceleration of edge vectors, see :class:`~orishell.motion.Mechanism`."""
         columns = self._columns()
-        return bound_edges(
+        along, down = bound_edges(
             (start, stop),
             tangents=self._tangents(),
             turning=-self.first * alternating(len(self.angles)),
             trims=self.trims,
             tilt=self.tilt,
-            lengths=self.column_lengths().max(axis=-1),
+            lengths=np.abs(self._whole_lengths()).max(axis=-1),
             along=columns.k[self._there],
             locked=columns.locked[self._there],
         )
+        # An edge of a cut flap is a mean of the edges beside it and, as much as it is cut more at
+        # one end than at the other, a part of the row's.
+        slanted = [np.abs(np.diff(kept)) * along[:, edge, None] for kept, edge, _ in self._cuts()]
+        return along, down + np.max(slanted, axis=0) if slanted else down
 
     @property
     def _there(self) -> slice:
         """Those of n+2 columns, n+1 panel columns or n creases that no missing flap takes away."""
         return slice(int(self.flaps[0] == 0), None if self.flaps[1] else -1)
 
+    def _cuts(self) -> list[tuple[Array, int, int]]:
+        """Of each flap that is cut what it keeps (m+2,), its column and the one beside it."""
+        flaps = ((self.flaps[0], 0, 1), (self.flaps[1], -1, -2))
+        return [
+            (kept, edge, near)
+            for kept, (width, edge, near) in zip(self.kept, flaps, strict=True)
+            if width and (kept < 1).any()
+        ]
+
+    def _whole_lengths(self) -> Array:
+        """Lengths (m+1, columns of the grid) of all columns' edges, flaps not cut."""
+        growth = np.concatenate([self.trims[:1], np.diff(self._tangents()), self.trims[1:]])
+        return np.asarray(self.lengths[:, None] + growth[:, None] * self.shifts())
+
     def _tangents(self) -> Array:
         """T = tan(beta/2), (m,)."""
         return np.asarray(np.tan(self.angles / 2))
 
-    def _columns(self) -> _Columns:
+    def _columns(self) -> Columns:
         """What every panel column takes along K and n."""
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
         inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)
         # A missing flap has any width here: what it gives is left out of the sheet.
         left, right = -side[0] * (self.flaps[0] or 1.0), side[1] * (self.flaps[1] or 1.0)
-        return _Columns(
+        return Columns(
             k=np.concatenate([[left], inner, [right]]),
             locked=np.concatenate([[0.0], segment.imag, [0.0]]),
         )
@@ -219,8 +252,8 @@ class Orthodiagonal:
         half = tangents + 1j * (turning * kappa)
         half /= np.hypot(half.real, half.imag)
         turn = half * half
-        after = half[..., middle, None] * _product(turn[..., middle + 1 :])
-        before = half[..., middle, None] * _product(turn[..., :middle][..., ::-1])
+        after = half[..., middle, None] * product(turn[..., middle + 1 :])
+        before = half[..., middle, None] * product(turn[..., :middle][..., ::-1])
         direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
         edges = self.lengths * direction
         column = np.concatenate(
@@ -239,9 +272,9 @@ class Orthodiagonal:
         last = spread[..., -1:] + self.trims[1] * direction[..., -1:]
         return column, np.concatenate([first, spread, last], axis=-1)
 
-    def _middle_row(self, columns: _Columns, kappa: Array, q: Array, level: Complex) -> Array:
+    def _middle_row(self, columns: Columns, kappa: Array, q: Array, level: Complex) -> Array:
         """The middle row (..., n+2, 3): exactly on the points at lock, if there is no tilt."""
-        shift = _running(columns.k)
+        shift = running(columns.k)
         tangent = self._tangents()[len(self.angles) // 2]
         t = np.exp(-1j * self.heading)
         lock = np.exp(1j * self.tilt)
@@ -257,7 +290,7 @@ class Orthodiagonal:
         locked = np.stack([points + along * (lock.real - 1) * t, along * lock.imag])
 
         now = np.hypot(tangent, kappa[..., None]) * shift
-        advanced = _running(columns.advance(q)) - _running(columns.locked)
+        advanced = running(columns.advance(q)) - running(columns.locked)
         level = level[..., None]
         moved = (now * level.real - along * lock.real + 1j * advanced) * t
         risen = now * level.imag - along * lock.imag
@@ -268,32 +301,3 @@ class Orthodiagonal:
         risen = risen - (weight * risen[..., 1:-1]).sum(axis=-1, keepdims=True)
         plan = locked[0] + moved
         return np.stack([plan.real, plan.imag, locked[1].real + risen], axis=-1)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Columns:
-    """Panel columns, flaps at both ends (n+1,)."""
-
-    k: Array  # along K
-    locked: Array  # along n at lock: l sin eps
-
-    @property
-    def step(self) -> Array:
-        """Distance of the columns in the flat sheet."""
-        return np.hypot(self.locked, self.k)
-
-    def advance(self, q: Array) -> Array:
-        """N (..., n+1), distance of the column planes at q = cos(rho/2) (...)."""
-        return np.hypot(self.locked, q[..., None] * self.k)
-
-
-def _running(steps: Array) -> Array:
-    """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
-    sums = np.cumsum(steps[..., 1:], axis=-1)
-    return np.concatenate([-steps[..., :1], np.zeros_like(steps[..., :1]), sums], axis=-1)
-
-
-def _product(turns: Complex) -> Complex:
-    """Running products (..., K+1) of unit numbers (..., K), beginning with 1."""
-    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
-    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import bisect, values
 from orishell.polylines import (
     Zigzag,
     alternating,
@@ -18,7 +20,7 @@ from orishell.polylines import (
     place_zigzags,
     smallest_radius,
 )
-from orishell.quoting import in_degrees, inside
+from orishell.quoting import in_degrees
 
 Array = NDArray[np.float64]
 Auto = Literal["auto"]
@@ -26,6 +28,8 @@ End = Literal["level", "square", "untrimmed"]
 
 MOST_ROWS = 4097
 """Rows tried in search of a zigzag."""
+MORE_ROWS = (1.3, 2.0)
+"""Shares of the fewest rows that have a zigzag, where no shell follows from these."""
 STEEP = np.deg2rad(30.0)
 """Where f reaches its end flatter than this, no level plane cuts the shell off."""
 TRIM_RANGE = (0.2, 3.0)
@@ -39,24 +43,26 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
     if zigzags:
         return zigzags
     what = f"depth = {h:.6g}" + (' (from "auto")' if depth == "auto" else "")
-    nearest, shallow = _nearest(trace, rows, None if depth == "auto" else h)
+    given = None if depth == "auto" else h
+    best = choose_depth(trace, rows)
+    candidates = _candidates(trace, rows, given)
     radius, place = smallest_radius(trace)
     if h >= radius:
         raise DesignError(
             f"{what} is too large for f: its offsets do not exist",
             place=f"at parameter {trace.curve.as_drawn(place):.6g} of f",
             size=f"the depth must stay below f's radius of curvature, which is {radius:.4g} there",
-            nearest=nearest,
+            candidates=candidates,
         )
     angles = place_zigzag(trace, rows, h).angles
     row = int(angles.argmax()) + 1
     raise DesignError(
-        f"{what} is too {'small' if shallow else 'large'} for f: its polyline does not turn left "
+        f"{what} is too {'small' if h <= best else 'large'} for f: its polyline does not turn left "
         "and right alternately",
         place=f"at row {row}",
         size=f"its angle there, measured from the alternating sides, is "
         f"{in_degrees(angles[row - 1])} degrees and must be below 180",
-        nearest=nearest,
+        candidates=candidates,
     )
 
 
@@ -65,8 +71,8 @@ def sound_zigzags(trace: Trace, rows: int, depth: float) -> list[Zigzag]:
     return place_zigzags(trace, rows, depth) if depth < smallest_radius(trace)[0] else []
 
 
-def _nearest(trace: Trace, rows: int, depth: float | None) -> tuple[str, bool]:
-    """What works instead, as text, and whether it is a larger depth."""
+def _candidates(trace: Trace, rows: int, depth: float | None) -> Iterator[Remedy]:
+    """Depths, or rows with the depth that "auto" takes."""
 
     def works(rows: int, depth: float) -> bool:
         return bool(sound_zigzags(trace, rows, depth))
@@ -74,8 +80,8 @@ def _nearest(trace: Trace, rows: int, depth: float | None) -> tuple[str, bool]:
     best = choose_depth(trace, rows)
     if depth is not None and works(rows, best):
         limit = bisect(best, depth, lambda trial: works(rows, trial))
-        typed = as_typed(inside(limit, best), lambda trial: works(rows, trial))
-        return f"depth = {typed}", best > depth
+        yield from values("depth", min(limit, best), max(limit, best), depth)
+        yield Remedy({"pattern.depth": "auto"})
     more = rows
     while more < MOST_ROWS:
         more = 2 * more + 1
@@ -85,25 +91,14 @@ def _nearest(trace: Trace, rows: int, depth: float | None) -> tuple[str, bool]:
                 middle = (low + high) // 2
                 good = works(2 * middle + 1, choose_depth(trace, 2 * middle + 1))
                 low, high = (low, middle) if good else (middle, high)
-            return f'rows = {2 * high + 1} with depth = "auto"', True
-    return "a smoother f: its corners are too sharp for any number of rows", True
+            for count in (high, *(math.ceil(share * high) for share in MORE_ROWS)):
+                yield Remedy({"pattern.rows": 2 * count + 1, "pattern.depth": "auto"})
+            return
 
 
-def bisect(good: float, bad: float, works: Callable[[float], bool]) -> float:
-    """The value nearest to ``bad`` that works."""
-    while abs(bad - good) > 1e-4 * abs(good):
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if works(middle) else (good, middle)
-    return good
-
-
-def as_typed(value: float, works: Callable[[float], bool], fewest: int = 4) -> str:
-    """The value in as few digits, at least ``fewest``, as still work when they are typed in."""
-    texts = (f"{value:.{digits}g}" for digits in range(fewest, 17))
-    return next((text for text in texts if works(float(text))), repr(value))
-
-
-def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], tuple[float, float]]:
+def trim_ends(
+    trace: Trace, zigzag: Zigzag, shifts: Array
+) -> tuple[list[End], tuple[float, float], list[complex | None]]:
     """The planes in which the locked shell ends, and the growth by K of the end edges.
 
     Parameters
@@ -113,7 +108,7 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
     zigzag
         Its zigzag.
     shifts
-        K of all columns that there are, flaps too.
+        K of the columns that are to end there.
 
     Returns
     -------
@@ -124,6 +119,8 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
         as long as those of column 1: the first of these that keeps them in :data:`TRIM_RANGE`.
     trims
         The growth of the end edges' lengths by K.
+    normals
+        Normals of the planes, in complex numbers of f's plane; None where there is none.
     """
     edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
     lengths = np.abs(edges)
@@ -146,7 +143,8 @@ def trim_ends(trace: Trace, zigzag: Zigzag, shifts: Array) -> tuple[list[End], t
         end, trim = _trim(direction, spread, length / sign, shifts, planes)
         ends.append(end)
         trims.append(trim)
-    return ends, (trims[0], trims[1])
+    normals = {"level": level[1], "square": square[1], "untrimmed": None}
+    return ends, (trims[0], trims[1]), [normals[end] for end in ends]
 
 
 def _trim(

@@ -11,7 +11,7 @@ from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
 from orishell.errors import InputError
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
-from orishell.families.parallel_repeating.profile import require_staircase, rotate_profile
+from orishell.families.parallel_repeating.profile import fit_profile
 from orishell.families.parallel_repeating.row import Row
 from orishell.families.parallel_repeating.sheet import (
     require_flat_sheet,
@@ -25,9 +25,8 @@ from orishell.polylines import (
     Placement,
     Spacing,
     Staircase,
-    choose_xi,
     fit_staircase,
-    measure_closeness,
+    measure_chords,
     theta_interval,
     warn_of_coarse_row,
     xi_limit,
@@ -107,31 +106,24 @@ def design_parallel_repeating(
         spacing=spacing,
         placement=placement,
     )
-    f_trace, theta = rotate_profile(
-        trace_curve(f, "f"), theta, None if xi == "auto" else xi, rows + 1
-    )
-    require_staircase(f_trace, None if xi == "auto" else xi, theta)
-    if xi == "auto":
-        xi = choose_xi(f_trace, rows + 1)
-    staircase = fit_staircase(f_trace, xi, rows + 1)
+    profile = fit_profile(f, rows + 1, xi, theta)
+    f_trace, theta = profile.trace, profile.theta
+    staircase, xi = profile.staircase, profile.staircase.xi
 
-    g_trace = trace_curve(g, "g")
+    g_trace = trace_curve(g, "g").in_own_frame()
     row = Row.on(g_trace, columns, plane, spacing, placement)
     row.require_crossing(g_trace, spacing, placement)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
     mechanism = _assemble(staircase, row, flap_sides).with_flaps(width)
-    require_row_edges(mechanism)
+    require_row_edges(mechanism, f, g)
     require_resolution(mechanism, width)
     require_flat_sheet(
-        mechanism,
-        width,
-        g.as_drawn(row.parameters),
-        lambda angle: fit_staircase(f_trace, angle, rows + 1),
+        mechanism, width, row.parameters, lambda angle: fit_staircase(f_trace, angle, rows + 1), g
     )
 
     closeness = {
-        "f": measure_closeness(f_trace, staircase.vertices),
-        "g": measure_closeness(g_trace, row.vertices),
+        "f": profile.closeness,
+        "g": measure_chords(g_trace, row.chords),
     }
     heading_low, heading_high = f_trace.heading_range()
     scales = mechanism.column_scales()
@@ -152,8 +144,9 @@ def design_parallel_repeating(
         },
         targets=_place_targets(f_trace, staircase, g_trace, row),
         closeness=closeness,
-        surface=sweep(f_trace, staircase, g_trace, plane),
+        swept=sweep(f_trace, staircase, g_trace, plane),
         approached=approach(f_trace, staircase, g_trace, plane),
+        origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_stretched_columns(mechanism, plane),

@@ -28,6 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 from orishell.design import FlapSide
 from orishell.families.parallel_repeating.acceleration import bound_edges
 from orishell.families.parallel_repeating.columns import Columns
+from orishell.motion import mechanism_in_one_line
 from orishell.pattern import CreaseValues, Grid
 from orishell.vertex import column_fold_angle, half_turns, row_fold_angle
 
@@ -67,6 +68,8 @@ class ParallelRepeating:
     axes: Complex
     flaps: tuple[float, float]
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
+
+    __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
         for name in ("lengths", "points", "axes"):

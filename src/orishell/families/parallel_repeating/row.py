@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves import Trace
-from orishell.errors import DesignError
-from orishell.polylines import Placement, Spacing, place_chords
-from orishell.quoting import ROUNDING, in_degrees
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import angles
+from orishell.polylines import Chords, Placement, Spacing, place_chords
+from orishell.quoting import in_degrees, rounded, tidy_degrees
 
 Array = NDArray[np.float64]
+
+MORE_COLUMNS = (1.25, 1.6, 2.5)
+"""Shares of the fewest columns that are enough, where these are not."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -21,18 +27,27 @@ class Row:
 
     Parameters
     ----------
-    parameters, heading
-        Parameters (n,) on g of the vertices, and g's directions (n,) there (radians).
-    vertices
-        Vertices (n, 2) of g's polyline.
+    chords
+        g's polyline.
+    heading
+        g's directions (n,) at its vertices (radians).
     plane
         Angle from f's plane to g's tangent (radians).
     """
 
-    parameters: Array
-    vertices: Array
+    chords: Chords
     heading: Array
     plane: float
+
+    @property
+    def parameters(self) -> Array:
+        """Parameters (n,) on g of the vertices."""
+        return self.chords.parameters
+
+    @property
+    def vertices(self) -> Array:
+        """Vertices (n, 2) of g's polyline."""
+        return self.chords.vertices
 
     @classmethod
     def on(
@@ -40,8 +55,7 @@ class Row:
     ) -> Row:
         """Place the vertices along g."""
         chords = place_chords(trace, columns, spacing, placement)
-        t = chords.parameters
-        return cls(t, chords.vertices, trace.heading_at(t), plane)
+        return cls(chords, trace.heading_at(chords.parameters), plane)
 
     def turns(self) -> Array:
         """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
@@ -60,20 +74,24 @@ class Row:
             return
         column = int(worst[1]) + 1
         low, high = float((-self.turns()).max()), float(np.pi - self.turns().max())
-        margin = ROUNDING * (high - low)
-        nearest = (
-            f"plane_deg between {in_degrees(low + margin)} and {in_degrees(high - margin)}"
+        limits = (
+            f"; plane_deg must lie between {in_degrees(low)} and {in_degrees(high)}"
             if low < high
-            else self._enough_columns(trace, spacing, placement)
+            else "; no plane_deg fits all columns"
         )
         raise DesignError(
             "f's plane does not cross the chord of g",
             place=f"between columns {column} and {column + 1}",
-            size=f"delta is {in_degrees(delta[worst])} degrees, and must lie between 0 and 180",
-            nearest=nearest,
+            size=f"delta is {in_degrees(delta[worst])} degrees, and must lie between 0 and 180"
+            + limits,
+            candidates=angles("plane_deg", low, high, self.plane)
+            if low < high
+            else self._enough_columns(trace, spacing, placement),
         )
 
-    def _enough_columns(self, trace: Trace, spacing: Spacing, placement: Placement) -> str:
+    def _enough_columns(
+        self, trace: Trace, spacing: Spacing, placement: Placement
+    ) -> Iterator[Remedy]:
         def works(columns: int, spacing: Spacing = spacing) -> bool:
             row = Row.on(trace, columns, self.plane, spacing, placement)
             delta = row.turns() + self.plane
@@ -87,12 +105,17 @@ class Row:
                 while high - low > 1:
                     middle = (low + high) // 2
                     low, high = (low, middle) if works(middle) else (middle, high)
-                return f"columns = {high}"
+                # More columns than are just enough leave more room for the panels.
+                yield from (
+                    Remedy({"pattern.columns": count})
+                    for count in (high, *(math.ceil(more * high) for more in MORE_COLUMNS))
+                )
+                return
         for more in (len(self.vertices), columns):
             if spacing == "equal" and works(more, "curvature"):
-                return f'spacing = "curvature" with columns = {more}'
+                yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
         turns = Row.on(trace, columns, self.plane, spacing, placement).turns()
         least, most = float((-turns).max()), float(np.pi - turns.max())
         if least < most:
-            return f"plane_deg = {in_degrees(0.5 * (least + most))} with columns = {columns}"
-        return "a g with blunter corners"
+            plane = rounded(tidy_degrees(0.5 * (least + most)), 6)
+            yield Remedy({"pattern.plane_deg": plane, "pattern.columns": columns})

@@ -2,30 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import DesignError
+from orishell.curves import Curve
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import angles, fewer, part, sizes, values
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.geometry import is_simple_polygon
+from orishell.motion import RESOLUTION
 from orishell.polylines import Staircase
-from orishell.quoting import in_degrees, inside
 
 Array = NDArray[np.float64]
 
-RESOLUTION = 1e-8
-"""A crease must be at least this long relative to the largest coordinate."""
 STRETCH = 0.1
 """Logarithm of the stretch of f along g that draws a warning where f's plane is perpendicular."""
+PARTS = (1.0, 0.8, 0.5)
+"""Shares tried of the part of g that just fits."""
 SHORTEST_EDGE = 1e-6
 """A row edge must keep this share of the length it has in the middle row."""
 
 
-def require_row_edges(mechanism: ParallelRepeating) -> None:
-    """Row edges are affine in the distance from the middle row: look at the outermost rows."""
+def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
+    """Row edges are affine in the distance from the middle row: look at the outermost rows.
+
+    Parameters
+    ----------
+    f, g
+        The target curves.
+    """
     middle = np.abs(np.diff(mechanism.points))
     rows = (0, len(mechanism.lengths))
     share = np.stack([mechanism.row_lengths(row) for row in rows]) / middle
@@ -35,13 +44,12 @@ def require_row_edges(mechanism: ParallelRepeating) -> None:
     row, column = rows[int(worst[0])], int(worst[1]) + 1
     length = share[worst] * middle[worst[1]]
     reach = abs(mechanism.column_arcs()[row]) * np.sin(mechanism.xi / 2)
-    scale = inside(1 / (1 - share[worst]), 0.0)
+    scale = float(1 / (1 - share[worst]))
     raise DesignError(
         "neighbouring columns meet inside the sheet: g bends more sharply than f reaches",
         place=f"at row {row} between columns {column} and {column + 1}",
         size=f"the crease there would be {length:.4g} long, where f reaches {reach:.4g} from g",
-        nearest=f"scale in [target.f] times {scale:.4g}, or scale in [target.g] times "
-        f"{1 / scale:.4g} (scale is 1 where none is given)",
+        candidates=chain(sizes("f", f, scale), sizes("g", g, 1 / scale)),
     )
 
 
@@ -55,30 +63,31 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
     """
     rows = (0, len(mechanism.lengths))
     sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    size, width = float(np.abs(sheet).max()), float(np.ptp(sheet[..., :2]))
+    size = float(np.linalg.norm(np.ptp(sheet.reshape(-1, 3), axis=0)))
     if flap:
-        limits = (RESOLUTION * size * flap / min(mechanism.flaps), width)
+        limits = (RESOLUTION * size / min(mechanism.with_flaps(1.0).flaps), size)
         if not limits[0] <= flap <= limits[1]:
             raise DesignError(
                 "the flaps are no flaps for this sheet",
-                size=f"they are {flap:.4g} wide, the sheet is {width:.4g}",
-                nearest=f"flap between {limits[0]:.4g} and {limits[1]:.4g}",
+                size=f"they are {flap:.4g} wide, and may be {limits[0]:.4g} to {limits[1]:.4g}",
+                candidates=values("flap", limits[0], limits[1], flap),
             )
-    for name, shortest, remedy in (
+    for name, shortest, key, count in (
         (
             "crease of a row",
             min(float(mechanism.row_lengths(row).min()) for row in rows),
             "columns",
+            len(mechanism.points),
         ),
-        ("crease of column 1", float(mechanism.lengths.min()), "rows"),
+        ("crease of column 1", float(mechanism.lengths.min()), "rows", len(mechanism.lengths) - 1),
     ):
         if shortest < RESOLUTION * size:
             raise DesignError(
                 "a panel is so small that the rounding of coordinates would bend it",
                 place=f"at the shortest {name}",
-                size=f"it is {shortest:.4g} long with coordinates up to {size:.4g}",
-                nearest=f"a length of {RESOLUTION * size:.4g}: take fewer {remedy}, another xi_deg "
-                "or curves nearer to the origin",
+                size=f"it is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's "
+                f"diagonal, which is {size:.4g}",
+                candidates=fewer(key, count),
             )
 
 
@@ -87,6 +96,7 @@ def require_flat_sheet(
     flap: float,
     parameters: Array,
     staircase: Callable[[float], Staircase],
+    g: Curve,
 ) -> None:
     """The flat sheet must not overlap itself; all panels are convex, so its border decides.
 
@@ -95,9 +105,11 @@ def require_flat_sheet(
     flap
         Width of the flaps; 0 if there are none.
     parameters
-        Parameters of g's vertices, as g was drawn.
+        Parameters of g's vertices.
     staircase
         The staircase of f for another xi.
+    g
+        The target curve.
     """
     if _is_flat_sheet(mechanism):
         return
@@ -109,7 +121,7 @@ def require_flat_sheet(
         raise DesignError(
             "the flaps overlap in the flat sheet",
             size=f"they are {flap:.4g} wide",
-            nearest=f"flap = {share * flap:.4g}" if share else "a longer g",
+            candidates=values("flap", 0.0, share * flap, flap) if share else (),
         )
 
     def works(xi: float) -> bool:
@@ -121,16 +133,21 @@ def require_flat_sheet(
         trial = replace(mechanism, points=mechanism.points[:columns], axes=mechanism.axes[:columns])
         return _is_flat_sheet(trial.with_flaps(flap))
 
-    xi = _bisect_down(mechanism.xi, works)
     columns = next(c for c in range(3, len(parameters) + 1) if not fits(c)) - 1
-    # Shorter by a column, for the vertices will stand elsewhere on the part.
-    end = parameters[max(columns - 2, 1)]
-    low, high = sorted((parameters[0], end))
-    part = f"the part of g from parameter {low:.6g} to {high:.6g}"
+
+    def candidates() -> Iterator[Remedy]:
+        xi = _bisect_down(mechanism.xi, works)
+        if xi:
+            yield from angles("xi_deg", 0.0, xi, mechanism.xi)
+        # Shorter by a column, for the vertices will stand elsewhere on the part.
+        for share in PARTS:
+            end = parameters[max(int(share * (columns - 2)), 1)]
+            yield part("g", g, float(parameters[0]), float(end))
+
     raise DesignError(
         "the flat sheet overlaps itself: g turns too far",
         place=f"first at column {columns + 1}",
-        nearest=f"xi_deg = {in_degrees(xi)}, or {part}" if xi else part,
+        candidates=candidates(),
     )
 
 

@@ -10,7 +10,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.document import Document, DocumentState
+from orishell.colours import MEANINGS, linear_rgb
+from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.poses import find_frames, longer_diagonals, quaternions
 from orishell.io.settings import Settings
@@ -23,10 +24,8 @@ Singles = NDArray[np.float32]
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""
-COLOUR: Final = (0.80, 0.76, 0.68, 1.0)
-"""Colour of the panels, linear red, green, blue, opacity."""
-
 _FLOAT, _SHORT = 5126, 5123
+_LINES = 1
 _VERTICES, _INDICES = 34962, 34963
 _JSON, _BINARY = b"JSON", b"BIN\0"
 _TURNED = [0, 2, 1], [1.0, 1.0, -1.0]
@@ -44,8 +43,12 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     from one state to the next: some thousandths of L with 13 states, a quarter of that with 25.
     A panel must turn by less than 180 degrees from state to state.
 
+    Edges are lines in the colours of mountains and valleys (:mod:`orishell.colours`), each with
+    the panel on one side of it.
+
     Numbers are in single precision, as viewers have them: points are off by about 1e-7 of their
-    distance from the origin. Times follow the drive angle if it rises from state to state,
+    distance from the origin. A shell far from it hangs on a root node that is moved there in double
+    precision. Times follow the drive angle if it rises from state to state,
     otherwise states are evenly spaced. With fewer than two states there is no animation.
 
     Parameters
@@ -64,10 +67,11 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     """
     import orjson
 
-    scale = _metres(document)
-    rest = _corners(document, document.state(settings.state), scale)
+    scale, nearby = _metres(document), document.nearby
+    rest = _corners(document, document.state(settings.state).positions, nearby, scale)
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
+    inks = _inks(document)
     buffers = _Buffers()
     content = {
         "asset": {
@@ -77,22 +81,12 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         },
         "scene": 0,
         "scenes": [{"name": document.title, "nodes": [0]}],
-        "nodes": _nodes(document, origins, axes),
-        "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest)),
-        "materials": [
-            {
-                "name": "panel",
-                "doubleSided": True,
-                "pbrMetallicRoughness": {
-                    "baseColorFactor": COLOUR,
-                    "metallicFactor": 0.0,
-                    "roughnessFactor": 0.9,
-                },
-            }
-        ],
+        "nodes": _nodes(document, _turned(nearby) * scale, origins, axes),
+        "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks),
+        "materials": [_material("panel-front"), *map(_material, inks)],
     }
     if len(document.states) > 1:
-        content["animations"] = [_animation(buffers, document, scale, along)]
+        content["animations"] = [_animation(buffers, document, nearby, scale, along)]
     content |= buffers.described()
     text = orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
     chunks = _chunk(_JSON, text, b" ") + _chunk(_BINARY, b"".join(buffers.parts), b"\0")
@@ -150,9 +144,11 @@ class _Buffers:
         }
 
 
-def _nodes(document: Document, origins: Array, axes: Array) -> list[dict[str, Any]]:
+def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> list[dict[str, Any]]:
     places, turns = origins.astype(np.float32), quaternions(axes).astype(np.float32)
     root = {"name": document.title, "children": list(range(1, len(origins) + 1))}
+    if place.any():
+        root["translation"] = place.tolist()
     return [root] + [
         {
             "name": f"panel {document.panel_name(panel)}",
@@ -164,8 +160,38 @@ def _nodes(document: Document, origins: Array, axes: Array) -> list[dict[str, An
     ]
 
 
-def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str, Any]]:
-    """One mesh for each panel with corners (F, 4, 3) in its own frame."""
+def _material(meaning: str) -> dict[str, Any]:
+    return {
+        "name": meaning,
+        "doubleSided": True,
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [*linear_rgb(meaning), 1.0],
+            "metallicFactor": 0.0,
+            "roughnessFactor": 0.9,
+        },
+    }
+
+
+def _inks(document: Document) -> dict[str, Integers]:
+    """Sides (F,) of every panel that are drawn in a colour, by its meaning: 1, 2, 4, 8 for a side.
+
+    An edge between two panels is drawn with one of them, and moves with it.
+    """
+    mesh = document.mesh
+    edges = mesh.faces_edges()
+    drawn = mesh.edge_faces.max(axis=1)[edges] == np.arange(len(edges))[:, None]
+    meanings = np.array([MEANINGS[letter] for letter in document.assignment])[edges]
+    found = {
+        str(each): ((drawn & (meanings == each)) * [1, 2, 4, 8]).sum(axis=1)
+        for each in np.unique(meanings)
+    }
+    return {meaning: sides for meaning, sides in found.items() if sides.any()}
+
+
+def _meshes(
+    buffers: _Buffers, local: Array, splits: Integers, inks: dict[str, Integers]
+) -> list[dict[str, Any]]:
+    """One mesh for each panel with corners (F, 4, 3) in its own frame: its area and its lines."""
     corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=_VERTICES, byteStride=12)
     upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
     normals = buffers.add(upright, "VEC3", target=_VERTICES, byteStride=12)
@@ -173,7 +199,7 @@ def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str,
     triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
     first = buffers.add(triangles, "SCALAR", target=_INDICES)
     indices = (first + np.searchsorted(used, splits)).tolist()
-    return [
+    meshes: list[dict[str, Any]] = [
         {
             "primitives": [
                 {
@@ -185,17 +211,34 @@ def _meshes(buffers: _Buffers, local: Array, splits: Integers) -> list[dict[str,
         }
         for panel, index in enumerate(indices)
     ]
+    sides = np.stack([np.arange(4), (np.arange(4) + 1) % 4], axis=1).astype(np.uint16)
+    shared: dict[int, int] = {}
+    for material, drawn in enumerate(inks.values(), start=1):
+        for panel in np.flatnonzero(drawn).tolist():
+            which = int(drawn[panel])
+            if which not in shared:
+                ends = sides[[side for side in range(4) if which >> side & 1]].reshape(1, -1)
+                shared[which] = buffers.add(ends, "SCALAR", target=_INDICES)
+            meshes[panel]["primitives"].append(
+                {
+                    "attributes": {"POSITION": corners + panel},
+                    "indices": shared[which],
+                    "mode": _LINES,
+                    "material": material,
+                }
+            )
+    return meshes
 
 
 def _animation(
-    buffers: _Buffers, document: Document, scale: float, along: Integers
+    buffers: _Buffers, document: Document, nearby: Array, scale: float, along: Integers
 ) -> dict[str, Any]:
     """Keys of all panels at all states."""
     origins: list[Array] = []
     turns: list[Array] = []
     drives: list[float | None] = []
     for state in document.states:
-        origin, axes = find_frames(_corners(document, state, scale), along)
+        origin, axes = find_frames(_corners(document, state.positions, nearby, scale), along)
         turn = quaternions(axes)
         if turns:  # q and -q are one rotation: the one nearer to the key before is meant
             turn = np.where((turn * turns[-1]).sum(axis=1, keepdims=True) < 0, -turn, turn)
@@ -247,10 +290,16 @@ def _metres(document: Document) -> float:
     return conversion(document.unit, "m")
 
 
-def _corners(document: Document, state: DocumentState, scale: float) -> Array:
-    """Corners (F, 4, 3) of the panels in metres, y up."""
+def _corners(document: Document, positions: Array, nearby: Array, scale: float) -> Array:
+    """Corners (F, 4, 3) of the panels about a point (3,) of the world, in metres, y up."""
+    about = positions + (document.origin - nearby)
+    return np.asarray(_turned(about) * scale + 0.0)[document.mesh.faces]
+
+
+def _turned(points: Array) -> Array:
+    """Points (..., 3) with y up."""
     order, signs = _TURNED
-    return np.asarray(state.positions[:, order] * signs * scale + 0.0)[document.mesh.faces]
+    return np.asarray(points[..., order] * signs)
 
 
 def _chunk(kind: bytes, data: bytes, padding: bytes) -> bytes:

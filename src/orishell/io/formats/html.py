@@ -15,6 +15,12 @@ from orishell.io.view import dump_view
 
 VIEWER = files("orishell").joinpath("studio", "static", "viewer.js")
 
+BUILD_PAGES = (
+    "install a wheel of orishell that has them; in its sources, `npm run pages` in frontend/ "
+    "builds them (Node.js 18 or newer)"
+)
+"""What to do where the pages of the studio and the viewer are missing."""
+
 _STYLE = """
 html, body { margin: 0; height: 100%; background: #f5f3ee; }
 @media (prefers-color-scheme: dark) { html, body { background: #14171b; } }
@@ -90,7 +96,7 @@ def read_viewer() -> str:
     if not viewer_is_built():
         raise InputError(
             "the viewer has not been built",
-            remedy="install Node.js 18 or newer and run `make studio`",
+            remedy=BUILD_PAGES,
         )
     return VIEWER.read_text(encoding="utf-8")
 

@@ -36,7 +36,7 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no such state.
     """
-    positions = document.state(settings.state).positions
+    positions = document.in_world(document.state(settings.state).positions)
     with path.open("w", encoding="utf-8", newline="\n") as file:
         file.write(f"# {' '.join(document.title.split())}\n# Unit: {document.unit}. Up: y.\n")
         file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in _y_up(positions).tolist())

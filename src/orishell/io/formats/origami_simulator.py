@@ -8,9 +8,9 @@ each other than 3 px are merged.
 
 from __future__ import annotations
 
+from html import escape
 from pathlib import Path
 from typing import Final
-from xml.sax.saxutils import escape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,7 +77,7 @@ def write_origami_simulator(path: Path, document: Document, settings: Settings) 
             '<svg xmlns="http://www.w3.org/2000/svg" version="1.1"'
             f' width="{page[0]:.6g}" height="{page[1]:.6g}"'
             f' viewBox="0 0 {page[0]:.6g} {page[1]:.6g}">\n'
-            f"<title>{escape(title)}</title>\n"
+            f"<title>{escape(title, quote=False)}</title>\n"
         )
         for edge in np.flatnonzero(beside).tolist():
             (x1, x2), (y1, y2) = x[edge], y[edge]

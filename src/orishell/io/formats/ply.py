@@ -33,7 +33,7 @@ def write_ply(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no such state.
     """
-    positions = document.state(settings.state).positions
+    positions = document.in_world(document.state(settings.state).positions)
     faces = np.empty(len(document.mesh.faces), _FACE)
     faces["corner_count"], faces["vertex_indices"] = 4, document.mesh.faces
     lines = [

@@ -13,6 +13,7 @@ from uuid import UUID
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.colours import rgb
 from orishell.document import Document
 from orishell.io.settings import Settings
 from orishell.panels import reflex_corners, unit_normals
@@ -30,16 +31,17 @@ _UNIT_SYSTEMS = {
     "in": "Inches",
     "ft": "Feet",
 }
-_COLOURS = {
-    "CUT": (0, 0, 0, 255),
-    "MOUNTAIN": (220, 40, 40, 255),
-    "VALLEY": (40, 80, 220, 255),
-    "ENGRAVE": (120, 120, 120, 255),
-    "mesh": (150, 140, 120, 255),
-    "panels": (190, 180, 160, 255),
-    "f": (0, 140, 70, 255),
-    "g": (230, 140, 0, 255),
+_MEANINGS = {
+    "CUT": "border-crease",
+    "MOUNTAIN": "mountain",
+    "VALLEY": "valley",
+    "ENGRAVE": "unfolded",
+    "mesh": "panel-front",
+    "panels": "panel-front",
+    "f": "curve-f",
+    "g": "curve-g",
 }
+"""What the colours of the layers mean."""
 _LETTERS = {
     "C": "CUT",
     "M": "MOUNTAIN",
@@ -88,9 +90,9 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     model = _Model(document)
     if document.flat is not None:
         _add_pattern(model, document, document.flat)
-    _add_shell(model, document, document.state(settings.state).positions)
+    _add_shell(model, document, document.in_world(document.state(settings.state).positions))
     for name, points in document.curves.items():
-        model.add(_polyline(points), model.layer("target", name), name)
+        model.add(_polyline(document.in_world(points)), model.layer("target", name), name)
     options = rhino3dm.File3dmWriteOptions()
     options.Version = VERSION
     path.write_bytes(_without_clock(base64.b64decode(model.file.Encode(options))))
@@ -120,7 +122,8 @@ class _Model:
             layer = rhino3dm.Layer()
             layer.Name = path[-1]
             layer.Id = self._new_id()
-            layer.Color = _COLOURS.get(path[-1], (0, 0, 0, 255))
+            red, green, blue = rgb(_MEANINGS.get(path[-1], "border-crease"))
+            layer.Color = (round(255 * red), round(255 * green), round(255 * blue), 255)
             if path[:-1]:
                 layer.ParentLayerId = self.file.Layers[self.layer(*path[:-1])].Id
             self._layers[path] = self.file.Layers.Add(layer)

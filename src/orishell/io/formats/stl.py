@@ -5,10 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.document import Document
 from orishell.io.settings import Settings
 from orishell.io.triangles import split_panels
+
+Array = NDArray[np.float64]
 
 HEADER_LENGTH = 80
 
@@ -20,7 +23,8 @@ def write_stl(path: Path, document: Document, settings: Settings) -> None:
 
     The z axis is up. Corners go round as seen from the front (above, in the flat sheet) and
     normals point there. Coordinates are in the document's unit, which the header names (STL has
-    no place for it), rounded to single precision: about 6e-8 of the distance from the origin.
+    no place for it), rounded to single precision: about 6e-8 of the distance from the origin. Far
+    from it they are about a point beside the shell, which the header names.
 
     Parameters
     ----------
@@ -36,19 +40,22 @@ def write_stl(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no such state.
     """
-    triangles = split_panels(document.state(settings.state).positions[document.mesh.faces])
+    nearby = document.nearby
+    positions = document.state(settings.state).positions + (document.origin - nearby)
+    triangles = split_panels(positions[document.mesh.faces])
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     records = np.zeros(len(triangles), _RECORD)
     records["normal"] = normals / np.where(length > 0, length, 1.0) + 0.0
     records["corners"] = triangles
     with path.open("wb") as file:
-        file.write(_header(document))
+        file.write(_header(document, nearby))
         file.write(len(records).to_bytes(4, "little"))
         file.write(records.tobytes())
 
 
-def _header(document: Document) -> bytes:
+def _header(document: Document, nearby: Array) -> bytes:
     """Eighty bytes that do not begin with "solid", by which readers know text files."""
-    words = f"orishell, unit {document.unit}, z up: {' '.join(document.title.split())}"
+    about = " about ({:g}, {:g}, {:g})".format(*nearby) if nearby.any() else ""
+    words = f"orishell, unit {document.unit}, z up{about}: {' '.join(document.title.split())}"
     return words.encode("ascii", "replace")[:HEADER_LENGTH].ljust(HEADER_LENGTH)

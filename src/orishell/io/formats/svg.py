@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from html import escape
 from pathlib import Path
 from typing import Final
-from xml.sax.saxutils import escape, quoteattr
 
 from orishell.document import Document
 from orishell.io.settings import Settings
@@ -74,7 +74,7 @@ def dump_svg(path: Path, drawing: Drawing, palette: Palette) -> None:
             ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
             f' version="1.1" width="{physical[0]}" height="{physical[1]}"'
             f' viewBox="0 0 {size[0]} {size[1]}">\n'
-            f"<title>{escape(_plain(drawing.title))}</title>\n"
+            f"<title>{escape(_plain(drawing.title), quote=False)}</title>\n"
         )
         for layer in ORDER:
             pen = palette.pens.get(layer)
@@ -130,8 +130,8 @@ def _text(text: Text, colour: str, height: float, number: Number) -> str:
     turned = "" if turn == "0" else f' transform="rotate({turn} {x} {y})"'
     return (
         f'<text x="{x}" y="{y}" font-size="{number(text.height / CAPITALS)}"'
-        f' font-family="Arial, Helvetica, sans-serif" text-anchor={quoteattr(text.anchor)}'
-        f' fill="{colour}" stroke="none"{turned}>{escape(_plain(text.words))}</text>'
+        f' font-family="Arial, Helvetica, sans-serif" text-anchor="{text.anchor}"'
+        f' fill="{colour}" stroke="none"{turned}>{escape(_plain(text.words), quote=False)}</text>'
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -65,7 +64,7 @@ def _write_state(path: Path, document: Document, state: DocumentState) -> None:
         rows, columns = np.divmod(np.arange(count, dtype=np.int32), document.grid_shape[1] - 1)
         cell_data |= {"row": [rows], "column": [columns]}
     faces = document.mesh.faces.astype(np.int32)
-    mesh = meshio.Mesh(state.positions, [("quad", faces)], cell_data=cell_data)
+    mesh = meshio.Mesh(document.in_world(state.positions), [("quad", faces)], cell_data=cell_data)
     meshio.write(path, mesh, file_format="vtu")
     path.write_bytes(path.read_bytes().replace(_GRID, _GRID + _facts(document, state), 1))
 
@@ -92,6 +91,8 @@ def _facts(document: Document, state: DocumentState) -> bytes:
 
 
 def _collection(files: list[str], drives: list[float], unit: str) -> str:
+    from xml.sax.saxutils import quoteattr
+
     rising = bool(np.all(np.isfinite(drives)) and np.all(np.diff(drives) > 0))
     times = drives if rising else [float(number) for number in range(len(files))]
     meaning = "drive angle in degrees" if rising else "number of the state"

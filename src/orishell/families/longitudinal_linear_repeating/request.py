@@ -1,0 +1,128 @@
+"""What a sheet is asked for, with a target or without one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.design import Parameter
+from orishell.errors import InputError
+from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
+from orishell.families.longitudinal_linear_repeating.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.sheet import require_size
+from orishell.families.longitudinal_linear_repeating.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.tessellation import (
+    Columns,
+    Coupling,
+    RowKind,
+    continue_columns,
+    repeat_columns,
+)
+from orishell.quoting import tidy_degrees
+
+Array = NDArray[np.float64]
+Auto = Literal["auto"]
+Periodic = Literal["periodic"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SheetRequest:
+    """What was asked for, but for the sector angles and the target.
+
+    Parameters
+    ----------
+    rows, columns
+        Inner vertices m and n.
+    first_row
+        Kind of the first row.
+    couplings
+        How columns follow each other.
+    row_lengths, column_lengths
+        Of the middle row (n-1) and of column 1 (m+1), or None for "auto".
+    stage
+        The drive at which the frames end (radians), or None for "auto".
+    flap
+        Length of the row creases at the left and right border.
+    """
+
+    rows: int
+    columns: int
+    first_row: RowKind
+    couplings: Sequence[Coupling] | Periodic
+    row_lengths: Array | None
+    column_lengths: Array | None
+    stage: float | None
+    flap: float | Auto
+
+    def coupled(self, solution: Solution) -> Columns:
+        """The columns that a solution of (4) gives.
+
+        Raises
+        ------
+        InputError
+            If couplings are not as many as the sheet needs.
+        DesignError
+            If no lengths make a sheet of this size of them.
+        """
+        if self.couplings == "periodic":
+            columns = repeat_columns(solution, self.columns)
+        elif len(self.couplings) != self.columns - 1:
+            raise InputError(
+                "couplings do not fit",
+                got=f"{len(self.couplings)} entries",
+                expected=f'{self.columns - 1}, one fewer than columns, or "periodic"',
+            )
+        else:
+            columns = continue_columns(solution, self.couplings)
+        require_size(columns, self.rows, self.first_row)
+        return columns
+
+    def describe(
+        self, solution: Solution, mechanism: LongitudinalLinearRepeating
+    ) -> dict[str, Parameter]:
+        """What was used and found, as the report says it."""
+        lengths = mechanism.lengths
+        return {
+            "sector_deg": _tidy(solution.first),
+            "second_sector_deg": _tidy(solution.second),
+            "version": solution.version,
+            "c": solution.c,
+            "couplings": self.couplings
+            if self.couplings == "periodic"
+            else [str(each) for each in self.couplings],
+            "first_row": self.first_row,
+            "stage_deg": tidy_degrees(mechanism.lock_drive),
+            "motion_end_deg": tidy_degrees(mechanism.crease_end),
+            "longest_to_shortest": lengths.inner_ratio,
+            "row_lengths": lengths.row[self.rows // 2, 1:-1].tolist(),
+            "column_lengths": lengths.column[:, 0].tolist(),
+            "flap": float(lengths.row[0, 0]),
+        }
+
+
+def given_lengths(name: str, lengths: Sequence[float] | Auto, count: int) -> Array | None:
+    """Given lengths as an array, or None for "auto".
+
+    Raises
+    ------
+    InputError
+        If they are not so many, or one is not positive.
+    """
+    if lengths == "auto":
+        return None
+    array = np.asarray(lengths, dtype=np.float64)
+    if array.shape != (count,) or not (array > 0).all():
+        raise InputError(
+            f"{name} does not fit",
+            got=f"{array.size} entries",
+            expected=f"{count} positive lengths",
+        )
+    return array
+
+
+def _tidy(sectors: Sectors) -> list[float]:
+    return [tidy_degrees(np.deg2rad(angle)) for angle in sectors.degrees]

@@ -1,0 +1,232 @@
+"""What sector angles and the lengths of a row and a column fold, with no target to meet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain
+
+import numpy as np
+from numpy.typing import NDArray
+
+from orishell.design import Design, Parameter
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import fewer
+from orishell.families.longitudinal_linear_repeating.choice import choose_auto, choose_solution
+from orishell.families.longitudinal_linear_repeating.even_lengths import (
+    InnerLengths,
+    advance_range,
+    find_even_lengths,
+)
+from orishell.families.longitudinal_linear_repeating.lengths import END_SHARE, end_limits
+from orishell.families.longitudinal_linear_repeating.measures import (
+    describe_radii,
+    measure_departures,
+    section_radii,
+)
+from orishell.families.longitudinal_linear_repeating.mechanism import (
+    LongitudinalLinearRepeating,
+    Pose,
+)
+from orishell.families.longitudinal_linear_repeating.placement import pose_of
+from orishell.families.longitudinal_linear_repeating.program import Wanted
+from orishell.families.longitudinal_linear_repeating.request import Auto, SheetRequest
+from orishell.families.longitudinal_linear_repeating.section import Section
+from orishell.families.longitudinal_linear_repeating.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.sheet import (
+    require_flat_sheet,
+    with_fitting_border,
+)
+from orishell.families.longitudinal_linear_repeating.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.stage import require_before_end
+from orishell.families.longitudinal_linear_repeating.tessellation import Columns, Directions
+from orishell.motion import require_resolution
+from orishell.pattern import UNFOLDED
+from orishell.quoting import rounded
+
+Array = NDArray[np.float64]
+
+LEVEL = 1e-9
+"""Rows beside the middle one are level with it below this share of the sheet's size."""
+
+
+def design_without_target(
+    request: SheetRequest, sectors: Sectors | Auto, solution: int = 0
+) -> Design:
+    """The sheet of given sector angles and lengths, folded to the stage or as far as it goes.
+
+    Parameters
+    ----------
+    request
+        The sheet.
+    sectors
+        Sector angles of column 1, or "auto".
+    solution
+        Which solution of (4), of either version.
+
+    Raises
+    ------
+    DesignError
+        If there is no such sheet.
+    """
+
+    def build(solution: Solution) -> LongitudinalLinearRepeating:
+        return _build(request, solution)
+
+    if sectors == "auto":
+        chosen, sheet = choose_auto(build, lambda made: made.lengths.inner_ratio)
+    else:
+        chosen = choose_solution(sectors, solution)
+        sheet = build(chosen)
+
+    def stopped(drive: float) -> Design:
+        placed = _level(sheet, drive)
+        return Design(
+            mechanism=placed,
+            parameters={**request.describe(chosen, placed), **_measures(placed)},
+            targets={},
+            closeness={},
+            swept=None,
+            warnings=(),
+            lock_drive=sheet.crease_end,
+            stopped=stopped if request.stage is None else None,
+        )
+
+    if request.stage is None:
+        return stopped(sheet.crease_end)
+    require_before_end(request.stage, sheet.crease_end)
+    _require_folded(sheet, request.stage)
+    return stopped(request.stage)
+
+
+def _build(request: SheetRequest, solution: Solution) -> LongitudinalLinearRepeating:
+    """The sheet that a solution of (4) gives."""
+    columns = request.coupled(solution)
+    inner = _inner_lengths(request, columns)
+    if inner is None or inner.shortest <= 0:
+        raise _refusal(request, columns, inner)
+    return _with_border(request, columns, inner)
+
+
+def _with_border(
+    request: SheetRequest, columns: Columns, inner: InnerLengths
+) -> LongitudinalLinearRepeating:
+    directions = Directions.of(columns, request.rows, request.first_row)
+    mechanism = with_fitting_border(
+        columns, request.first_row, inner, _ends(request, directions, inner), request.flap
+    )
+    require_flat_sheet(mechanism)
+    require_resolution(
+        mechanism, chain(fewer("rows", request.rows), fewer("columns", request.columns))
+    )
+    return mechanism
+
+
+def _inner_lengths(request: SheetRequest, columns: Columns) -> InnerLengths | None:
+    """As given, perhaps not all positive, or the most even ones, or None if there are none."""
+    row, column = request.row_lengths, request.column_lengths
+    directions = Directions.of(columns, request.rows, request.first_row)
+    if request.rows == 1 and row is None:
+        row = np.full(request.columns - 1, 1.0 if column is None else column.mean())
+    inner = np.empty(0) if request.rows == 1 else None if column is None else column[1:-1]
+    if row is not None and inner is not None:
+        return InnerLengths.marched(directions, row, inner)
+    ends = None if column is None else (float(column[0]), float(column[-1]))
+    found = find_even_lengths(directions, Wanted(row=row, column=inner, ends=ends))
+    if found is None or row is None:
+        return found
+    return found.scaled(float(row.sum() / found.row[request.rows // 2].sum()))
+
+
+def _ends(
+    request: SheetRequest, directions: Directions, inner: InnerLengths
+) -> tuple[float, float]:
+    """Column 1's first and last length: as given, or as those beside them if there is room."""
+    if request.column_lengths is not None:
+        return float(request.column_lengths[0]), float(request.column_lengths[-1])
+    beside = inner.column[[0, -1], 0] if inner.column.size else np.full(2, inner.row.mean())
+    room = [END_SHARE * end_limits(directions, inner.row, bottom)[0] for bottom in (False, True)]
+    first, last = np.minimum(beside, room)
+    return float(first), float(last)
+
+
+def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None) -> DesignError:
+    """Why lengths that were given make no sheet."""
+    row, column = request.row_lengths, request.column_lengths
+    both = row is not None and column is not None
+    which = "column_lengths" if row is None else "row_lengths"
+    return DesignError(
+        f"these {'lengths' if both else which} make no sheet of these sector angles",
+        size="no positive lengths of the other creases close all panels"
+        if inner is None
+        else f"the shortest crease would be {inner.shortest:.4g} long",
+        candidates=_candidates(request, columns),
+    )
+
+
+def _candidates(request: SheetRequest, columns: Columns) -> Iterator[Remedy]:
+    """The same ratios with other scales of the row, the nearest first; "auto" for what is given."""
+    row, column = request.row_lengths, request.column_lengths
+    if row is not None and column is not None:
+        directions = Directions.of(columns, request.rows, request.first_row)
+        wanted = Wanted(row=row, column=column[1:-1], ends=(float(column[0]), float(column[-1])))
+        limits = advance_range(directions, wanted, np.ones(len(row))) or ()
+        for factor in sorted((limit / row.sum() for limit in limits), key=lambda x: abs(np.log(x))):
+            scaled = [rounded(float(length), 8) for length in row * rounded(factor)]
+            yield Remedy({"pattern.row_lengths": scaled})
+    free = [Remedy({"pattern.row_lengths": "auto"})] if row is not None else []
+    free += [Remedy({"pattern.column_lengths": "auto"})] if column is not None else []
+    yield from free
+    if len(free) > 1:
+        yield free[0] | free[1]
+
+
+def _require_folded(sheet: LongitudinalLinearRepeating, stage: float) -> None:
+    """Refuse a stage at which a crease still counts as unfolded: small fold angles go with it."""
+    angles = sheet.fold_angles(UNFOLDED)
+    share = min(float(np.abs(angles.row).min()), float(np.abs(angles.column).min())) / UNFOLDED
+    if stage * share <= UNFOLDED:
+        raise DesignError(
+            f"stage_deg = {np.rad2deg(stage):.4g} leaves creases unfolded",
+            size=f"one folds by {stage * share:.1g} rad, and less than {UNFOLDED:g} is none",
+            candidates=[
+                Remedy({"pattern.stage_deg": rounded(np.rad2deg(more * UNFOLDED / share))})
+                for more in (1.01, 2.0)
+            ],
+        )
+
+
+def _level(sheet: LongitudinalLinearRepeating, drive: float) -> LongitudinalLinearRepeating:
+    """The sheet with its motion ending at a drive, where it stands as an arch about the origin.
+
+    There the middle row runs along the x axis, the columns across its middle along the y axis, and
+    the rows beside it lie below.
+    """
+    free = replace(sheet, stop=drive, pose=Pose())
+    shell = free.positions(drive)
+    middle = len(shell) // 2
+    along = shell[middle, -2] - shell[middle, 1]
+    x = along / np.linalg.norm(along)
+    back = (shell[middle - 1] - shell[middle + 1])[1:-1].mean(axis=0)
+    back = back - (back @ x) * x
+    size = np.linalg.norm(np.ptp(shell.reshape(-1, 3), axis=0))
+    if np.linalg.norm(back) < LEVEL * size:  # folded flat about the middle row
+        return free
+    y = back / np.linalg.norm(back)
+    axes = np.stack([x, y, np.cross(x, y)])
+    beside = (shell[[middle - 1, middle + 1]] - shell[middle])[:, 1:-1] @ axes[2]
+    if beside.mean() > LEVEL * size:
+        return _level(replace(sheet, side=-sheet.side), drive)
+    return replace(free, pose=pose_of(np.zeros(3), axes))
+
+
+def _measures(mechanism: LongitudinalLinearRepeating) -> dict[str, Parameter]:
+    """What the report says of the shape: radii of sections where they are convex, planes."""
+    measures: dict[str, Parameter] = {**measure_departures(mechanism)}
+    if mechanism.columns.version == "sine":
+        return measures
+    drive, rows = mechanism.lock_drive, mechanism.grid.rows - 2
+    section = Section.of(mechanism.columns, rows, mechanism.first_row, drive, mechanism.side)
+    across = np.stack([section.heading, np.cross(section.axis, section.heading)], axis=-1)
+    seen = replace(mechanism, pose=Pose()).positions(drive) @ across
+    return {**describe_radii(section_radii(seen)), **measures}

@@ -1,0 +1,172 @@
+"""What is built from a fresh clone, and what it does in an environment of its own."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import httpx
+import pytest
+
+from node_tools import lacking
+from studio_server import running_studio
+
+ROOT = Path(__file__).parents[1]
+PAGES = {"index.html", "viewer.js", "three-licence.txt"}
+NONE: Mapping[str, str] = {}
+SHOW = """
+import numpy as np
+import orishell
+f = orishell.curve_from_formulas(None, orishell.parse_formula("-x**2"), -1, 1)
+g = orishell.curve_from_formulas(None, orishell.parse_formula("0.1*x"), 0, 2)
+design = orishell.design_parallel_repeating(f, g, rows=3, columns=2, xi=np.radians(50), flap=0.3)
+try:
+    print(type(orishell.show(design)).__name__)
+except orishell.InputError as error:
+    print(error)
+"""
+
+
+def clone(place: Path) -> Path:
+    """The files of the work tree that are, or are to be, under version control."""
+    if not (ROOT / ".git").exists():
+        lacking("this is no clone of the repository")
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT, capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    for name in filter(None, listed.split("\0")):
+        if (ROOT / name).is_file():
+            (place / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, place / name)
+    assert not (place / "src" / "orishell" / "studio" / "static").exists()
+    assert not (place / "frontend" / "node_modules").exists()
+    return place
+
+
+def plain(more: Mapping[str, str]) -> dict[str, str]:
+    """The environment's variables without those that lead back to the work tree."""
+    unset = {"PYTHONPATH", "VIRTUAL_ENV", "ORISHELL_WITHOUT_PAGES"}
+    return {name: value for name, value in os.environ.items() if name not in unset} | dict(more)
+
+
+def ran(
+    *command: str | Path, where: Path, status: int = 0, variables: Mapping[str, str] = NONE
+) -> str:
+    """What a command prints, on standard error too, that knows nothing of this environment."""
+    done = subprocess.run(
+        list(map(str, command)), cwd=where, env=plain(variables),
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, timeout=1200,
+    )  # fmt: skip
+    assert done.returncode == status, done.stdout
+    assert "Traceback" not in done.stdout
+    return done.stdout
+
+
+def build_wheel(source: Path, place: Path, variables: Mapping[str, str] = NONE) -> Path:
+    pip = (sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", place)
+    ran(*pip, source, where=place.parent, variables=variables)
+    (wheel,) = place.glob("*.whl")
+    return wheel
+
+
+def pages_in(wheel: Path) -> set[str]:
+    with zipfile.ZipFile(wheel) as files:
+        place = "orishell/studio/static/"
+        return {name.removeprefix(place) for name in files.namelist() if name.startswith(place)}
+
+
+@pytest.mark.slow
+def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
+    if shutil.which("npm") is None:
+        lacking("npm is not installed: on Debian, apt-get install nodejs npm")
+    nowhere = tmp_path / "empty"
+    nowhere.mkdir()
+    tree = clone(tmp_path / "clone")
+    wheel = build_wheel(tree, tmp_path / "wheel")
+    assert pages_in(wheel) > PAGES
+
+    # A source distribution holds the pages, so its wheel needs no npm.
+    tools = tmp_path / "tools"
+    ran(
+        sys.executable,
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--target",
+        tools,
+        "hatchling",
+        where=nowhere,
+    )
+    hatch = (sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", tmp_path / "sdist")
+    ran(*hatch, where=tree, variables={"PYTHONPATH": str(tools), "PATH": str(nowhere)})
+    (source,) = (tmp_path / "sdist").iterdir()
+    again = build_wheel(source, tmp_path / "again", {"PATH": str(nowhere)})
+    assert again.read_bytes() == wheel.read_bytes()
+    shutil.rmtree(tree)
+
+    ran(sys.executable, "-m", "venv", tmp_path / "environment", where=nowhere)
+    python = tmp_path / "environment" / "bin" / "python"
+    command = python.with_name("orishell")
+    install = (python, "-m", "pip", "install", "--quiet", "-c", ROOT / "constraints.txt")
+    ran(*install, f"{wheel}[studio]", where=nowhere)
+
+    ran(command, "new", "parallel-repeating", "shell.toml", where=nowhere)
+    ran(command, "design", "shell.toml", "--out", "out", "--write", "html", where=nowhere)
+    assert (nowhere / "out" / "viewer.html").stat().st_size > 500_000
+
+    with running_studio(nowhere / "shell.toml", python=python, environment=plain(NONE)) as studio:
+        page = httpx.get(studio.address)
+        assert page.status_code == 200
+        parts = re.findall(r'(?:src|href)="\./(assets/[^"]+)"', page.text)
+        assert len(parts) >= 2
+        for part in parts:
+            assert httpx.get(f"{studio.address}/{part}").status_code == 200
+        port = studio.address.rpartition(":")[2]
+        said = ran(command, "studio", "--port", port, where=nowhere, status=2)
+        assert said.startswith("orishell: --port: something listens at this port already")
+
+    missing = ran(python, "-c", SHOW, where=nowhere)
+    assert 'Remedy: pip install "orishell[notebook]"' in missing
+    ran(*install, f"{wheel}[notebook]", where=nowhere)
+    assert ran(python, "-c", SHOW, where=nowhere) == "Viewer\n"
+
+
+@pytest.mark.slow
+def test_a_build_without_npm_says_so_and_what_it_lacks_says_so(tmp_path: Path) -> None:
+    nowhere = tmp_path / "empty"
+    nowhere.mkdir()
+    bare, tree = {"PATH": str(nowhere)}, clone(tmp_path / "clone")
+    pip = (sys.executable, "-m", "pip", "wheel", "--no-deps", "--wheel-dir", tmp_path / "wheel")
+    said = ran(*pip, tree, where=nowhere, status=1, variables=bare)
+    assert "are built with Node.js 18 or newer and npm, which is not there" in said
+    assert "ORISHELL_WITHOUT_PAGES=1 builds orishell without them" in said
+
+    # An install that points to the sources needs none either.
+    editable = (sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--editable", tree)
+    ran(*editable, "--target", tmp_path / "editable", where=nowhere, variables=bare)
+
+    wheel = build_wheel(tree, tmp_path / "wheel", {**bare, "ORISHELL_WITHOUT_PAGES": "1"})
+    assert pages_in(wheel) == set()
+    with zipfile.ZipFile(wheel) as files:
+        files.extractall(tmp_path / "installed")
+    remedy = "Remedy: install a wheel of orishell that has them"
+    here = {"PYTHONPATH": str(tmp_path / "installed")}
+
+    def orishell(*words: str | Path, status: int) -> str:
+        command = (sys.executable, "-m", "orishell", *words)
+        return ran(*command, where=nowhere, status=status, variables=here)
+
+    assert remedy in orishell("studio", status=2)
+    orishell("new", "parallel-repeating", "shell.toml", status=0)
+    said = orishell("design", "shell.toml", "--out", "out", "--write", "html", status=2)
+    assert f"the viewer has not been built. {remedy}" in said
+    assert not (nowhere / "out").exists()
+    assert remedy in ran(sys.executable, "-c", SHOW, where=nowhere, variables=here)
