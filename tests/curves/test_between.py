@@ -121,7 +121,7 @@ def sampled_alone(curve: Curve) -> trace.Trace:
     """The trace as samples alone would have it."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(trace, "unseen", lambda *_: np.zeros(0))
-        return trace_curve(curve)
+        return trace.trace_curve(curve)
 
 
 @given(curves())

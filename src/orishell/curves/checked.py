@@ -1,6 +1,8 @@
-"""Curves evaluated where they must be finite."""
+"""What a curve must be: finite, of some length, and nowhere standing still."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import numpy as np
 
@@ -10,6 +12,10 @@ from orishell.errors import CurveError
 
 LARGEST = 1e100
 """Coordinates and derivatives beyond this count as not finite."""
+MIN_SPEED = 1e-7
+"""A tangent shorter than this, relative to the mean, counts as zero."""
+SHORTEST = 1e-9
+"""A curve shorter than this, relative to its largest coordinate, is lost in rounding."""
 
 
 def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
@@ -43,3 +49,93 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
                 + (", or give x(t) and y(t)" if what.startswith("the tangent") else ""),
             )
     return position, first, second
+
+
+def require_length(position: Array, arc: Array) -> None:
+    """Refuse a curve that is lost in the rounding of its coordinates.
+
+    Parameters
+    ----------
+    position
+        Points (N, 2) of the curve.
+    arc
+        Arc lengths (N,) there.
+
+    Raises
+    ------
+    CurveError
+        If it is a single point, or too short.
+    """
+    length, largest = float(arc[-1]), float(np.abs(position).max())
+    if not length > max(SHORTEST * largest, 1 / LARGEST):
+        if length == 0.0:
+            raise CurveError(
+                "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"
+            )
+        raise CurveError(
+            "the curve is too short",
+            got=f"{length:g} long with coordinates up to {largest:g}",
+            expected=f"at least {max(SHORTEST * largest, 1 / LARGEST):g}",
+        )
+
+
+def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
+    """Refuse a zero tangent, also between the samples.
+
+    Parameters
+    ----------
+    curve
+        The curve.
+    t
+        Parameters (N,) of its samples.
+    first
+        First derivatives (N, 2) there.
+    length
+        Its arc length.
+
+    Raises
+    ------
+    CurveError
+        If its tangent is zero, with the place.
+    """
+    speed = np.hypot(*first.T)
+    padded = np.concatenate([[np.inf], speed, [np.inf]])
+    mean = length / (curve.stop - curve.start)
+    low = np.flatnonzero(
+        (padded[1:-1] <= padded[:-2]) & (padded[1:-1] <= padded[2:]) & (speed < 0.1 * mean)
+    )
+    if len(low) == 0:
+        return
+    lo, hi = t[np.maximum(low - 1, 0)], t[np.minimum(low + 1, len(t) - 1)]
+    where, least = least_within(lambda u: np.hypot(*np.moveaxis(curve.jet(u)[1], -1, 0)), lo, hi)
+    where, least = np.concatenate([where, t[low]]), np.concatenate([least, speed[low]])
+    k = int(np.argmin(least))
+    if least[k] < MIN_SPEED * mean:
+        raise CurveError(
+            "the curve is not regular: its tangent is zero",
+            where=f"at parameter {curve.as_drawn(where[k]):.10g}",
+            remedy="use a parametrisation that does not stand still",
+        )
+
+
+def least_within(function: Callable[[Array], Array], lo: Array, hi: Array) -> tuple[Array, Array]:
+    """Place and value (K,) of the minimum in each interval, by golden section.
+
+    Parameters
+    ----------
+    function
+        What is to be least, of places (K,).
+    lo, hi
+        The intervals (K,).
+    """
+    ratio = (np.sqrt(5.0) - 1) / 2
+    a, b = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
+    fa, fb = function(a), function(b)
+    for _ in range(70):
+        left = fa < fb
+        lo, hi = np.where(left, lo, a), np.where(left, b, hi)
+        probe = np.where(left, hi - ratio * (hi - lo), lo + ratio * (hi - lo))
+        value = function(probe)
+        a, b = np.where(left, probe, b), np.where(left, a, probe)
+        fa, fb = np.where(left, value, fb), np.where(left, fa, value)
+    return np.where(fa < fb, a, b), np.minimum(fa, fb)

@@ -4,14 +4,22 @@ from __future__ import annotations
 
 import ast
 import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
 
 import numpy as np
 
 from orishell.curves.jets import FUNCTIONS, Array, Jet
-from orishell.curves.rules import ENCLOSURES, JETS, J, Rules
+from orishell.curves.rules import (
+    ENCLOSURES,
+    JETS,
+    OPERATORS,
+    Run,
+    apply,
+    combine,
+    lift,
+    named,
+    the_variable,
+)
 from orishell.errors import FormulaError
 from orishell.intervals import Enclosure, Interval
 from orishell.quoting import in_one_line
@@ -22,22 +30,6 @@ MAX_EXPONENT = 100.0
 MAX_NUMBER = 1e300
 
 CONSTANTS = {"pi": np.pi, "e": np.e}
-
-Function = Callable[[Rules[Any]], Callable[[Any], Any]]
-Operator = Callable[[Rules[Any]], Callable[[Any, Any], Any]]
-OPERATORS: dict[type[ast.operator], Operator] = {
-    ast.Add: lambda rules: rules.plus,
-    ast.Sub: lambda rules: rules.minus,
-    ast.Mult: lambda rules: rules.times,
-    ast.Div: lambda rules: rules.over,
-}
-
-
-class Run(Protocol):
-    """A compiled formula: what it makes of the variable by given rules."""
-
-    def __call__(self, variable: J, rules: Rules[J], /) -> J:
-        """Run it, on the variable."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,7 +106,7 @@ class _Compiler:
                     self.compile(left, depth + 1), self.compile(right, depth + 1), right
                 )
             case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
-                return _combine(
+                return combine(
                     OPERATORS[type(op)],
                     self.compile(left, depth + 1),
                     self.compile(right, depth + 1),
@@ -124,7 +116,7 @@ class _Compiler:
             case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if (
                 name in FUNCTIONS
             ):
-                return _apply(_function(name), self.compile(argument, depth + 1))
+                return apply(named(name), self.compile(argument, depth + 1))
             case ast.Call(func=ast.Name(id=name)) if name in FUNCTIONS:
                 raise self.fault(f"{name} takes one argument", node)
             case ast.Call(func=ast.Name(id=name)):
@@ -158,11 +150,11 @@ class _Compiler:
                 expected="one variable",
             )
         self.variable = name
-        return _variable
+        return the_variable
 
     @staticmethod
     def negative(operand: float | Run) -> float | Run:
-        return _combine(OPERATORS[ast.Sub], 0.0, operand)
+        return combine(OPERATORS[ast.Sub], 0.0, operand)
 
     def power(
         self,
@@ -179,58 +171,15 @@ class _Compiler:
                     expected=f"at most {MAX_EXPONENT:g} in size",
                 )
             n = exponent
-            return _apply(lambda rules: lambda value: rules.power(value, n), base)
+            return apply(lambda rules: lambda value: rules.power(value, n), base)
         if isinstance(base, float) and base > 0:
-            scaled = _combine(OPERATORS[ast.Mult], float(np.log(base)), exponent)
-            return _apply(_function("exp"), scaled)
+            scaled = combine(OPERATORS[ast.Mult], float(np.log(base)), exponent)
+            return apply(named("exp"), scaled)
         raise self.fault(
             "the exponent varies",
             node,
             expected="a number as exponent, or a positive number as base",
         )
-
-
-def _variable(variable: J, rules: Rules[J], /) -> J:
-    return variable
-
-
-def _lift(value: float) -> Run:
-    def run(variable: J, rules: Rules[J], /) -> J:
-        return rules.constant(value, variable)
-
-    return run
-
-
-def _fold(run: Run) -> float:
-    """Evaluate a constant subtree in floating point (inf and nan where it overflows)."""
-    zero = np.zeros(())
-    with np.errstate(all="ignore"):
-        return float(run((zero, zero, zero), JETS)[0])
-
-
-def _combine(operator: Operator, left: float | Run, right: float | Run) -> float | Run:
-    a = _lift(left) if isinstance(left, float) else left
-    b = _lift(right) if isinstance(right, float) else right
-
-    def run(variable: J, rules: Rules[J], /) -> J:
-        result: J = operator(rules)(a(variable, rules), b(variable, rules))
-        return result
-
-    return _fold(run) if isinstance(left, float) and isinstance(right, float) else run
-
-
-def _function(name: str) -> Function:
-    return lambda rules: rules.functions[name]
-
-
-def _apply(function: Function, argument: float | Run) -> float | Run:
-    inner = _lift(argument) if isinstance(argument, float) else argument
-
-    def run(variable: J, rules: Rules[J], /) -> J:
-        result: J = function(rules)(inner(variable, rules))
-        return result
-
-    return _fold(run) if isinstance(argument, float) else run
 
 
 def parse_formula(text: str) -> Formula:
@@ -290,7 +239,7 @@ def parse_formula(text: str) -> Formula:
         if isinstance(node, ast.expr):
             node.col_offset += lead - 1
     result = compiler.compile(tree.body)
-    run = _lift(result) if isinstance(result, float) else result
+    run = lift(result) if isinstance(result, float) else result
     return Formula(stripped, compiler.variable, run)
 
 

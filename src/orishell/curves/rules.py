@@ -6,9 +6,10 @@ parameters, with those of enclosures what these can be over ranges of the parame
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final, Generic, TypeVar
+from typing import Any, Final, Generic, Protocol, TypeVar
 
 import numpy as np
 
@@ -93,3 +94,68 @@ ENCLOSURES: Final[Rules[Enclosure]] = Rules(
     power=_enclosed_power,
     functions={name: _enclosed_function(each) for name, each in intervals.FUNCTIONS.items()},
 )
+
+Function = Callable[[Rules[Any]], Callable[[Any], Any]]
+Operator = Callable[[Rules[Any]], Callable[[Any, Any], Any]]
+OPERATORS: dict[type[ast.operator], Operator] = {
+    ast.Add: lambda rules: rules.plus,
+    ast.Sub: lambda rules: rules.minus,
+    ast.Mult: lambda rules: rules.times,
+    ast.Div: lambda rules: rules.over,
+}
+
+
+class Run(Protocol):
+    """A compiled formula: what it makes of the variable by given rules."""
+
+    def __call__(self, variable: J, rules: Rules[J], /) -> J:
+        """Run it, on the variable."""
+
+
+def the_variable(variable: J, rules: Rules[J], /) -> J:
+    """The formula that is its variable."""
+    return variable
+
+
+def lift(value: float) -> Run:
+    """The formula of a constant ``value``."""
+
+    def run(variable: J, rules: Rules[J], /) -> J:
+        return rules.constant(value, variable)
+
+    return run
+
+
+def _fold(run: Run) -> float:
+    """Evaluate a constant subtree in floating point (inf and nan where it overflows)."""
+    zero = np.zeros(())
+    with np.errstate(all="ignore"):
+        return float(run((zero, zero, zero), JETS)[0])
+
+
+def combine(operator: Operator, left: float | Run, right: float | Run) -> float | Run:
+    """The formula ``left`` ``operator`` ``right``; a number if both are."""
+    a = lift(left) if isinstance(left, float) else left
+    b = lift(right) if isinstance(right, float) else right
+
+    def run(variable: J, rules: Rules[J], /) -> J:
+        result: J = operator(rules)(a(variable, rules), b(variable, rules))
+        return result
+
+    return _fold(run) if isinstance(left, float) and isinstance(right, float) else run
+
+
+def named(name: str) -> Function:
+    """The function with this ``name``."""
+    return lambda rules: rules.functions[name]
+
+
+def apply(function: Function, argument: float | Run) -> float | Run:
+    """The formula of a ``function`` of its ``argument``; a number if that is one."""
+    inner = lift(argument) if isinstance(argument, float) else argument
+
+    def run(variable: J, rules: Rules[J], /) -> J:
+        result: J = function(rules)(inner(variable, rules))
+        return result
+
+    return _fold(run) if isinstance(argument, float) else run

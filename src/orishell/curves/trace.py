@@ -6,14 +6,13 @@ The samples sit where the curve turns: between neighbours the tangent turns by a
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves.between import Samples, unseen
-from orishell.curves.checked import LARGEST, checked_jet
+from orishell.curves.checked import checked_jet, least_within, require_length, require_speed
 from orishell.curves.curve import Curve
 from orishell.curves.frames import nearby_origin
 from orishell.curves.jets import Array
@@ -32,10 +31,6 @@ SMALLEST_CELL = 2.0**-24
 MAX_SAMPLES = 400_000
 QUADRATURE = 1e-6
 """To this share arc lengths of cells are taken from quadrature, but where there is a corner."""
-MIN_SPEED = 1e-7
-"""A tangent shorter than this, relative to the mean, counts as zero."""
-SHORTEST = 1e-9
-"""A curve shorter than this, relative to its largest coordinate, is lost in rounding."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -156,7 +151,7 @@ class Trace:
                     turn = np.arctan2(first[..., 1], first[..., 0]) - base
                     return -sign * (base + _wrap(turn))
 
-                _, lowest = _golden(climb, np.array([lo]), np.array([hi]))
+                _, lowest = least_within(climb, np.array([lo]), np.array([hi]))
                 best = max(best, -float(lowest[0]))
             extremes.append(sign * best)
         return extremes[1], extremes[0]
@@ -211,8 +206,8 @@ def _trace(curve: Curve) -> Trace:
         first = np.insert(first, at, new_first, axis=0)
 
     arc = _arc_length(curve, t, position)
-    _check_length(curve, position, arc)
-    _check_speed(curve, t, first, arc[-1])
+    require_length(position, arc)
+    require_speed(curve, t, first, arc[-1])
     heading, arriving = _headings(curve, t, position, first)
     return Trace(curve, t, position, arc, heading, arriving)
 
@@ -299,54 +294,3 @@ def _arc_length(curve: Curve, t: Array, position: Array) -> Array:
     chords = np.hypot(*np.diff(position, axis=0).T)
     cells = np.where(chords > (1 + QUADRATURE) * cells, chords, cells)
     return np.concatenate([[0.0], np.cumsum(cells)])
-
-
-def _check_length(curve: Curve, position: Array, arc: Array) -> None:
-    length, largest = float(arc[-1]), float(np.abs(position).max())
-    if not length > max(SHORTEST * largest, 1 / LARGEST):
-        if length == 0.0:
-            raise CurveError(
-                "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"
-            )
-        raise CurveError(
-            "the curve is too short",
-            got=f"{length:g} long with coordinates up to {largest:g}",
-            expected=f"at least {max(SHORTEST * largest, 1 / LARGEST):g}",
-        )
-
-
-def _check_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
-    """Refuse a zero tangent, also between the samples."""
-    speed = np.hypot(*first.T)
-    padded = np.concatenate([[np.inf], speed, [np.inf]])
-    mean = length / (curve.stop - curve.start)
-    low = np.flatnonzero(
-        (padded[1:-1] <= padded[:-2]) & (padded[1:-1] <= padded[2:]) & (speed < 0.1 * mean)
-    )
-    if len(low) == 0:
-        return
-    lo, hi = t[np.maximum(low - 1, 0)], t[np.minimum(low + 1, len(t) - 1)]
-    where, least = _golden(lambda u: np.hypot(*np.moveaxis(curve.jet(u)[1], -1, 0)), lo, hi)
-    where, least = np.concatenate([where, t[low]]), np.concatenate([least, speed[low]])
-    k = int(np.argmin(least))
-    if least[k] < MIN_SPEED * mean:
-        raise CurveError(
-            "the curve is not regular: its tangent is zero",
-            where=f"at parameter {curve.as_drawn(where[k]):.10g}",
-            remedy="use a parametrisation that does not stand still",
-        )
-
-
-def _golden(function: Callable[[Array], Array], lo: Array, hi: Array) -> tuple[Array, Array]:
-    """Place and value of the minimum in each interval [lo, hi], by golden section."""
-    ratio = (np.sqrt(5.0) - 1) / 2
-    a, b = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
-    fa, fb = function(a), function(b)
-    for _ in range(70):
-        left = fa < fb
-        lo, hi = np.where(left, lo, a), np.where(left, b, hi)
-        probe = np.where(left, hi - ratio * (hi - lo), lo + ratio * (hi - lo))
-        value = function(probe)
-        a, b = np.where(left, probe, b), np.where(left, a, probe)
-        fa, fb = np.where(left, value, fb), np.where(left, fa, value)
-    return np.where(fa < fb, a, b), np.minimum(fa, fb)
