@@ -43,9 +43,10 @@ def shell(f: str, ends: list[float], **table: Any) -> Shell:
 
 
 def test_an_arch_stands_level_on_the_ends_of_its_columns() -> None:
-    design = stand(parallel(graph("-0.7*x**2", -1, 1)))
+    design = parallel(graph("-0.7*x**2", -1, 1))
     feet = find_feet(design)
     assert feet is not None
+    design = stand(design, feet)
     assert feet.rows == (0, 10)
     assert feet.level
     world = design.mechanism.positions(np.pi) + design.origin
@@ -60,7 +61,7 @@ def test_ends_at_different_heights_are_said_to_be_uneven() -> None:
     # f's ends differ by 0.7 (1 - 0.49), and the staircase follows them to its own rise.
     assert feet.uneven == pytest.approx(0.7 * (1 - 0.49), abs=1e-6)
     assert not feet.level
-    lowest = (stand(design).origin + design.mechanism.positions(np.pi))[..., 2].min()
+    lowest = (stand(design, feet).origin + design.mechanism.positions(np.pi))[..., 2].min()
     assert lowest == pytest.approx(0, abs=1e-14)
 
 
@@ -77,7 +78,7 @@ def test_ends_at_different_heights_are_said_to_be_uneven() -> None:
 def test_what_cannot_stand_stays_where_g_puts_it(f: Any) -> None:
     design = parallel(f)
     assert find_feet(design) is None
-    assert stand(design) is design
+    assert stand(design, None) is design
 
 
 def test_a_wall_cannot_stand() -> None:

@@ -216,8 +216,9 @@ def make_shell(
     except InputError as error:
         raise error.located(f"{file.path}:") from None
 
-    design = stand(design, file.ground)
     feet = find_feet(design)
+    if file.ground == "z0":
+        design = stand(design, feet)
     motion = FoldingMotion(design.mechanism, file.frames)
     boxes: list[tuple[float, tuple[float, float, float]]] = []
 

@@ -81,8 +81,8 @@ def find_feet(design: Design) -> Feet | None:
     return Feet(rows, float(feet.min()), float(np.ptp(feet)), size)
 
 
-def stand(design: Design, ground: Ground = "z0") -> Design:
-    """The design with its feet on z = 0, if it can stand and is to.
+def stand(design: Design, feet: Feet | None) -> Design:
+    """The design with its feet on z = 0, if it has any.
 
     All states are moved by the same height, that of the locked shell's lowest foot.
 
@@ -90,10 +90,9 @@ def stand(design: Design, ground: Ground = "z0") -> Design:
     ----------
     design
         The design, as its family makes it: g in the plane z = 0.
-    ground
-        "z0", or "as-drawn" to leave it there.
+    feet
+        What it stands on.
     """
-    feet = find_feet(design) if ground == "z0" else None
     if feet is None:
         return design
     return replace(design, origin=design.origin - np.array([0.0, 0.0, feet.lowest]))
