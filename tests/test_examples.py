@@ -36,7 +36,7 @@ def test_figure_2(capsys: pytest.CaptureFixture[str]) -> None:
     assert float(lines[1].split()[-1]) < 1e-12
     assert lines[2].startswith("panels keep their lengths to ")
     assert lines[3].startswith("neighbouring rows meet inside the sheet: at heading_deg = 60 ")
-    assert "heading_deg between" in lines[3]
+    assert "heading_deg must lie between" in lines[3]
 
 
 def test_sectors(capsys: pytest.CaptureFixture[str]) -> None:

@@ -77,6 +77,8 @@ def find_caveats(
 def _of_flaps(design: Design, shell: Array, feet: Feet | None, unit: str) -> Iterator[str]:
     """Flaps outside the envelope of f: below the feet, above the crown, beyond the span."""
     inner = range(*design.mechanism.inner_columns.indices(shell.shape[1]))
+    if design.swept is None:
+        return
     ends = [(0, inner[0])] * (inner[0] > 0) + [(-1, inner[-1])] * (inner[-1] + 1 < shell.shape[1])
     if not ends:
         return

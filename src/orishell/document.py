@@ -96,7 +96,7 @@ class Document:
     surface: Array | None = None
     distances: Array | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
-    report: Mapping[str, Any] = field(default_factory=dict)
+    report: Mapping[str, Any] = field(default_factory=dict, repr=False)
 
     __repr__ = in_one_line
 

@@ -15,6 +15,7 @@ from orishell.deviation import find_excess, measure_deviation
 from orishell.errors import DesignError, Remedy
 from orishell.locking import Request
 from orishell.panels import lengths
+from orishell.quoting import in_one_line
 from orishell.spec import DesignFile, require_memory
 from orishell.spec import Pattern as FamilyPattern
 
@@ -93,6 +94,8 @@ class SearchRequest(Request):
 
     file: DesignFile = field(kw_only=True)
     limits: Tolerance = field(kw_only=True)
+
+    __repr__ = in_one_line
 
     @property
     def quick(self) -> bool:

@@ -1,4 +1,4 @@
-"""What a refusal leaves open, in keys of the design file: values that are worth trying."""
+"""What a refusal leaves open, in keys of the design file: values worth a try (not in the paper)."""
 
 from __future__ import annotations
 

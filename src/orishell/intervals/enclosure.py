@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.intervals.interval import Array, Interval
+from orishell.quoting import in_one_line
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,6 +27,8 @@ class Enclosure:
     value: Interval
     first: Interval
     second: Interval
+
+    __repr__ = in_one_line
 
     @classmethod
     def constant(cls, value: float) -> Enclosure:

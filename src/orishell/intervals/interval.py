@@ -11,6 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from orishell.quoting import in_one_line
+
 Array = NDArray[np.float64]
 
 
@@ -26,6 +28,8 @@ class Interval:
 
     low: Array
     high: Array
+
+    __repr__ = in_one_line
 
     @classmethod
     def between(cls, first: ArrayLike, second: ArrayLike) -> Interval:

@@ -45,6 +45,8 @@ class OutputDirectory:
             existing = self.path
             while not existing.exists() and existing != existing.parent:
                 existing = existing.parent
+            for name in self.path.parts[len(existing.parts) :]:
+                (existing / name).exists()  # raises for a name that no directory can have
             usable = existing.is_dir()
         except OSError as error:  # a name that is too long, for instance
             raise _unwritable(self.path, error) from None

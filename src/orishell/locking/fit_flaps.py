@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Literal
 
 import numpy as np
 
@@ -52,7 +53,7 @@ def fit_flaps(
             design = request.changed(Remedy({"pattern.flap": width})).designed()
             lock = find_lock(design, tolerance=request.tolerance, advanced=advanced)
     if lock.early and not allow_clash:
-        raise clash(lock, "the shell reaches its target", _width(design))
+        raise clash(lock, "target", _width(design))
     return design, lock
 
 
@@ -128,7 +129,7 @@ def _width(design: Design) -> float:
     return float(width)
 
 
-def clash(lock: Lock, aim: str, flap: float = 0.0) -> ClashError:
+def clash(lock: Lock, aim: Literal["target", "stage"], flap: float = 0.0) -> ClashError:
     """The refusal of a motion that panels end.
 
     Parameters
@@ -150,8 +151,8 @@ def clash(lock: Lock, aim: str, flap: float = 0.0) -> ClashError:
         )
     at, target = in_degrees(contact.drive), in_degrees(lock.target)
     return ClashError(
-        f"panels {first} and {second} meet before {aim} ({contact.kind})",
+        f"panels {first} and {second} meet before the shell reaches its {aim} ({contact.kind})",
         place=f"at drive {at} of {target} degrees",
-        size=f"the corrugation is {contact.depth:.4g} deep there, {lock.depth:.4g} at the target",
+        size=f"the corrugation is {contact.depth:.4g} deep there, {lock.depth:.4g} at the {aim}",
         flap=flap if "flap" in contact.kind else 0.0,
     )

@@ -60,7 +60,7 @@ def end_motion(
         return design, replace(lock, target=end, depth=depth)
     if allow_clash:
         return design, lock
-    error = clash(lock, "it is folded to its stage")
+    error = clash(lock, "stage")
     if contact.clear_until > 0:
         near = inside(float(np.rad2deg(contact.clear_until)), 0.0)
         stages = (rounded(near, DIGITS), "auto")

@@ -154,7 +154,7 @@ def test_a_given_stage() -> None:
 
 
 def test_panels_that_meet_before_a_given_stage() -> None:
-    with pytest.raises(DesignError, match="before it is folded to its stage") as caught:
+    with pytest.raises(DesignError, match="meet before the shell reaches its stage") as caught:
         end_motion(paper(stage=float(np.deg2rad(20))))
     stage = float(values(caught.value, "stage_deg")[0])
     works = paper(stage=float(np.deg2rad(stage)))

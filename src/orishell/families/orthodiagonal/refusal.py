@@ -54,10 +54,12 @@ def refuse(
         return _turns_too_far(g, headings)
     search = _Search(f, g.curve, zigzag, headings, heading)
     admissible = union(np.concatenate([each.intervals() for each in demands]))
+    limits = _limits(nearest_interval(admissible, heading))
     if not holds(crossing, heading):
         return _does_not_cross(
             headings,
             heading,
+            limits,
             search.headings_of(admissible)
             if len(admissible)
             else search.at_another_heading(sum(crossing) / 2),
@@ -74,6 +76,7 @@ def refuse(
         zigzag,
         headings,
         heading,
+        limits,
         chain(
             search.run(admissible),
             (each | NARROWER for each in search.without_flaps().run(free)) if headings.flap else (),
@@ -176,6 +179,13 @@ class _Search:
             yield remedy | turned
 
 
+def _limits(interval: tuple[float, float] | None) -> str:
+    if interval is None:
+        return ""
+    low, high = map(in_degrees, interval)
+    return f"; heading_deg must lie between {low} and {high}"
+
+
 def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
     direction = np.unwrap(np.angle(np.diff(headings.points)))
     both = np.stack([g.heading, g.arriving])
@@ -195,7 +205,7 @@ def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
 
 
 def _does_not_cross(
-    headings: Headings, heading: float, candidates: Iterable[Remedy]
+    headings: Headings, heading: float, limits: str, candidates: Iterable[Remedy]
 ) -> DesignError:
     eps = headings.eps(heading)
     worst = int(np.argmax(np.maximum(-eps, eps - np.pi)))
@@ -203,13 +213,17 @@ def _does_not_cross(
         "f's plane does not cross the chord of g",
         place=f"between columns {worst + 1} and {worst + 2}",
         size=f"the angle between them is {in_degrees(eps[worst])} degrees, and must lie between "
-        "0 and 180",
+        f"0 and 180{limits}",
         candidates=candidates,
     )
 
 
 def _rows_meet(
-    zigzag: Zigzag, headings: Headings, heading: float, candidates: Iterable[Remedy]
+    zigzag: Zigzag,
+    headings: Headings,
+    heading: float,
+    limits: str,
+    candidates: Iterable[Remedy],
 ) -> DesignError:
     growth = np.diff(np.tan(zigzag.angles / 2))[:, None]
     length = zigzag.lengths[1:-1, None]
@@ -220,7 +234,7 @@ def _rows_meet(
         "too far along f's plane",
         place=f"between rows {row + 1} and {row + 2} in column {column + 1}",
         size=f"the crease there would be {share[row, column] * length[row, 0]:.4g} long, "
-        f"in column 1 it is {length[row, 0]:.4g}",
+        f"in column 1 it is {length[row, 0]:.4g}{limits}",
         candidates=candidates,
     )
 
