@@ -248,3 +248,18 @@ def test_a_small_stage_takes_no_more_states_to_examine() -> None:
         proof = find_lock(design(row_lengths=lengths, stage=stage, **asked)).proof
         assert proof is not None
         assert proof.states < 100
+
+
+def test_panels_too_slender_for_rounding() -> None:
+    # The sum of alpha and beta settles x = gamma_1 + delta_2, and alpha_2 = x - beta_1: so that it
+    # comes as near to 180 degrees as one likes. `orishell solve` lists it all the same.
+    degrees = np.array([108.1, 54.6, 127.9651, 46.4214])
+    given = find_solutions(Sectors.from_degrees(degrees))[0].second.degrees[0]
+
+    def sectors(alpha_2: float) -> Sectors:
+        return Sectors.from_degrees(degrees + (alpha_2 - given) * np.array([1, -1, 0, 0]))
+
+    near = find_solutions(sectors(180 - 1e-7))[0].second.degrees[0]
+    assert near == pytest.approx(180 - 1e-7, abs=1e-12)
+    assert "slender" in refusal(rows=2, columns=3, sectors=sectors(180 - 1e-7)).condition
+    require_rigid(design(rows=2, columns=3, sectors=sectors(179)))

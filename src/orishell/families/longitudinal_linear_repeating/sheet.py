@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer, values
-from orishell.families.longitudinal_linear_repeating.choice import nearer_to_90
+from orishell.families.longitudinal_linear_repeating.choice import AUTO_SECTORS, nearer_to_90
 from orishell.families.longitudinal_linear_repeating.even_lengths import (
     PROGRAM_PANELS,
     InnerLengths,
@@ -34,6 +34,8 @@ Auto = Literal["auto"]
 
 SMALLEST_SHARE = 1e-30
 """No smaller share of a given flap is looked for."""
+SLENDER = 1e-6
+"""Sines of panels' corners are larger: rounding shows in the fold angles of slenderer ones."""
 LARGEST_SEARCH = 99
 """Rows and columns beyond which no larger sheet is looked for."""
 
@@ -126,7 +128,7 @@ def with_fitting_border(
 
 
 def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
-    """Refuse panels at the ends that are not convex, and a flat sheet that overlaps itself."""
+    """Refuse panels that are not convex or too slender, and a flat sheet that overlaps itself."""
     turns = _corner_turns(mechanism)
     for row, name in ((0, "first"), (-1, "last")):
         worst = int(turns[row].min(axis=-1).argmin())
@@ -139,6 +141,14 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
                     Remedy({"pattern.column_lengths": "auto"}),
                 ],
             )
+    if turns.min() < SLENDER:
+        panel = np.argwhere(turns == turns.min())[0, :2].tolist()
+        raise DesignError(
+            "a panel is so slender that rounding would bend it",
+            place=f"panel {panel}",
+            size=f"the sine of a corner is {turns.min():.1g} and may be {SLENDER:g}",
+            candidates=[*(Remedy({"pattern.solution": other}) for other in (0, 1)), AUTO_SECTORS],
+        )
     flat = mechanism.positions(0.0)[..., :2]
     border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2:0:-1, 0]])
     if not is_simple_polygon(border):
