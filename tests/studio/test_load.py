@@ -6,6 +6,7 @@ import asyncio
 import copy
 import re
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,7 @@ async def drag(address: str, number: int, end: float) -> int:
 
 
 @pytest.mark.slow
-def test_twenty_clients_drag(capsys: pytest.CaptureFixture[str]) -> None:
+def test_twenty_clients_drag(record_property: Callable[[str, object], None]) -> None:
     async def scene(address: str, process: int) -> tuple[list[int], list[int]]:
         end = asyncio.get_running_loop().time() + SECONDS
         tasks = [asyncio.create_task(drag(address, k, end)) for k in range(CLIENTS)]
@@ -67,7 +68,7 @@ def test_twenty_clients_drag(capsys: pytest.CaptureFixture[str]) -> None:
     with running_studio() as studio:
         answers, sizes = asyncio.run(scene(studio.address, studio.process))
     half = len(sizes) // 2
-    with capsys.disabled():
-        print(f"\n{sum(answers)} answers, memory {sizes[half]} to {sizes[-1]} kB")  # noqa: T201
+    said = f"{sum(answers)} answers, memory {sizes[half]} to {sizes[-1]} kB"
+    record_property(f"{CLIENTS} clients for {SECONDS:.0f} s", said)
     assert min(answers) >= 3
     assert max(sizes[half:]) < GROWTH * max(sizes[: half + 1])
