@@ -261,7 +261,7 @@ def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> Non
     settle(page)
     card = page.get_by_test_id("verify-status")
     assert "touch first" in card.inner_text()
-    assert "Nearest that works" in card.inner_text()
+    assert "Nearest found that works" in card.inner_text()
     assert page.get_by_test_id("contact").is_visible()
     card.get_by_test_id("use-nearest").click()
     settle(page)
