@@ -109,6 +109,8 @@ nitpick_ignore_regex = [
     (r"py:class", "|".join(autodoc_type_aliases)),
     # Bounds of the design file's numbers, which pydantic checks.
     (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan"),
+    # Type variables of the decorator in curves/memo.
+    (r"py:class", r"orishell\.curves\.memo\.[CR]|P"),
     (r"py:.*", r"(Path|Callable|Iterator|Iterable|Sequence|Mapping|Literal|Self|Any|Protocol)"),
 ]
 

@@ -7,7 +7,7 @@ from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
 from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
-from orishell.curves.remembered import remembered
+from orishell.curves.memo import remembered
 from orishell.curves.svg import read_svg
 from orishell.curves.trace import Trace
 from orishell.curves.trace import trace_curve as _trace_curve

@@ -153,7 +153,7 @@ class Curve:
         return offset + factor * np.asarray(t, dtype=np.float64)
 
     def drawn_part(self, first: float, last: float) -> tuple[float, float]:
-        """The part between two parameters as :attr:`key` takes it, the smaller value first.
+        """The part between two parameters as ``key`` takes it, the smaller value first.
 
         Parameters
         ----------
@@ -164,7 +164,7 @@ class Curve:
         return low, high
 
     def part_of_drawn(self, first: float, last: float) -> Self:
-        """The part between two parameters as the curve was drawn: what :attr:`key` says.
+        """The part between two parameters as the curve was drawn: what ``key`` says.
 
         Parameters
         ----------

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from orishell.curves.remembered import remembered
+from orishell.curves.memo import remembered
 from orishell.curves.trace import Trace
 
 

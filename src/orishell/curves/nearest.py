@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.curves.jets import Array
-from orishell.curves.remembered import remembered
+from orishell.curves.memo import remembered
 from orishell.curves.trace import Trace
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 from orishell.locking.describe import describe_lock, warn_of_lock
 from orishell.locking.end import end_of
-from orishell.locking.fit_flaps import fit_flaps, locks
+from orishell.locking.flaps import fit_flaps, locks
 from orishell.locking.lock import CONTACT_TOLERANCE, Contact, Lock, find_lock, unexamined_lock
 from orishell.locking.open_end import end_motion
 from orishell.locking.remedies import with_remedies

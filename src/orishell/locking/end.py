@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from orishell.design import Design
-from orishell.locking.fit_flaps import fit_flaps
+from orishell.locking.flaps import fit_flaps
 from orishell.locking.lock import Lock
 from orishell.locking.open_end import end_motion
 from orishell.locking.request import Request

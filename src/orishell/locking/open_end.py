@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.design import Design
 from orishell.errors import Remedy
-from orishell.locking.fit_flaps import clash
+from orishell.locking.flaps import clash
 from orishell.locking.lock import CONTACT_TOLERANCE, Lock, find_lock
 from orishell.metrics import corrugation_depth
 from orishell.quoting import inside, rounded

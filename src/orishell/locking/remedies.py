@@ -13,7 +13,7 @@ from itertools import chain
 
 from orishell.errors import ClashError, DesignError, InputError, Remedy
 from orishell.locking.end import end_of
-from orishell.locking.fit_flaps import largest, locks, widest_flap
+from orishell.locking.flaps import largest, locks, widest_flap
 from orishell.locking.request import Request
 from orishell.quoting import rounded
 

@@ -55,7 +55,7 @@ def find_solutions(first: Sectors, *, inside: bool = True) -> tuple[Solution, ..
     """All solutions of (4) but the degenerate one: that of the cosine version, that of the sine.
 
     Left out are vertices with two straight lines crossing, which fold along one of them alone, and
-    angles for which every delta_2 solves (4), see :func:`is_free`.
+    angles for which every delta_2 solves (4), see ``is_free``.
 
     Parameters
     ----------

@@ -43,7 +43,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     from one state to the next: some thousandths of L with 13 states, a quarter of that with 25.
     A panel must turn by less than 180 degrees from state to state.
 
-    Edges are lines in the colours of mountains and valleys (:mod:`orishell.colours`), each with
+    Edges are lines in the colours of mountains and valleys (``orishell.colours``), each with
     the panel on one side of it.
 
     Numbers are in single precision, as viewers have them: points are off by about 1e-7 of their

@@ -3,7 +3,7 @@
 import pytest
 
 from orishell.curves import remembered, trace_curve
-from orishell.curves.remembered import CURVES, RESULTS
+from orishell.curves.memo import CURVES, RESULTS
 from orishell.errors import CurveError
 from strategies import graph
 
