@@ -136,7 +136,7 @@ class Path:
         Parameters
         ----------
         places
-            Places along the path, as :meth:`stations` gives them.
+            Places (A,) along the path, as :meth:`stations` gives them.
         reach
             How far the curves reach that go beside each piece (K,).
         """

@@ -47,7 +47,7 @@ class Rail(Protocol):
         ...
 
     def bulge(self, u: Array, reach: tuple[float, float]) -> float:
-        """How far what is carried leaves chords between places u (A,), for x in a range."""
+        """How far chords between places u (A,) are left, for x in the range ``reach``."""
         ...
 
 
