@@ -21,6 +21,8 @@ STALE = 3
 """Steps of the coarse search that come no nearer, after which it is given up."""
 TRIALS, FURTHER = 60, 6
 """Designs after which the search is content with what it has, at first and when aimed anew."""
+REFUSALS = 12
+"""Refused designs in a row, after which long and short panels are given up."""
 RETRIES = 4
 """Times that the search is aimed anew, where the careful measure differs from the quick one."""
 FARTHER = (1.01, 1.1, 1.4)
@@ -218,10 +220,14 @@ class _Search:
         # Rows and columns need not be alike: long panels may do where square ones are too small.
         small: list[tuple[int, int]] = []
         crossings = product(rows, columns) if self.tolerance.panel_min else ()
+        refused = 0
         for place in sorted(crossings, key=math.prod):
+            if refused == REFUSALS or len(self.trials) > self.budget:
+                break
             if any(place[0] >= r and place[1] >= c for r, c in small):
                 continue
             trial = self._trial(*place)
+            refused = refused + 1 if trial is None else 0
             if trial is not None and self._does(trial):
                 return trial
             if trial is not None and not self._fits(trial):
