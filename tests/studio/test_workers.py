@@ -21,7 +21,7 @@ def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
 
 def test_slow_requests_are_stopped_and_others_go_on() -> None:
     async def scene() -> None:
-        pool = Pool(2, seconds=3.0)
+        pool = Pool(2, seconds=6.0)
         started = (pool.run("parse", {"text": ""}) for _ in range(2))
         await asyncio.gather(*started, return_exceptions=True)
         loop = asyncio.get_running_loop()
@@ -29,7 +29,7 @@ def test_slow_requests_are_stopped_and_others_go_on() -> None:
         await asyncio.sleep(0.2)
         begin = loop.time()
         view = await pool.run("design", payload())
-        assert loop.time() - begin < 2.5  # it did not wait for the other
+        assert loop.time() - begin < 5.0  # it did not wait for the other
         assert len(view) > 10_000
         with pytest.raises(OutOfTimeError):
             await slow
