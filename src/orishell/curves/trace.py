@@ -292,5 +292,6 @@ def _arc_length(curve: Curve, t: Array, position: Array) -> Array:
     first = curve.jet(nodes)[1]
     cells = half * (np.hypot(first[..., 0], first[..., 1]) @ np.array([5.0, 8.0, 5.0])) / 9
     chords = np.hypot(*np.diff(position, axis=0).T)
-    cells = np.where(chords > (1 + QUADRATURE) * cells, chords, cells)
+    rounding = 4 * np.spacing(np.abs(position).max())
+    cells = np.where(chords > (1 + QUADRATURE) * cells + rounding, chords, cells)
     return np.concatenate([[0.0], np.cumsum(cells)])
