@@ -129,3 +129,18 @@ def test_sheets_that_cannot_be_made_are_passed_over() -> None:
 
     choice = choose(sometimes, measuring(ERRORS["sum"]), Tolerance(0.3))
     assert choice.trial.columns >= 12
+
+
+def test_long_panels_are_given_up_after_a_dozen_refusals() -> None:
+    asked: list[tuple[int, int]] = []
+
+    def only_small(rows: int, columns: int) -> Any:
+        asked.append((rows, columns))
+        if rows > 3 or columns > 3:
+            raise DesignError("neighbouring rows meet inside the sheet")
+        return rows, columns
+
+    with pytest.raises(DesignError, match="comes within"):
+        choose(only_small, measuring(ERRORS["sum"]), Tolerance(0.01, panel_min=1e-3))
+    # Two ladders of ten, of which the first stands still, and what follows the crossings' start.
+    assert len(asked) < 40

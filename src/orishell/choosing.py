@@ -21,10 +21,13 @@ STALE = 3
 """Steps of the coarse search that come no nearer, after which it is given up."""
 TRIALS, FURTHER = 60, 6
 """Designs after which the search is content with what it has, at first and when aimed anew."""
+REFUSALS = 12
+"""Refused designs in a row, after which long and short panels are given up."""
 RETRIES = 4
 """Times that the search is aimed anew, where the careful measure differs from the quick one."""
-FARTHER = (1.01, 1.1, 1.4)
-"""Tolerances that may be met where one is not, relative to the smallest error found."""
+NEARER, FARTHER, MANY = 1.1, 2.5, 5_000
+"""Tolerances that may be met where one is not, relative to the smallest error found; the second
+where that takes so many panels, so that trying it takes less than the search that failed."""
 NEAR = 0.95
 """A design whose error is this share of the tolerance is near enough to it."""
 
@@ -218,10 +221,14 @@ class _Search:
         # Rows and columns need not be alike: long panels may do where square ones are too small.
         small: list[tuple[int, int]] = []
         crossings = product(rows, columns) if self.tolerance.panel_min else ()
+        refused = 0
         for place in sorted(crossings, key=math.prod):
+            if refused == REFUSALS or len(self.trials) > self.budget:
+                break
             if any(place[0] >= r and place[1] >= c for r, c in small):
                 continue
             trial = self._trial(*place)
+            refused = refused + 1 if trial is None else 0
             if trial is not None and self._does(trial):
                 return trial
             if trial is not None and not self._fits(trial):
@@ -307,16 +314,19 @@ class _Search:
         allowed = [t for t in fitting if self._fits(t) and t.longest <= limits.panel_max]
         nearest = min(allowed or fitting, key=lambda trial: trial.error)
         nearest = self._trial_of(nearest.rows, nearest.columns, True)
+        free = limits.panel_min == 0 and limits.panel_max == math.inf
+        edges = (
+            "" if free else f"panel edges from {limits.panel_min:g} to {limits.panel_max:g} and "
+        )
+        share = NEARER if nearest.panels < MANY else FARTHER
         return DesignError(
             f"no shell of this family comes within {limits.surface:g} of the surface",
-            place=f"with panel edges from {limits.panel_min:g} to {limits.panel_max:g} and at most "
-            f"{self.most} rows and columns",
+            place=f"with {edges}at most {self.most} rows and columns",
             size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {nearest.error:.4g} "
             f"away, with edges from {nearest.shortest:.4g} to {nearest.longest:.4g}",
-            candidates=[
-                Remedy({"tolerance.surface": rounded(farther * nearest.error)})
-                for farther in (FARTHER if allowed else ())
-            ],
+            candidates=[Remedy({"tolerance.surface": rounded(share * nearest.error)})]
+            if allowed
+            else (),
         )
 
 

@@ -18,7 +18,7 @@ CELLS = 40
 FLAT = 200
 """Cells leave the surface by a step over this, about."""
 MOST_CELLS = 40_000
-"""Cells of the lattice, about, at most."""
+"""Cells of the lattice at most."""
 
 
 def lay_surface(document: Document, design: Design, *, measured: bool = True) -> Document:
@@ -35,10 +35,7 @@ def lay_surface(document: Document, design: Design, *, measured: bool = True) ->
         return document
     surface = design.surface
     step = surface.size() / CELLS
-    lattice = surface.lattice(step, step / FLAT)
-    while lattice.points.size > 3 * MOST_CELLS:
-        step *= 2
-        lattice = surface.lattice(step, step / FLAT)
+    lattice = surface.lattice(step, step / FLAT, most=MOST_CELLS)
     document = replace(document, surface=lattice.points)
     if not measured:
         return document

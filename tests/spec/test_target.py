@@ -308,3 +308,17 @@ def test_messages_stay_short(drawings: Path) -> None:
         with pytest.raises(InputError) as caught:
             read_design_file(drawings / "long.toml")
         assert len(str(caught.value)) < 500 + len(str(drawings))
+
+
+def test_the_same_table_gives_the_same_curve(tmp_path: Path) -> None:
+    # So that what is remembered of a curve serves the next request of the studio, too.
+    assert profile(tmp_path, FORMULA) is profile(tmp_path, FORMULA)
+    assert profile(tmp_path, FORMULA) is not profile(tmp_path, FORMULA + "\nscale = 2")
+    assert profile(tmp_path, FORMULA) is not profile(tmp_path, FORMULA, "mm")
+    inline = "points = [[0, 0], [1, 0.2], [2, 0]]"
+    assert profile(tmp_path, inline) is profile(tmp_path, inline)
+    (tmp_path / "profile.csv").write_text("0, 0\n1, 0.2\n2, 0\n")
+    file = 'points = "profile.csv"'
+    before = profile(tmp_path, file)
+    (tmp_path / "profile.csv").write_text("0, 0\n1, 0.3\n2, 0\n")
+    assert profile(tmp_path, file).position(1.0)[1] != before.position(1.0)[1]

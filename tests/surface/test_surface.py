@@ -8,6 +8,7 @@ from hypothesis import given, settings
 
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.design import Design
+from orishell.deviation.triangles import Triangles
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,
@@ -251,3 +252,20 @@ def test_many_corners_are_not_all_kept() -> None:
     x = np.linspace(0, 20, 1500)
     rough = curve_from_points(np.stack([x, noise], axis=-1), smooth=False)
     assert len(turning(arch, rough).lattice(0.5, 1e-3).u) > 1400
+
+
+def test_a_lattice_has_as_many_cells_as_it_may_and_says_what_it_left_out() -> None:
+    surface = turning(graph("0.01*sin(100*x)", -1, 1), graph("0.02*sin(50*x)", 0, 6), np.pi / 2)
+    fine = surface.lattice(0.1)
+    cells = (len(fine.u) - 1) * (len(fine.v) - 1)
+    assert cells > 50_000
+    coarse = surface.lattice(0.1, most=10_000)
+    assert (len(coarse.u) - 1) * (len(coarse.v) - 1) <= 10_000
+    same = surface.lattice(0.1, most=cells)
+    np.testing.assert_array_equal(same.points, fine.points)
+    assert same.left_out == fine.left_out == 0
+    # No point of the surface is farther from the coarse cells than is admitted.
+    cells_of = Triangles.of(coarse.points, coarse.triangles())
+    u, v = samples(surface, count=100_000)
+    away = cells_of.nearest(surface.points(u, v)).distances.max()
+    assert 0.1 * coarse.left_out < away < coarse.left_out

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import traceback
 from pathlib import Path
@@ -52,6 +53,8 @@ def _main(
 
 def run() -> None:
     """Run the command line: one message and the contract's exit status for every error."""
+    # Read when numpy is first imported. Its matrices are small here: threads only wait for work.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         app()
     except OrishellError as error:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache, partial, wraps
+from threading import Lock
 from typing import Concatenate, ParamSpec, TypeVar
 
 C = TypeVar("C")
@@ -26,15 +27,17 @@ def remembered(function: Callable[Concatenate[C, P], R]) -> Callable[Concatenate
         Its first argument is a curve, or a trace.
     """
     kept: dict[C, Callable[..., R]] = {}
+    lock = Lock()
 
     @wraps(function)
     def asked(curve: C, /, *args: P.args, **kwargs: P.kwargs) -> R:
-        if curve not in kept:
-            kept[curve] = lru_cache(RESULTS)(partial(function, curve))
-        answers = kept.pop(curve)
-        kept[curve] = answers  # the last one asked about is the last to go
-        while len(kept) > CURVES:
-            del kept[next(iter(kept))]
+        with lock:
+            if curve not in kept:
+                kept[curve] = lru_cache(RESULTS)(partial(function, curve))
+            answers = kept.pop(curve)
+            kept[curve] = answers  # the last one asked about is the last to go
+            if len(kept) > CURVES:
+                del kept[next(iter(kept))]
         return answers(*args, **kwargs)
 
     return asked

@@ -16,8 +16,8 @@ FLATNESS = 400.0
 """The mesh of a surface leaves it by about the samples' step over this."""
 LONGEST_CELL = 8.0
 """Cells of the mesh are at most this many steps of the samples long."""
-FINEST = 1_000_000
-"""Cells of a mesh of a surface, about, at most."""
+FINEST = 200_000
+"""Cells of a mesh of a surface at most: 100 MB with its tree."""
 
 
 def mesh_shell(positions: Array) -> Triangles:
@@ -30,10 +30,7 @@ def mesh_shell(positions: Array) -> Triangles:
 def mesh_surface(surface: Surface, samples: int) -> tuple[Triangles, float]:
     """A mesh of a surface that suits so many samples, and how far it leaves the surface."""
     step = float(np.sqrt(surface.area() / samples))
-    lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS)
-    while (len(lattice.u) - 1) * (len(lattice.v) - 1) > FINEST:
-        step *= 2
-        lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS)
+    lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS, most=FINEST)
     triangles = Triangles.of(lattice.points, lattice.triangles())
     return triangles, sagitta(surface, lattice) + lattice.left_out
 

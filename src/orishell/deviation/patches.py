@@ -15,6 +15,9 @@ Array = NDArray[np.float64]
 
 MOST_LONGER = 30.0
 """Samples are at most so many times farther apart in one direction than in the other."""
+MOST_TIMES, FEWEST_BOUND = 4, 20_000
+"""A surface that bends often is sampled more often than asked for, at most so many times, or so
+often."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,7 +82,9 @@ class Patch:
         The shell is given by its vertices (rows, columns, 3).
         """
         longer = _slenderness(shell)
-        lattice = surface.lattice(np.sqrt(surface.area() / (longer * samples)), longer=longer)
+        step = np.sqrt(surface.area() / (longer * samples))
+        most = max(MOST_TIMES * samples, FEWEST_BOUND)
+        lattice = surface.lattice(step, longer=longer, most=most)
         return cls(surface.points, lattice.u, lattice.v, lattice.points, lattice.left_out)
 
     def spread(self, distances: Array) -> tuple[Array, Array]:

@@ -21,6 +21,7 @@ from orishell.curves import Trace, remembered
 from orishell.curves.jets import Array
 from orishell.polylines.closeness import Closeness, measure_closeness
 from orishell.polylines.edge_errors import measure_edges
+from orishell.polylines.thinning import thinned
 from orishell.quoting import in_one_line
 
 Spacing = Literal["curvature", "equal"]
@@ -94,6 +95,7 @@ def place_chords(
         edges undershoot it, but for the ends and the vertices on corners, which stay; on curves
         that this brings no closer it is the same as ``"inscribed"``.
     """
+    trace = thinned(trace)
     inscribed = _settle(trace, count, spacing, "inscribed")
     if placement == "inscribed":
         return inscribed

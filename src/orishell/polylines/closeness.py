@@ -10,6 +10,7 @@ from orishell.curves import Trace
 from orishell.curves.jets import Array
 from orishell.curves.nearest import Nearest
 from orishell.geometry import distances_to_polyline
+from orishell.polylines.thinning import thinned
 
 SAMPLES_PER_EDGE = 8
 
@@ -33,8 +34,8 @@ class Closeness:
 def measure_closeness(trace: Trace, vertices: Array) -> Closeness:
     """Measure a polyline (K, 2) against a curve, both ways.
 
-    The curve is taken at the samples of its trace, the polyline at its vertices and
-    :data:`SAMPLES_PER_EDGE` points on every edge.
+    The curve is taken at the samples of its trace, 20,000 to 40,000 of them where there are more,
+    the polyline at its vertices and :data:`SAMPLES_PER_EDGE` points on every edge.
 
     Parameters
     ----------
@@ -43,10 +44,11 @@ def measure_closeness(trace: Trace, vertices: Array) -> Closeness:
     vertices
         Vertices (K, 2) of the polyline.
     """
+    nearest, trace = Nearest.to(trace), thinned(trace)
     to_polyline = distances_to_polyline(trace.points, vertices)
     part = np.arange(SAMPLES_PER_EDGE)[:, None, None] / SAMPLES_PER_EDGE
     along = (vertices[:-1] * (1 - part) + vertices[1:] * part).reshape(-1, 2)
-    _, to_curve = Nearest.to(trace)(np.concatenate([along, vertices[-1:]]))
+    _, to_curve = nearest(np.concatenate([along, vertices[-1:]]))
     squares = to_polyline**2
     mean = float((0.5 * (squares[1:] + squares[:-1]) * np.diff(trace.arc)).sum() / trace.length)
     return Closeness(float(max(to_polyline.max(), to_curve.max())), float(np.sqrt(mean)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Final, Self
 
@@ -36,6 +37,8 @@ FITTING: Final = {
 ALWAYS: Final = {"scale", "reverse"}
 
 
+KEPT: Final = 8
+"""Curves kept for tables that come again, as they do from the studio."""
 MOST_POINTS: Final = 20_000
 Point = Annotated[list[Number], Field(min_length=2, max_length=2)]
 Ends = Annotated[list[Number | str], Field(min_length=2, max_length=2)]
@@ -103,6 +106,11 @@ class Target(Table):
         InputError
             If its formula or its file gives no curve.
         """
+        if self.svg is None and self.dxf is None and not isinstance(self.points, str):
+            return _curve_of(self.model_dump_json(exclude_unset=True), unit)
+        return self._curve(directory, unit)
+
+    def _curve(self, directory: Path | None, unit: str) -> Curve:
         if self.points is not None:
             points = self._points(directory, unit)
             smooth = self.smooth is not False
@@ -155,6 +163,12 @@ class Targets(Table):
                 raise error.located(f"[target.{name}]") from None
 
         return curve("f", self.f), curve("g", self.g)
+
+
+@lru_cache(KEPT)
+def _curve_of(table: str, unit: str) -> Curve:
+    """The curve of a table without files: the same each time, for what is remembered of it."""
+    return Target.model_validate_json(table)._curve(None, unit)
 
 
 def _beside(directory: Path | None, name: str) -> Path:

@@ -133,6 +133,31 @@ class Path:
             found.append(k + np.minimum(share, 1.0))
         return np.concatenate([*found, [float(len(self))]])
 
+    def bulge(self, places: Array, reach: Array) -> float:
+        """How far the path, and curves beside it, leave chords between places (A,) at most.
+
+        Parameters
+        ----------
+        places
+            Places (A,) along the path, as :meth:`stations` gives them.
+        reach
+            How far the curves reach that go beside each piece (K,).
+        """
+        trace = self.trace
+        of_cell = np.repeat(np.arange(len(self)), np.diff(self.nodes))
+        corner = np.abs(trace.heading - trace.arriving)[:-1]
+        turn = np.abs(trace.arriving[1:] - trace.heading[:-1]) + corner
+        outer = np.diff(trace.arc) + reach[of_cell] * turn
+        piece = np.minimum(places, len(self) - 1).astype(np.intp)
+        arc = trace.arc[self.nodes[piece]] + (places - piece) * self.lengths[piece]
+        lengths, turns = (
+            np.diff(np.interp(arc, trace.arc, np.concatenate([[0.0], np.cumsum(each)])))
+            for each in (outer, turn)
+        )
+        # A curve that turns by T over a chord c leaves it by (c/2) tan(T/2), and never by more than
+        # half of its own length.
+        return float((0.5 * lengths * np.tan(0.5 * np.minimum(turns, 0.5 * np.pi))).max())
+
     def _kept(self, progress: Array, sagitta: float, reach: Array) -> NDArray[np.bool_]:
         """Which pieces (K,) begin with a station, others being so short that they need none.
 

@@ -47,6 +47,10 @@ class Rail(Protocol):
         """
         ...
 
+    def bulge(self, u: Array, reach: tuple[float, float]) -> float:
+        """How far chords between places u (A,) are left, for x in the range ``reach``."""
+        ...
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sliding:
@@ -87,6 +91,10 @@ class Sliding:
     def stations(self, step: float, sagitta: float, reach: tuple[float, float]) -> Array:
         """Places u (A,), corners included."""
         return self.path.stations(step, sagitta, np.zeros(len(self.path)))
+
+    def bulge(self, u: Array, reach: tuple[float, float]) -> float:
+        """How far chords between places u (A,) are left."""
+        return self.path.bulge(u, np.zeros(len(self.path)))
 
     def _tilted(self, step: Complex) -> Array:
         """Steps (...) in g's plane as vectors (..., 3)."""
@@ -140,8 +148,15 @@ class Turning:
 
     def stations(self, step: float, sagitta: float, reach: tuple[float, float]) -> Array:
         """Places u (A,), corners included."""
-        wide = max(abs(x) for x in reach) * self.scales().max(axis=-1)
-        return self.path.stations(step, sagitta, wide)
+        return self.path.stations(step, sagitta, self._wide(reach))
+
+    def bulge(self, u: Array, reach: tuple[float, float]) -> float:
+        """How far chords between places u (A,) are left."""
+        return self.path.bulge(u, self._wide(reach))
+
+    def _wide(self, reach: tuple[float, float]) -> Array:
+        """How far from each piece (K,) f reaches."""
+        return np.asarray(max(abs(x) for x in reach) * self.scales().max(axis=-1))
 
     def scales(self) -> Array:
         """lambda at the beginning and the end of every piece (K, 2)."""

@@ -22,6 +22,8 @@ LOOSE = 20.0
 """A lattice leaves the surface by about its step over this, if nothing else is asked for."""
 FIRST_LATTICE = 48
 """Steps along the longer side of the first lattice, that tells how large a surface is."""
+FIRST_CELLS = 20_000
+"""Its cells at most."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,7 +37,8 @@ class Lattice:
     points
         Points (A, B, 3).
     left_out
-        How far the surface's corners that are not among them are from the chords beside them.
+        How far the surface's corners, and bends, that are not among them are from the chords beside
+        them.
     """
 
     u: Array
@@ -111,7 +114,14 @@ class Surface:
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         return np.asarray(normal)
 
-    def lattice(self, step: float, sagitta: float | None = None, longer: float = 1.0) -> Lattice:
+    def lattice(
+        self,
+        step: float,
+        sagitta: float | None = None,
+        longer: float = 1.0,
+        *,
+        most: int | None = None,
+    ) -> Lattice:
         """Points close enough together, corners of f and g among them unless these are many.
 
         Parameters
@@ -122,14 +132,22 @@ class Surface:
             Largest distance of a cell from the surface, about.
         longer
             Neighbours along g may be so many times farther apart.
+        most
+            Cells at most: where f and g have so many bends that it takes more, step and sagitta are
+            doubled until it does not, and what that leaves out is counted.
         """
         if sagitta is None:
             sagitta = step / LOOSE
         x = self.profile.points[:, 0] - self.origin[0]
         reach = float(x.min()), float(x.max())
-        u = self.rail.stations(longer * step, sagitta, reach)
         of_f = Path.of(self.profile)
-        places = of_f.stations(step, sagitta, np.zeros(len(of_f)))
+        wanted = sagitta
+        while True:
+            u = self.rail.stations(longer * step, sagitta, reach)
+            places = of_f.stations(step, sagitta, np.zeros(len(of_f)))
+            if most is None or (len(u) - 1) * (len(places) - 1) <= most:
+                break
+            step, sagitta = 2 * step, 2 * sagitta
         piece = np.minimum(places, len(of_f) - 1).astype(np.intp)
         begin, end = (self.profile.arc[of_f.nodes[piece + k]] for k in (0, 1))
         v = np.interp(begin + (places - piece) * (end - begin), self.profile.arc, self.profile.t)
@@ -137,15 +155,23 @@ class Surface:
         left_out += max(
             _left_out(u, partial(self._carried, np.asarray(each))) for each in (*reach, 0.0)
         )
-        return Lattice(u, v, self.points(u[:, None], v[None, :]), left_out)
+        points = self.points(u[:, None], v[None, :])
+        if sagitta > wanted:
+            # Along g, along f, and between what joins the chords and the triangles.
+            left_out += self.rail.bulge(u, reach) + of_f.bulge(places, np.zeros(len(of_f)))
+            a, b, c, d = np.moveaxis(_cells(points), -2, 0)
+            left_out += 0.5 * float(lengths(a - b + c - d).max())
+        return Lattice(u, v, points, left_out)
 
     def _carried(self, x: Array, u: Array) -> Array:
         """Points (..., 3) of the curve that x is carried along."""
         return self.rail.carry(u, x)[0]
 
     def area(self, step: float | None = None) -> float:
-        """Area, of cells with sides of about ``step``."""
-        return self.lattice(self.size() / FIRST_LATTICE if step is None else step).area()
+        """Area, of cells with sides of about ``step``; roughly, if none is given."""
+        if step is not None:
+            return self.lattice(step).area()
+        return self.lattice(self.size() / FIRST_LATTICE, most=FIRST_CELLS).area()
 
     def size(self) -> float:
         """A length of the order of its diameter: f's and g's extent."""

@@ -97,20 +97,23 @@ class Row:
             delta = row.turns() + self.plane
             return bool((delta > 0).all() and (delta < np.pi).all())
 
-        columns = len(self.vertices)
+        # Powers of two, so that refusals of one g try the same numbers and find them remembered.
+        columns = 2 ** len(self.vertices).bit_length()
         for _ in range(8):
-            columns *= 2
             if works(columns):
                 low, high = columns // 2, columns
                 while high - low > 1:
                     middle = (low + high) // 2
                     low, high = (low, middle) if works(middle) else (middle, high)
-                # More columns than are just enough leave more room for the panels.
-                yield from (
-                    Remedy({"pattern.columns": count})
-                    for count in (high, *(math.ceil(more * high) for more in MORE_COLUMNS))
-                )
-                return
+                if high > len(self.vertices):
+                    # More columns than are just enough leave more room for the panels.
+                    yield from (
+                        Remedy({"pattern.columns": count})
+                        for count in (high, *(math.ceil(more * high) for more in MORE_COLUMNS))
+                    )
+                    return
+            columns *= 2
+        columns //= 2
         for more in (len(self.vertices), columns):
             if spacing == "equal" and works(more, "curvature"):
                 yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
