@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from brute_force import exact_contacts
-from orishell.clash.quads import common_gap, gap_along, nearest, normals, turning_gap
+from orishell.clash.quads import common_gap, gap_along, nearest, normals, turning_gap, views_along
 
 
 def random_quads(seed: int, count: int, spread: float) -> np.ndarray:
@@ -72,8 +72,8 @@ def test_a_common_gap_is_on_the_same_side_in_both_states() -> None:
     first, above = pair(SQUARE, [[x, y, 1] for x, y, _ in SQUARE])
     below = above - 2 * np.array([0, 0, 1.0])[:, None, None]
     up = normals(first)
-    assert common_gap(up, [(first, above), (first, above)])[0] == pytest.approx(1)
-    assert common_gap(up, [(first, above), (first, below)])[0] == pytest.approx(-1)
+    assert common_gap(views_along(up, [(first, above), (first, above)]))[0] == pytest.approx(1)
+    assert common_gap(views_along(up, [(first, above), (first, below)]))[0] == pytest.approx(-1)
 
 
 @given(st.integers(0, 10_000), st.floats(0.3, 3))
@@ -85,7 +85,7 @@ def test_a_turning_direction_keeps_panels_apart_all_the_way(seed: int, spread: f
     states = [(first, second), (moved[0], moved[1])]
     directions = [nearest(*state)[1] for state in states]
     directions = [d / np.maximum(np.linalg.norm(d, axis=0), 1e-9) for d in directions]
-    gap = turning_gap((directions[0], directions[1]), states)
+    gap = turning_gap(*(views_along(direction, states) for direction in directions))
     for share in np.linspace(0, 1, 21):
         at = [(1 - share) * now + share * after for now, after in zip(*states, strict=True)]
         direction = (1 - share) * directions[0] + share * directions[1]
@@ -101,7 +101,8 @@ def test_a_turning_direction_sees_panels_apart_that_turn_together() -> None:
     turn = np.array([[cosine, 0, cosine], [0, 1, 0], [-cosine, 0, cosine]])
     stop = [np.einsum("ij,jpk->ipk", turn, panel) for panel in start]
     states = [start, (stop[0], stop[1])]
-    standing = [common_gap(normals(state[0]), states)[0] for state in states]
+    views = [views_along(normals(state[0]), states) for state in states]
+    standing = [common_gap(each)[0] for each in views]
     assert max(standing) < 0
-    turning = turning_gap((normals(start[0]), normals(stop[0])), states)
+    turning = turning_gap(*views)
     assert turning == pytest.approx(0.1 * cosine)

@@ -9,7 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.clash.quads import common_gap, corners_of, nearest, normals, turning_gap
+from orishell.clash.quads import (
+    common_gap,
+    corners_of,
+    nearest,
+    normals,
+    turning_gap,
+    views_along,
+)
 from orishell.clash.tree import CHUNK, Integers, Pairs, chosen, joined
 
 Array = NDArray[np.float64]
@@ -107,6 +114,8 @@ class _Group:
         group = self
         for panel in (0, 1):
             group = group.without(*(normals(state[panel]) for state in group.corners))
+        if not len(group.pairs[0]):
+            return group.pairs, [], []
         touching, lines = [], []
         for state in group.corners:
             distance, between = nearest(*state)
@@ -116,10 +125,9 @@ class _Group:
 
     def without(self, start: Array, stop: Array) -> _Group:
         """Those that neither one of two directions (3, P) nor their turn keeps apart."""
-        gap = turning_gap((start, stop), self.corners)
-        for direction in (start, stop):
-            gap = np.maximum(gap, common_gap(direction, self.corners))
-        near = gap <= self.need
+        first, last = (views_along(direction, self.corners) for direction in (start, stop))
+        standing = np.maximum(common_gap(first), common_gap(last))
+        near = np.maximum(standing, turning_gap(first, last)) <= self.need
         if near.all():
             return self
         corners = [(first[..., near], second[..., near]) for first, second in self.corners]

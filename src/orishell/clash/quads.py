@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Views = list[tuple[Array, Array]]
+"""How far along a direction the corners (4, P) of both panels are, for every state."""
 
 PARALLEL = 1e-14
 """Edges whose directions differ by less (squared sine) are taken as parallel."""
@@ -29,36 +31,29 @@ def normals(corners: Array) -> Array:
 
 def gap_along(direction: Array, first: Array, second: Array) -> Array:
     """Gap (P,) between pairs seen along directions (3, P), negative if the views overlap."""
-    return _narrowest([(_seen(direction, first), _seen(direction, second))])
+    return _narrowest(views_along(direction, [(first, second)]))
 
 
-def common_gap(direction: Array, states: list[tuple[Array, Array]]) -> Array:
-    """Gap (P,) along directions (3, P) that both states have on the same side."""
-    return _narrowest(
-        [(_seen(direction, first), _seen(direction, second)) for first, second in states]
-    )
+def views_along(direction: Array, states: list[tuple[Array, Array]]) -> Views:
+    """Views of both panels in every state along directions (3, P)."""
+    return [(_seen(direction, first), _seen(direction, second)) for first, second in states]
 
 
-def turning_gap(directions: tuple[Array, Array], states: list[tuple[Array, Array]]) -> Array:
+def common_gap(views: Views) -> Array:
+    """Gap (P,) that all states have on the same side."""
+    return _narrowest(views)
+
+
+def turning_gap(first: Views, last: Views) -> Array:
     """Gap (P,) that stays along directions which turn evenly from one state to the other.
 
     Between two states with straight lines in between, the view of a vector v along a direction d
     is a parabola with the control values d0 v0, (d0 v1 + d1 v0)/2 and d1 v1: it is nowhere less
-    than the least of the three. The directions (3, P) are unit vectors, so that no direction in
-    between is longer than that.
+    than the least of the three. The directions (3, P), whose views of both states are given, are
+    unit vectors, so that no direction in between is longer than that.
     """
-    d0, d1 = directions
-    start, stop = states
-    middle = [
-        0.5 * (_seen(d0, after) + _seen(d1, now)) for now, after in zip(start, stop, strict=True)
-    ]
-    return _narrowest(
-        [
-            (_seen(d0, start[0]), _seen(d0, start[1])),
-            (middle[0], middle[1]),
-            (_seen(d1, stop[0]), _seen(d1, stop[1])),
-        ]
-    )
+    middle = [0.5 * (after + now) for after, now in zip(first[1], last[0], strict=True)]
+    return _narrowest([first[0], (middle[0], middle[1]), last[1]])
 
 
 def nearest(first: Array, second: Array) -> tuple[Array, Array]:
@@ -115,13 +110,11 @@ def _inside(panel: Array, normal: Array, points: Array) -> NDArray[np.bool_]:
     """Whether points (3, K, P) lie over the panel, seen along its normal."""
     inward = _cross(normal[:, None], _next(panel) - panel)
     level = _dot(inward, panel)
-    inside = np.ones(points.shape[1:], np.bool_)
-    for k in range(4):
-        inside &= _dot(inward[:, k, None], points) >= level[k]
-    return inside
+    within = _dot(inward[:, :, None], points[:, None]) >= level[:, None]
+    return np.asarray(within.all(axis=0))
 
 
-def _narrowest(views: list[tuple[Array, Array]]) -> Array:
+def _narrowest(views: Views) -> Array:
     """Gap (P,) that all views (4, P) of two panels have on the same side."""
     above = [b.min(axis=0) - a.max(axis=0) for a, b in views]
     below = [a.min(axis=0) - b.max(axis=0) for a, b in views]
