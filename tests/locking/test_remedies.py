@@ -109,18 +109,18 @@ def random_design(rng: np.random.Generator) -> Tables:
         drawn = {"points": points.round(3).tolist(), "smooth": bool(rng.integers(2))}
         return [arc, wave, formula(f"{a / size}*x**2", -size, size), drawn][rng.integers(4)]
 
-    size = {"rows": 2 * int(rng.integers(0, 4)) + 1, "columns": int(rng.integers(2, 9))}
+    size = {"rows": 2 * int(rng.integers(0, 3)) + 1, "columns": int(rng.integers(2, 6))}
     flap = [{}, {"flap": number(0.01, 1.5)}][rng.integers(2)]
     pattern: dict[str, Any]
-    match rng.integers(10):
-        case 0 | 1 | 2 | 3:
+    match rng.integers(20):
+        case kind if kind < 9:
             family, g = "parallel-repeating", curve(number(1, 6))
             pattern = {
                 "xi_deg": number(5, 170),
                 "theta_deg": number(-30, 30),
                 "plane_deg": number(30, 150),
             }
-        case 4 | 5 | 6 | 7 | 8:
+        case kind if kind < 19:
             family, g = "orthodiagonal", curve(number(0.3, 3))
             pattern = {"depth": number(0.01, 0.8), "heading_deg": number(20, 160)}
         case _:

@@ -233,7 +233,7 @@ def test_latency_of_a_drag(page: Page, record_property: Callable[[str, object], 
     first = len(page.evaluate("window.__orishell.latencies"))
     slider = page.get_by_test_id("slider-plane_deg")
     slider.focus()
-    for _ in range(15):
+    for _ in range(40):
         slider.press("ArrowRight")
         page.wait_for_timeout(120)
     drawn(page)

@@ -104,7 +104,7 @@ def test_figures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         paper.draw_figures(directory)
     names = sorted(path.stem for path in (tmp_path / "one").iterdir())
     assert names == [
-        f"figure-{n}" for n in ("1a", "1b", "1c", "1d", "2a", "2b", "2c", "2d", "3a", "3b")
+        f"figure-{n}" for n in ("1a", "1b", "1c", "1d", "2a", "2b", "2c", "2d", "3a", "3b", "3c")
     ]
     for name in names:
         first, second = (tmp_path / each / f"{name}.png" for each in ("one", "two"))

@@ -19,7 +19,7 @@ from orishell.quoting import rounded
 
 MOST = 3
 """Remedies that are offered at most."""
-TRIALS, PANELS, SEARCHES = 24, 20_000, 3
+TRIALS, PANELS, SEARCHES = 18, 15_000, 3
 """Designs tried at most; of large sheets as many as have so many panels together, of requests
 whose rows and columns must be searched for so many."""
 SMALLEST = 0.05
@@ -46,11 +46,8 @@ def with_remedies(
     """
     search = _Search(request, advanced or (lambda share: None))
     refusal.remedies = search.run(refusal)
-    if not refusal.remedies and search.failures:
-        remedy, reason = search.failures[0]
-        refusal.limit = f"with {remedy}, {reason.condition}" + (
-            f", {reason.place}" if reason.place else ""
-        )
+    if not refusal.remedies:
+        refusal.limit = search.limit
     return refusal
 
 
@@ -60,6 +57,15 @@ class _Search:
     advanced: Callable[[float], None]
     tried: int = 0
     failures: list[tuple[Remedy, DesignError]] = field(default_factory=list)
+
+    @property
+    def limit(self) -> str:
+        """Why the first candidate does not work."""
+        if not self.failures:
+            return "another f or g is needed"
+        remedy, reason = self.failures[0]
+        place = f", {reason.place}" if reason.place else ""
+        return f"with {remedy}, {reason.condition}{place}"
 
     def run(self, refusal: DesignError) -> tuple[Remedy, ...]:
         if isinstance(refusal, ClashError):
