@@ -99,7 +99,7 @@ doctest_test_doctest_blocks = ""  # only {doctest} blocks: pytest runs the docst
 nitpick_ignore_regex = [
     # Other people's libraries: a build asks nothing of the network, so it has no inventories.
     (r"py:.*", r"(np|npt|numpy|NDArray|nptyping)(\..*)?"),
-    (r"py:.*", r"(pathlib|collections|typing|types|enum|functools)\..*"),
+    (r"py:.*", r"(asyncio|pathlib|collections|typing|types|enum|functools)\..*"),
     (r"py:.*", r"(pydantic|fastapi|starlette|matplotlib|anywidget|shapely|typer)\..*"),
     # Constants whose value is all that there is to say of them: they stand in the sources.
     (r"py:data", r"[A-Z_]+"),

@@ -6,13 +6,13 @@ from orishell.locking.flaps import fit_flaps, locks
 from orishell.locking.lock import CONTACT_TOLERANCE, Contact, Lock, find_lock, unexamined_lock
 from orishell.locking.open_end import end_motion
 from orishell.locking.remedies import with_remedies
-from orishell.locking.request import Pattern, Request
+from orishell.locking.request import FamilyParameters, Request
 
 __all__ = [
     "CONTACT_TOLERANCE",
     "Contact",
+    "FamilyParameters",
     "Lock",
-    "Pattern",
     "Request",
     "describe_lock",
     "end_motion",

@@ -13,8 +13,8 @@ from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.quoting import in_one_line
 
 
-class Pattern(Protocol):
-    """A family's parameters."""
+class FamilyParameters(Protocol):
+    """The parameters of a family: its table [pattern]."""
 
     @property
     def flap(self) -> float | Literal["auto"]:
@@ -29,7 +29,7 @@ class Pattern(Protocol):
         """Design what these parameters alone ask for."""
         ...
 
-    def changed(self, values: Mapping[str, Value | None]) -> Pattern:
+    def changed(self, values: Mapping[str, Value | None]) -> FamilyParameters:
         """The same with other values of its keys, None for a key removed, or of another family."""
         ...
 
@@ -48,7 +48,7 @@ class Request:
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     """
 
-    pattern: Pattern
+    pattern: FamilyParameters
     target: tuple[Curve, Curve] | None
     tolerance: float = CONTACT_TOLERANCE
 
