@@ -25,7 +25,7 @@ REFUSALS = 12
 """Refused designs in a row, after which long and short panels are given up."""
 RETRIES = 4
 """Times that the search is aimed anew, where the careful measure differs from the quick one."""
-NEARER, FARTHER, MANY = 1.1, 2.5, 5_000
+NEARER, FARTHER, MANY = 1.1, 5.0, 5_000
 """Tolerances that may be met where one is not, relative to the smallest error found; the second
 where that takes so many panels, so that trying it takes less than the search that failed."""
 NEAR = 0.95
