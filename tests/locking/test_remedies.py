@@ -79,20 +79,14 @@ def test_walls_near_vertical_are_for_the_orthodiagonal_family() -> None:
     assert made(mended(design, first)).report["family"] == "orthodiagonal"
 
 
-def test_where_nothing_works_the_message_says_what_limits() -> None:
-    # A coil that meets itself, of whatever size f is, however short g.
-    design = tables(
-        "orthodiagonal",
-        formula("0.2*abs(x)", -1, 1),
-        formula(["(2+0.05*t)*cos(t)", "(2+0.05*t)*sin(t)"], 0, 60),
-        rows=3,
-        columns=80,
-    )
-    error = refused(design)
+def test_where_nothing_works_the_message_says_so_and_what_limits() -> None:
+    # A family whose rows all turn the same way follows no straight f, whatever its parameters are.
+    line = formula("0.3*x", 0, 2)
+    size = {"rows": 3, "columns": 3, "sector_deg": "auto"}
+    error = refused(tables("longitudinal-linear-repeating", line, formula("0*x", 0, 2), **size))
     assert error is not None
-    if not error.remedies:
-        assert error.limit
-        assert f"No value was found that works: {error.limit}." in str(error)
+    assert error.remedies == ()
+    assert str(error).endswith("No value was found that works: another f or g is needed.")
 
 
 def random_design(rng: np.random.Generator) -> Tables:
