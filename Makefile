@@ -2,6 +2,7 @@
 # make test    all tests
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
+# make test-pages  their own tests
 # make studio  builds and starts the studio
 # make docs    the documentation, into build/docs/
 # make paper   the paper's figures and numbers beside ours, into build/paper/
@@ -16,7 +17,7 @@ PARALLEL := --numprocesses logical --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test docs paper pages studio node quick bench lint types contracts check format clean
+.PHONY: demo test docs paper pages test-pages studio node quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -30,6 +31,9 @@ test: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip $(PARALLEL) --durations=15
 
 pages: $(PAGES)
+
+test-pages: $(PAGES)
+	cd frontend && npm run --silent test
 
 studio: $(VENV)/.studio $(PAGES)
 	$(BIN)/orishell studio

@@ -13,8 +13,9 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-PAGES = Path("src", "orishell", "studio", "static")
-BUILT = ("index.html", "viewer.js")
+STUDIO = Path("src", "orishell", "studio", "static")
+VIEWER = Path("src", "orishell", "io", "pages")
+BUILT = (STUDIO / "index.html", VIEWER / "viewer.js")
 WITHOUT = "ORISHELL_WITHOUT_PAGES"
 
 
@@ -28,7 +29,7 @@ class PagesHook(BuildHookInterface):
         root = Path(self.root)
         if not _is_current(root):
             self._build(root / "frontend")
-        build_data["artifacts"].append(f"/{PAGES.as_posix()}/**")
+        build_data["artifacts"] += [f"/{place.as_posix()}/**" for place in (STUDIO, VIEWER)]
 
     def _build(self, frontend: Path) -> None:
         npm = shutil.which("npm")
@@ -60,7 +61,7 @@ def _is_current(root: Path) -> bool:
     In a source distribution they are what its sources were when it was made; its files' times
     are those of unpacking.
     """
-    pages = [root / PAGES / name for name in BUILT]
+    pages = [root / page for page in BUILT]
     if not all(page.is_file() for page in pages):
         return False
     if (root / "PKG-INFO").is_file():

@@ -15,14 +15,17 @@ from brute_force import exact_contacts
 from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
-from orishell.families.longitudinal_linear_repeating.even_lengths import InnerLengths
 from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
-from orishell.families.longitudinal_linear_repeating.tessellation import Directions, repeat_columns
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
+    Directions,
+    repeat_columns,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import InnerLengths
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.locking import find_lock
-from orishell.metrics import measure_residuals
 from orishell.motion import FoldingMotion
+from orishell.verification.residuals import measure_residuals
 
 
 def design(rows: int, columns: int) -> Design:
@@ -107,8 +110,8 @@ def test_verifying_25_states_of_101_x_101(benchmark: BenchmarkFixture) -> None:
 
 
 def test_writing_the_demo(benchmark: BenchmarkFixture, tmp_path: Path) -> None:
+    from orishell.document.from_design import document_of_motion
     from orishell.io import write_fold
-    from orishell.shell_document import document_of_motion
 
     motion = FoldingMotion(design(9, 11).mechanism, 25)
     benchmark(write_fold, tmp_path / "shell.fold", document_of_motion(motion, "m"))

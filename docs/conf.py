@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 # autodoc imports modules with TYPE_CHECKING set, which pydantic's models in fastapi do not survive.
 import fastapi  # noqa: F401
 
-from orishell._version import __version__
+from orishell.conventions.version import __version__
 
 if TYPE_CHECKING:
     from sphinx.util.tags import Tags
@@ -81,6 +81,8 @@ autodoc_type_aliases = {
         *("Jet", "CurveJet", "Piece", "Place", "Run", "Location", "Parameter", "Unit"),
         *("Spacing", "Placement", "FlapSide", "End", "Layer", "Anchor"),
         *("CreaseStyle", "Labels", "Joint", "Paper", "Auto", "Content"),
+        *("RowCount", "OddRowCount", "ColumnCount", "Length", "Width", "FlapSides", "ChosenSides"),
+        *("Xi", "Theta", "Plane", "Heading", "Drive", "SolutionNumber"),
         *("Coupling", "RowKind", "Version", "SideChoice", "Cause", "Kind"),
         *("Pairs", "Panel", "Block", "Box", "Names", "Progress", "Passing", "Task", "Payload"),
     )
@@ -100,7 +102,10 @@ nitpick_ignore_regex = [
     # Other people's libraries: a build asks nothing of the network, so it has no inventories.
     (r"py:.*", r"(np|npt|numpy|NDArray|nptyping)(\..*)?"),
     (r"py:.*", r"(asyncio|pathlib|collections|typing|types|enum|functools)\..*"),
-    (r"py:.*", r"(pydantic|fastapi|starlette|matplotlib|anywidget|shapely|typer)\..*"),
+    (
+        r"py:.*",
+        r"PydanticCustomError|(pydantic|pydantic_core|fastapi|starlette|matplotlib|anywidget|shapely|typer)\..*",
+    ),
     # Constants whose value is all that there is to say of them: they stand in the sources.
     (r"py:data", r"[A-Z_]+"),
     # Python's own types in annotations.
@@ -109,8 +114,8 @@ nitpick_ignore_regex = [
     (r"py:class", "|".join(autodoc_type_aliases)),
     # Bounds of the design file's numbers, which pydantic checks.
     (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan"),
-    # Type variables of the decorator in curves/memo.
-    (r"py:class", r"orishell\.curves\.memo\.[CR]|P"),
+    # Type variables.
+    (r"py:class", r"(orishell\.[\w.]+\.)?[CFJPRT]"),
     (r"py:.*", r"(Path|Callable|Iterator|Iterable|Sequence|Mapping|Literal|Self|Any|Protocol)"),
 ]
 

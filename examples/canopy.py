@@ -47,7 +47,7 @@ def main() -> None:
     print(f"ring from {size['inner radius']:.2f} to {size['outer radius']:.2f} m")
     print(f"rises by {size['rise']:.2f} m")
     print(f"turns by {size['turn_deg']:.1f} degrees, flat by {size['flat_turn_deg']:.1f}")
-    print(f"locks by its {shell.report['lock']['cause']}")
+    print(f"locks by its {shell.report.lock.cause}")
 
 
 if __name__ == "__main__":

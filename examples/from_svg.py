@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell import Shell, design_shell, write_shell
-from orishell.io.registry import find_formats
+from orishell.io.all_formats import find_formats
 
 
 def design() -> Shell:
@@ -25,8 +25,9 @@ def measure(shell: Shell) -> dict[str, float]:
     return {
         "span of f": float(np.linalg.norm(f[-1] - f[0])),
         "rise of f": float(np.ptp(f[:, 2])),
-        "from f": shell.report["deviation"]["f"]["max"],
-        **{f"sheet {key}": shell.report["sheet"][key] for key in ("width", "height")},
+        "from f": shell.design.closeness["f"].max,
+        "sheet width": shell.report.sheet.width,
+        "sheet height": shell.report.sheet.height,
     }
 
 
@@ -37,7 +38,7 @@ def main() -> None:
     print(f"the drawing's arch spans {size['span of f']:.3f} m and rises {size['rise of f']:.3f} m")
     print(f"f is met to {size['from f']:.3f} m")
     print(f"from a sheet of {size['sheet width']:.2f} m x {size['sheet height']:.2f} m")
-    print(f"locks by its {shell.report['lock']['cause']}")
+    print(f"locks by its {shell.report.lock.cause}")
     if len(sys.argv) > 1:
         for path in write_shell(shell, Path(sys.argv[1]), find_formats(["svg"])):
             print(path.name)

@@ -23,18 +23,18 @@ from orishell import (
     design_parallel_repeating,
     parse_formula,
 )
-from orishell.colours import LIGHT
+from orishell.conventions.colours import LIGHT
 from orishell.curves import trace_curve
+from orishell.design_file.file import check_design
+from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import Sectors
 from orishell.locking import find_lock
 from orishell.plot import DrawnContact, plot_overview, plot_tradeoff
 from orishell.polylines import fit_staircase, place_zigzags
-from orishell.shell_document import document_of_motion
-from orishell.spec.design_file import check_design
-from orishell.tolerance import meet_tolerance
+from orishell.shell.tolerance import meet_tolerance
 from orishell.workshop import Drawing, Workshop
 from orishell.workshop.palettes import load_palette
-from orishell.workshop.sheets import name_sheets
+from orishell.workshop.sheets import draw_sheet_files
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -240,7 +240,7 @@ def draw_sheets(path: Path) -> None:
         FoldingMotion(design.mechanism, 2), "m", title="shell", curves=design.targets
     )
     workshop = Workshop(stock=(2.5, 2.5), margin=0.05, spacing=0.05)
-    drawings = list(name_sheets(Path("pattern.svg"), document, workshop))[1:]
+    drawings = list(draw_sheet_files(Path("pattern.svg"), document, workshop))[1:]
     figure, axes = new_figure(13, 3.8, len(drawings))
     for place, (name, drawing) in zip(axes, drawings, strict=True):
         draw_drawing(place, drawing)

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell import Design, ParallelRepeating
+from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.motion import Mechanism
-from orishell.spec import read_design_file
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]

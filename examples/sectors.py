@@ -36,10 +36,10 @@ def sine() -> tuple[FoldingMotion, Lock]:
 def main() -> None:
     """Print what comes of either version."""
     report = cosine().report
-    first, last = report["parameters"]["radius"]
+    first, last = np.asarray(report.parameters["radius"], float)
     print(f"cosine version: rolls up, radius {first:.3f} at column 1, {last:.3f} at column 9")
-    lock = report["lock"]
-    print(f"panels first touch at {lock['drive_deg']:.4f} degrees of v_1: the last frame")
+    lock = report.lock
+    print(f"panels first touch at {lock.drive_deg:.4f} degrees of v_1: the last frame")
     motion, end = sine()
     residuals, _ = measure_residuals(motion, motion.flat)
     print(f"sine version: panels keep their lengths to {residuals.panel_length:.1e}")

@@ -22,15 +22,15 @@ def measure(shell: Shell) -> dict[str, float]:
     locked = shell.motion.locked.positions[:, shell.design.mechanism.inner_columns]
     ground = locked[[0, -1]]  # the rows on which it stands
     above = np.linalg.norm(locked[..., 1:2], axis=-1) < 0.5  # half a metre from the middle
-    quantities = shell.report["quantities"]
+    quantities = shell.report.quantities
     return {
         "length": float(np.ptp(ground[..., 0])),
         "clear width": float(ground[0, :, 1].min() - ground[1, :, 1].max()),
         "headroom": float((locked[..., 2] - ground[..., 2].mean())[above].min()),
         "uneven": float(np.ptp(ground[..., 2])),
-        "sheet": shell.report["sheet"]["area"],
-        "boards": quantities["stock"]["sheets"],
-        "mass": quantities["mass_kg"],
+        "sheet": shell.report.sheet.area,
+        "boards": quantities.stock.sheets if quantities.stock else 0,
+        "mass": quantities.mass_kg or 0.0,
     }
 
 
@@ -40,7 +40,7 @@ def main() -> None:
     size = measure(shell)
     print(f"floor {size['clear width']:.2f} m x {size['length']:.2f} m, clear of the walls")
     print(f"headroom {size['headroom']:.2f} m, on ground that is even to {size['uneven']:.0e} m")
-    print(f"locks by its {shell.report['lock']['cause']}")
+    print(f"locks by its {shell.report.lock.cause}")
     print(f"{size['sheet']:.1f} m2 of sheet, {size['mass']:.0f} kg, on {size['boards']} boards")
 
 

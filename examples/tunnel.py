@@ -28,7 +28,7 @@ def measure(shell: Shell) -> dict[str, float]:
         "headroom": float(np.interp(8, away[::-1, 0], locked[::-1, 0, 2]) - locked[0, 0, 2]),
         "turn_deg": float(np.rad2deg(np.ptp(np.arctan2(middle[:, 1] + 8, middle[:, 0])))),
         "uneven": float(np.ptp(locked[[0, -1], :, 2])),
-        "from f": shell.report["deviation"]["f"]["max"],
+        "from f": shell.design.closeness["f"].max,
     }
 
 
@@ -40,7 +40,7 @@ def main() -> None:
     print(f"{size['width']:.2f} m wide, headroom {size['headroom']:.2f} m at the middle")
     print(f"stands on ground that is even to {size['uneven']:.0e} m")
     print(f"f is met to {size['from f']:.3f} m")
-    print(f"locks by its {shell.report['lock']['cause']}")
+    print(f"locks by its {shell.report.lock.cause}")
 
 
 if __name__ == "__main__":

@@ -20,15 +20,15 @@ def design() -> Shell:
 def measure(shell: Shell) -> dict[str, float]:
     """Sizes of the vault, in metres."""
     inner = shell.motion.locked.positions[:, shell.design.mechanism.inner_columns]
-    first, last = shell.report["parameters"]["radius"]
+    first, last = np.asarray(shell.report.parameters["radius"], float)
     return {
         "length": float(np.ptp(inner[len(inner) // 2, :, 0])),
         "largest radius": first,
         "smallest radius": last,
         "growth": first / last,
         "span": float(np.linalg.norm(inner[-1, 0] - inner[0, 0])),
-        "stage_deg": shell.report["lock"]["target_drive_deg"],
-        "contact_deg": shell.report["lock"]["drive_deg"],
+        "stage_deg": shell.report.lock.target_drive_deg,
+        "contact_deg": shell.report.lock.drive_deg or np.nan,
     }
 
 

@@ -4,7 +4,7 @@ import { defineConfig } from "vite";
 export default defineConfig({
   publicDir: false,
   build: {
-    outDir: "../src/orishell/studio/static",
+    outDir: "../src/orishell/io/pages",
     emptyOutDir: false,
     target: "es2022",
     chunkSizeWarningLimit: 1200,

@@ -6,9 +6,9 @@ import copy
 from pathlib import Path
 from typing import Any
 
+from orishell.design_file import check_design
 from orishell.errors import DesignError, Remedy
-from orishell.report import Shell, make_shell
-from orishell.spec import check_design
+from orishell.shell.make import Shell, make_shell
 
 Tables = dict[str, Any]
 

@@ -6,10 +6,10 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+from orishell.design_file import read_design_file
 from orishell.document import Document
+from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
-from orishell.shell_document import document_of_motion
-from orishell.spec import read_design_file
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FAMILIES = {

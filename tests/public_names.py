@@ -18,7 +18,12 @@ from typing import Any
 
 import orishell
 
-ALSO = ("orishell.io.formats", "orishell.io.registry", "orishell.workshop.draw")
+ALSO = (
+    "orishell.io.format",
+    "orishell.io.formats",
+    "orishell.io.all_formats",
+    "orishell.workshop.draw",
+)
 """Rooms of listed packages that their packages leave to those who ask for them by name."""
 
 
@@ -44,7 +49,7 @@ def _modules_of(package: ModuleType) -> Iterator[str]:
 
 @cache
 def public_objects() -> dict[str, Any]:
-    """Functions and classes by the name under which they are imported, e.g. "orishell.mesh.f".
+    """Functions and classes by the name under which they are imported, e.g. "orishell.design.f".
 
     What several packages list goes by the longest of its names: the top of the package lists
     what the others define.

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from orishell.inspection import Inspection, inspect_fold
 from orishell.io import read_fold
+from orishell.verification import Inspection, inspect_fold
 
 Fold = dict[str, Any]
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from orishell import Shell
-from orishell.metrics import sheet_area
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.design_file import read_design_file
+from orishell.motion import sheet_area
+from orishell.shell.make import make_shell
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 SHELLS = ("shelter", "tunnel", "canopy", "vault", "from_dxf", "from_svg")
@@ -78,16 +78,18 @@ def shelter() -> Example:
 
 def test_ends_as_it_says(example: Example) -> None:
     """The flaps lock it, or it is stopped at f; on the way nothing touches."""
-    lock = example.shell.report["lock"]
-    assert example.shell.report["feasible"]
+    lock = example.shell.report.lock
+    assert example.shell.report.feasible
     assert example.shell.design.warnings == ()
     assert not example.shell.lock.early
     if example.name == "vault":
-        assert lock["cause"] == "clash"
-        assert lock["target_drive_deg"] < lock["drive_deg"]
+        assert lock.cause == "clash"
+        assert lock.drive_deg is not None
+        assert lock.target_drive_deg < lock.drive_deg
     else:
-        assert (lock["cause"], lock["drive_deg"], lock["touching_at_end"]) == ("flaps", 180.0, [])
-        assert lock["first_contact"]["clear_until_deg"] == pytest.approx(180, abs=1e-3)
+        assert (lock.cause, lock.drive_deg, lock.touching_at_end) == ("flaps", 180.0, ())
+        assert lock.first_contact is not None
+        assert lock.first_contact.clear_until_deg == pytest.approx(180, abs=1e-3)
 
 
 def test_panels_are_of_a_size_to_carry(example: Example) -> None:

@@ -14,15 +14,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from orishell.curves import nearby_origin, trace_curve
+from orishell.design_file.file import check_design
 from orishell.deviation import measure_deviation
-from orishell.inspection import inspect_fold
 from orishell.io import read_fold
-from orishell.io.registry import find_formats
+from orishell.io.all_formats import find_formats
 from orishell.io.settings import Settings
 from orishell.io.view import dump_view
-from orishell.report import Shell, make_shell
-from orishell.spec.design_file import check_design
-from orishell.writing import convert_fold, write_format
+from orishell.shell.export import convert_fold, write_format
+from orishell.shell.make import Shell, make_shell
+from orishell.verification import inspect_fold
 from strategies import graph, pair
 
 FAMILIES: dict[str, tuple[tuple[str, str, list[float]], tuple[str, str, list[float]], Any]] = {
@@ -73,13 +73,13 @@ def written(shell: Shell, name: str, directory: Path) -> Path:
 def test_residuals_are_those_at_the_origin(family: str, at: float) -> None:
     here, there = shell(family, 0.0), shell(family, at)
     for key, limit in (("panel_length", 1e-15), ("planarity", 1e-15), ("fold_angle_rad", 3e-14)):
-        assert here.report["residuals"][key] < limit
-        assert there.report["residuals"][key] < limit
-    assert there.report["lock"]["cause"] == here.report["lock"]["cause"]
+        assert getattr(here.report.residuals, key) < limit
+        assert getattr(there.report.residuals, key) < limit
+    assert there.report.lock.cause == here.report.lock.cause
     # The curves are off by the rounding of their own coordinates, and so is what follows them.
     digit = np.spacing(at)
     for key in ("f", "g"):
-        before, after = (each.report["deviation"][key]["max"] for each in (here, there))
+        before, after = (each.design.closeness[key].max for each in (here, there))
         assert after == pytest.approx(before, abs=100 * digit)
     before, after = (measure_deviation(each.design, samples=2000).rms for each in (here, there))
     assert after == pytest.approx(before, rel=1e-3)

@@ -18,7 +18,11 @@ from node_tools import lacking
 from studio_server import running_studio
 
 ROOT = Path(__file__).parents[1]
-PAGES = {"index.html", "viewer.js", "three-licence.txt"}
+ROOMS = ("orishell/io/pages/", "orishell/studio/static/")
+PAGES = {
+    *("orishell/io/pages/viewer.js", "orishell/io/pages/three-licence.txt"),
+    *("orishell/studio/static/index.html", "orishell/studio/static/three-licence.txt"),
+}
 NONE: Mapping[str, str] = {}
 SHOW = """
 import numpy as np
@@ -45,7 +49,7 @@ def clone(place: Path) -> Path:
         if (ROOT / name).is_file():
             (place / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, place / name)
-    assert not (place / "src" / "orishell" / "studio" / "static").exists()
+    assert not any((place / "src" / room).exists() for room in ROOMS)
     assert not (place / "frontend" / "node_modules").exists()
     return place
 
@@ -78,8 +82,7 @@ def build_wheel(source: Path, place: Path, variables: Mapping[str, str] = NONE) 
 
 def pages_in(wheel: Path) -> set[str]:
     with zipfile.ZipFile(wheel) as files:
-        place = "orishell/studio/static/"
-        return {name.removeprefix(place) for name in files.namelist() if name.startswith(place)}
+        return {name for name in files.namelist() if name.startswith(ROOMS)}
 
 
 @pytest.mark.slow
@@ -131,7 +134,7 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
             assert httpx.get(f"{studio.address}/{part}").status_code == 200
         port = studio.address.rpartition(":")[2]
         said = ran(command, "studio", "--port", port, where=nowhere, status=2)
-        assert said.startswith("orishell: --port: something listens at this port already")
+        assert said.startswith("orishell: --port: another program listens on this port already")
 
     missing = ran(python, "-c", SHOW, where=nowhere)
     assert 'Remedy: pip install "orishell[notebook]"' in missing
@@ -157,7 +160,7 @@ def test_a_build_without_npm_says_so_and_what_it_lacks_says_so(tmp_path: Path) -
     assert pages_in(wheel) == set()
     with zipfile.ZipFile(wheel) as files:
         files.extractall(tmp_path / "installed")
-    remedy = "Remedy: install a wheel of orishell that has them"
+    remedy = "Remedy: install a wheel of orishell that has the pages"
     here = {"PYTHONPATH": str(tmp_path / "installed")}
 
     def orishell(*words: str | Path, status: int) -> str:

@@ -261,8 +261,8 @@ def _gently(data: bytes, rng: Generator, kind: str) -> bytes:
 def read(kind: str, path: Path) -> None:
     """What the program does with a file of its kind."""
     from orishell.curves import curve_from_points, read_dxf, read_points, read_svg
+    from orishell.design_file import read_design_file
     from orishell.io import read_fold
-    from orishell.spec import read_design_file
 
     if kind == "toml":
         read_design_file(path)

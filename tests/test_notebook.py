@@ -21,15 +21,15 @@ from orishell import (
     notebook,
     parse_formula,
 )
+from orishell.document.from_design import document_of_design
 from orishell.errors import InputError
 from orishell.io import DEFAULT_SETTINGS, read_fold, write_fold
+from orishell.io.all_formats import FORMATS
 from orishell.io.formats.html import read_viewer
-from orishell.io.registry import FORMATS
 from orishell.io.view import dump_view
 from orishell.notebook import show
-from orishell.overlays import lay_surface
-from orishell.shell_document import document_of_design
-from orishell.writing import write_format, write_shell
+from orishell.shell.export import write_format, write_shell
+from orishell.shell.overlay import lay_surface
 from public_names import public_callables
 from viewer_pages import pixels, require_viewer, running_browser, watched_page
 
@@ -110,8 +110,8 @@ def test_every_function_that_takes_a_shell_is_among_these() -> None:
     }
     assert taking == {
         "orishell.notebook.show",
-        "orishell.writing.write_shell",
-        "orishell.writing.write_format",
+        "orishell.shell.write_shell",
+        "orishell.shell.write_format",
     }
 
 

@@ -8,6 +8,7 @@ import inspect
 import itertools
 import pkgutil
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 import typer
@@ -32,37 +33,53 @@ if TYPE_CHECKING:
 TypeAliasForwardRef.__repr__ = lambda self: self.name  # type: ignore[method-assign]
 
 
-class Inside(SphinxDirective):
-    """Modules of a package: their texts, their constants, and the classes that `:show:` names."""
+class Room(SphinxDirective):
+    """A room: what it offers, and module by module where things stand in it.
+
+    A room that lists its names in ``__all__`` keeps the rest to itself: of its modules only the
+    texts, the constants, and the classes that `:show:` names are here. `:open:` names modules that
+    it leaves to those who ask for them.
+    """
 
     required_arguments = 1
     option_spec: ClassVar[dict[str, Callable[[str], Any]] | None] = {
         "show": directives.unchanged,
-        "skip": directives.unchanged,
+        "open": directives.unchanged,
     }
 
     def run(self) -> list[nodes.Node]:
         """Make the page's part."""
-        show, skip = (set(self.options.get(name, "").split()) for name in ("show", "skip"))
-        text = []
-        for name in _modules(self.arguments[0]):
-            if name in skip:
-                continue
-            module = importlib.import_module(name)
-            members = _constants(inspect.getsource(module))
-            members += [each for each in sorted(show) if _is_defined(module, each)]
-            text += ["```{eval-rst}", f".. automodule:: {name}"]
-            text += [f"   :members: {', '.join(members)}"] if members else []
-            text += ["```", ""]
-        return self.parse_text_to_nodes("\n".join(text), offset=self.content_offset)
+        self.shown, self.opened = (
+            set(self.options.get(name, "").split()) for name in ("show", "open")
+        )
+        text = "\n".join(self._pages(self.arguments[0], listed=False))
+        return self.parse_text_to_nodes(
+            text, offset=self.content_offset, allow_section_headings=True
+        )
 
-
-def _modules(package: str) -> Iterator[str]:
-    path = importlib.import_module(package).__path__
-    for found in sorted(pkgutil.iter_modules(path), key=lambda each: each.name):
-        yield f"{package}.{found.name}"
-        if found.ispkg:
-            yield from _modules(f"{package}.{found.name}")
+    def _pages(self, name: str, *, listed: bool) -> Iterator[str]:
+        """The text of a module and of those inside; `listed`: a package above lists its names."""
+        module = importlib.import_module(name)
+        if name in self.opened:
+            listed = False
+        constants = _constants(inspect.getsource(module))
+        paths = [each for each in constants if isinstance(getattr(module, each), Path)]
+        options = ":members:"
+        if listed:
+            shown = [each for each in constants if each not in paths]
+            shown += [each for each in sorted(self.shown) if _is_defined(module, each)]
+            options = f":members: {', '.join(shown)}" if shown else ""
+        elif paths:  # they would name this machine
+            options += f"\n   :exclude-members: {', '.join(paths)}"
+        if name != self.arguments[0]:
+            yield f"## {name.removeprefix(self.arguments[0] + '.')}\n"
+        yield f"```{{eval-rst}}\n.. automodule:: {name}"
+        yield (f"   {options}\n" if options else "") + "```\n"
+        for found in sorted(
+            pkgutil.iter_modules(getattr(module, "__path__", ())), key=lambda each: each.name
+        ):
+            inner = f"{name}.{found.name}"
+            yield from self._pages(inner, listed=listed or hasattr(module, "__all__"))
 
 
 def _is_defined(module: object, name: str) -> bool:
@@ -153,18 +170,30 @@ def mend_links(
 
     def mended(match: re.Match[str]) -> str:
         parts = match[1].split(".")
-        tails = (".".join(parts[k:]) for k in range(1, len(parts)))
-        own = (f"{module}.{tail}" for tail in tails if f"{module}.{tail}" in objects)
+        tails = [".".join(parts[k:]) for k in range(1, len(parts))]
+        own = (
+            f"{room}.{tail}"
+            for room in (module, module.rpartition(".")[0])
+            for tail in tails
+            if f"{room}.{tail}" in objects
+        )
         return match[0] if match[1] in places else f'#{objects[next(own)].node_id}"'
 
     context["body"] = re.sub(r'#(orishell[\w.]+)"', mended, context["body"])
 
 
+def own_module(_app: Sphinx, module: str, name: str) -> str | None:
+    """Where a type such as ``Annotated[float, ...]`` is defined: viewcode takes it for float's."""
+    thing = getattr(importlib.import_module(module), name.partition(".")[0], None)
+    return module if getattr(thing, "__module__", "") == "builtins" else None
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives and the search for bare names."""
-    app.add_directive("inside", Inside)
+    app.add_directive("room", Room)
     app.add_directive("commands", Commands)
     app.connect("missing-reference", find_constant)
     app.connect("autodoc-process-docstring", keep_text, priority=400)
     app.connect("html-page-context", mend_links)
+    app.connect("viewcode-follow-imported", own_module)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.colours import LIGHT, rgb
+from orishell.conventions.colours import LIGHT, rgb
 from orishell.motion import panel_normals
-from orishell.pattern import CreaseValues
 from orishell.plot.scene import Camera, frame
+from orishell.sheet.grid import CreaseValues
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -16,8 +16,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from orishell.design_file import read_design_file
 from orishell.motion import Mechanism
-from orishell.spec import read_design_file
 
 DIRECTORY = EXAMPLES.parent / "docs" / "images"
 STRIP = (0.0, 0.32, 0.56, 0.78, LOCKED)

@@ -9,14 +9,14 @@ Its sheet is a piece of a ring, too, hardly more than half of one: it winds up a
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, LOCKED, camera, draw_pattern, draw_shell, same_scale
 
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.shell.make import make_shell
 
 file = read_design_file(EXAMPLES / "canopy.toml")
 shell = make_shell(file, measured=False)
 sheet = shell.design.mechanism
-print(f"lock: {shell.report['lock']['cause']} at {shell.report['lock']['drive_deg']} degrees")
+print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees")
 
 # %%
 # Its ends come round until they face each other across the entrance.

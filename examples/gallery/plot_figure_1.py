@@ -28,8 +28,8 @@ from matplotlib.patches import Arc
 from numpy.typing import NDArray
 
 from orishell import ParallelRepeating
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
-from orishell.spec import read_design_file
 
 Array = NDArray[np.float64]
 

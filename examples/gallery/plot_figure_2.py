@@ -26,8 +26,8 @@ from drawing import (
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
-from orishell.spec import read_design_file
 
 Array = NDArray[np.float64]
 

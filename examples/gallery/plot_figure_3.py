@@ -25,10 +25,10 @@ from drawing import (
 )
 
 from orishell import curve_from_formulas, design_longitudinal_linear_repeating, parse_formula
+from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
 from orishell.motion import find_assignment
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.shell.make import make_shell
 
 # %%
 # **(a)** One period: rows alternate between F rows (flat-foldable vertices) and S rows (straight

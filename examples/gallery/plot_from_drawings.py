@@ -19,10 +19,10 @@ from drawing import (
     draw_shell,
 )
 
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.plot.scene import Camera
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.shell.make import make_shell
 
 
 def draw(name: str, view: Camera) -> None:
@@ -35,8 +35,8 @@ def draw(name: str, view: Camera) -> None:
     draw_line(right, shell.design.targets["f"], view, F_COLOUR, "f, from the drawing")
     draw_line(right, shell.design.targets["g"], view, G_COLOUR, "g")
     right.legend(frameon=False, loc="upper right")
-    lock = shell.report["lock"]
-    print(f"{name}: {lock['cause']} at {lock['drive_deg']} degrees")
+    lock = shell.report.lock
+    print(f"{name}: {lock.cause} at {lock.drive_deg} degrees")
 
 
 # %%

@@ -10,15 +10,15 @@ lengthwise, and ties all its rows to one motion.
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, LOCKED, camera, draw_pattern, draw_shell, same_scale
 
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.shell.make import make_shell
 
 file = read_design_file(EXAMPLES / "shelter.toml")
 shell = make_shell(file, measured=False)
 sheet = shell.design.mechanism
-print(f"deployed: {shell.report['deployed']}")
-print(f"lock: {shell.report['lock']['cause']} at {shell.report['lock']['drive_deg']} degrees")
+print(f"deployed: {shell.report.deployed}")
+print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees")
 
 # %%
 # From the flat sheet to the lock. On the way no two panels touch: that is proved, not sampled.
@@ -35,5 +35,6 @@ same_scale(list(frames.flat))
 
 figure, axes = plt.subplots(figsize=(7, 6.4), layout="constrained")
 draw_pattern(axes, shell.motion.flat.positions, find_assignment(sheet))
-stock = shell.report["quantities"]["stock"]
-print(f"{stock['sheets']} boards, {shell.report['quantities']['mass_kg']:.0f} kg")
+stock = shell.report.quantities.stock
+assert stock is not None
+print(f"{stock.sheets} boards, {shell.report.quantities.mass_kg:.0f} kg")

@@ -9,14 +9,14 @@ rows of a locked shell of this family are level whatever g does, so it stands on
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, LOCKED, camera, draw_pattern, draw_shell, same_scale
 
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.shell.make import make_shell
 
 file = read_design_file(EXAMPLES / "tunnel.toml")
 shell = make_shell(file, measured=False)
 sheet = shell.design.mechanism
-print(f"lock: {shell.report['lock']['cause']} at {shell.report['lock']['drive_deg']} degrees")
+print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees")
 
 # %%
 # It bends while it folds: the flat sheet turns by sin(ξ/2) of the angle by which g turns.

@@ -10,17 +10,18 @@ touch.
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, camera, draw_pattern, draw_shell, same_scale
 
-from orishell.colours import LIGHT
+from orishell.conventions.colours import LIGHT
+from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
-from orishell.report import make_shell
-from orishell.spec import read_design_file
+from orishell.shell.make import make_shell
 
 file = read_design_file(EXAMPLES / "vault.toml")
 shell = make_shell(file, measured=False)
 sheet = shell.design.mechanism
-lock = shell.report["lock"]
-print(f"meets f at {lock['target_drive_deg']:.3f} degrees")
-print(f"first contact at {lock['drive_deg']:.3f} degrees: {lock['first_contact']['kind']}")
+lock = shell.report.lock
+print(f"meets f at {lock.target_drive_deg:.3f} degrees")
+assert lock.first_contact is not None
+print(f"first contact at {lock.drive_deg:.3f} degrees: {lock.first_contact.kind}")
 
 # %%
 # From flat to f. All row creases fold the same way, which rolls the sheet up.

@@ -7,15 +7,13 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.errors import InputError
 from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
-from orishell.quoting import in_one_line
 from orishell.surface import Surface
-
-Array = NDArray[np.float64]
 
 FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""
@@ -25,7 +23,7 @@ Parameter = float | int | str | list[float] | list[str]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Approached:
-    """What finer and finer shells of a family come close to, where that is not f swept along g.
+    """The surface that finer and finer shells approach, where that is not f swept along g.
 
     Parameters
     ----------
@@ -43,7 +41,7 @@ class Approached:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Design:
-    """A feasible design.
+    """A design that can be made: the folding sheet, its target, and what was chosen for it.
 
     Parameters
     ----------
@@ -51,7 +49,7 @@ class Design:
         The folding sheet.
     parameters
         What the family used and found, in the units of files: degrees (``_deg``) and the unit of
-        the curves.
+        the curves. ``flap`` is among them, a number, where the table [pattern] may say "auto".
     targets
         The target curves "f" and "g" (N, 3), placed as the locked shell meets them; empty without a
         target.
@@ -66,13 +64,10 @@ class Design:
     origin
         Where the frame of all these coordinates stands in the world (3,): it is added when world
         coordinates are written, so that a shell far from the origin keeps its digits until then.
-    lock_drive
-        Drive at which a crease ends the motion beyond the stage that meets the target (radians),
-        or None if the mechanism's ``lock_drive`` is the end.
-    at_rest
-        The mechanism where it turns as little as may be while it folds, to look for contact, if it
-        can turn fast where it stands.
-    stopped
+    beyond_target
+        The mechanism to where a crease ends its motion, where that is beyond the state that meets
+        the target, and turning as little as may be while it folds; None if it ends there.
+    ending_at
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
     """
@@ -85,9 +80,8 @@ class Design:
     warnings: tuple[str, ...]
     approached: Approached | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
-    lock_drive: float | None = None
-    at_rest: Mechanism | None = None
-    stopped: Callable[[float], Design] | None = None
+    beyond_target: Mechanism | None = None
+    ending_at: Callable[[float], Design] | None = None
 
     @property
     def surface(self) -> Surface:

@@ -1,4 +1,4 @@
-"""Everything that can go wrong, said once and in one form.
+"""The errors that orishell raises, and the one form that their messages have.
 
 An error says what is wrong, where, what was got, what was expected, and how to mend it.
 :class:`InputError` is the user's text (exit status 2), :class:`DesignError` a target that
@@ -13,7 +13,7 @@ from typing import Self
 
 
 def printable(text: str) -> str:
-    """A line of text in which every character that a terminal would obey is an escape.
+    """A line of text with every character that a terminal would obey escaped.
 
     Parameters
     ----------
@@ -28,13 +28,13 @@ def printable(text: str) -> str:
 
 
 class OrishellError(Exception):
-    """The root of the family; ``exit_status`` is what the command line returns."""
+    """Base class of all errors of orishell; ``exit_status`` is what the command line returns."""
 
     exit_status = 1
 
 
 class InputError(OrishellError):
-    """Something the user wrote is not usable.
+    """A file, a key or a value that the user gave cannot be used.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ class Remedy:
     changes: Mapping[str, Value | None]
 
     def __or__(self, other: Remedy) -> Remedy:
-        """Both, one after the other."""
+        """Both changes; where they share a key, that of ``other``."""
         return Remedy({**self.changes, **other.changes})
 
     def __str__(self) -> str:
@@ -171,6 +171,8 @@ class DesignError(OrishellError):
     ----------
     condition
         The condition that fails.
+    keys
+        Keys of the design file that the condition is about, the tables in front of them.
     place
         Where it fails (row, column, place on the curve).
     size
@@ -181,7 +183,7 @@ class DesignError(OrishellError):
     remedies
         What has been tried, through the whole design with its proof, and works; the nearest first.
     limit
-        What limits, if all that was tried failed.
+        What stands in the way, if all that was tried failed.
     """
 
     exit_status = 1
@@ -190,6 +192,7 @@ class DesignError(OrishellError):
         self,
         condition: str,
         *,
+        keys: tuple[str, ...] = (),
         place: str = "",
         size: str = "",
         candidates: Iterable[Remedy] = (),
@@ -197,7 +200,7 @@ class DesignError(OrishellError):
         limit: str = "",
     ) -> None:
         super().__init__(condition)
-        self.condition = condition
+        self.condition, self.keys = condition, keys
         self.place = place
         self.size = size
         self.candidates = candidates

@@ -1,19 +1,18 @@
-"""The viewer in a notebook: the same view, slider, pattern and figures as in ``viewer.html``."""
+"""The viewer in a notebook."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
 
 from orishell.design import Design
 from orishell.document import Document
+from orishell.document.from_design import document_of_design
 from orishell.errors import InputError
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
-from orishell.overlays import lay_surface
-from orishell.report import Shell
-from orishell.shell_document import document_of_design
+from orishell.shell.make import Shell
+from orishell.shell.overlay import lay_surface
 
 if TYPE_CHECKING:
     from anywidget import AnyWidget
@@ -55,13 +54,13 @@ def _document(shell: Shell | Design | Document) -> Document:
         case Design():
             return lay_surface(document_of_design(shell), shell)
         case Shell():
-            return lay_surface(replace(shell.document, report=shell.report), shell.design)
+            return lay_surface(shell.document, shell.design)
     raise InputError(
-        "this cannot be shown",
+        "the viewer cannot show this",
         got=type(shell).__name__,
         expected="a Shell, a Design or a Document",
-        remedy="make a document of a motion with orishell.shell_document.document_of_motion, of a "
-        "FOLD file with orishell.io.document_of_fold",
+        remedy="make a document of a motion with orishell.document.from_design.document_of_motion, "
+        "of a FOLD file with orishell.io.document_of_fold",
     )
 
 

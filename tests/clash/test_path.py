@@ -8,12 +8,12 @@ from hypothesis import given, settings
 
 from brute_force import crosses, exact_contacts, first_crossing, not_designed
 from orishell.clash import find_contacts, find_first_contact
+from orishell.clash.acceleration_bounds import EdgeBounds
+from orishell.clash.broad_phase import PanelTree
 from orishell.clash.path import BASE
-from orishell.clash.swing import Swing
-from orishell.clash.tree import PanelTree
 from orishell.errors import DesignError
 from orishell.locking import find_lock
-from orishell.metrics import diagonal
+from orishell.motion import diagonal
 from planted import PLANTED, clear
 from strategies import Request, orthodiagonal_requests, requests
 
@@ -92,7 +92,7 @@ def compare(request: Request | Request, steps: int = 60) -> None:
 def test_the_share_done_only_grows_and_ends_at_one() -> None:
     shares: list[float] = []
     mechanism = clear().mechanism
-    find_first_contact(mechanism, 3.0, 1e-9, advanced=shares.append)
+    find_first_contact(mechanism, 3.0, 1e-9, progress=lambda share, _: shares.append(share))
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
     assert len(shares) >= BASE
@@ -119,7 +119,7 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
         grid.faces_vertices(),
         np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T.astype(float),
     )
-    swing = Swing(mechanism, np.pi, tree)
+    bounds = EdgeBounds(mechanism, np.pi, tree)
     rng = np.random.default_rng(0)
     tightest = 0.0
     for start, stop in (
@@ -129,21 +129,21 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
         (0.875, 1.0),
         (0.9921875, 1.0),
     ):
-        bound = swing.between(start, stop)
+        bound = bounds.within(start, stop)
         at = np.linspace(start, stop, 21)
         points = mechanism.positions(at * np.pi)
         i, j, k, m = (rng.integers(0, size, 500) for size in (grid.rows, grid.columns) * 2)
         vector = points[:, i, j] - points[:, k, m]
         share = ((at - start) / (stop - start))[:, None, None]
         line = (1 - share) * vector[0] + share * vector[-1]
-        stray = np.linalg.norm(vector - line, axis=-1).max(axis=0)
+        chord_error = np.linalg.norm(vector - line, axis=-1).max(axis=0)
         allowed = (
             ((stop - start) * np.pi) ** 2
             / 8
             * (np.abs(bound.down[i] - bound.down[k]) + np.abs(bound.along[j] - bound.along[m]))
         )
-        assert (stray <= allowed + 1e-12).all()
-        tightest = max(tightest, float((stray[allowed > 0] / allowed[allowed > 0]).max()))
+        assert (chord_error <= allowed + 1e-12).all()
+        tightest = max(tightest, float((chord_error[allowed > 0] / allowed[allowed > 0]).max()))
     assert tightest > 0.5  # it is a bound, but no wasteful one
 
 

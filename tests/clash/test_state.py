@@ -9,8 +9,8 @@ import pytest
 
 from brute_force import exact_contacts
 from orishell.clash import find_contacts
-from orishell.pattern import Grid
-from orishell.spec import read_design_file
+from orishell.design_file import read_design_file
+from orishell.sheet.grid import Grid
 from planted import PLANTED
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

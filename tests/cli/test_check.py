@@ -118,7 +118,7 @@ def test_bad_tolerances(
 ) -> None:
     ran = check(monkeypatch, capsys, write(miura([]), tmp_path), "--tolerance", tolerance)
     assert (ran.status, ran.out) == (2, "")
-    assert "tolerance" in ran.err
+    assert "--tolerance" in ran.err
 
 
 def test_paths_that_are_no_files(

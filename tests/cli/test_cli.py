@@ -8,7 +8,7 @@ import pytest
 
 from command_line import orishell, orishell_process
 from orishell import __version__
-from orishell.spec import FAMILIES
+from orishell.families.registry import FAMILIES
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
 FILES = ["deviation.png", "overview.png", "report.json", "shell.fold"]
@@ -38,7 +38,7 @@ def test_json_report_and_the_same_files_again(tmp_path: Path) -> None:
     # What the run before wrote more is gone, but what was changed since is not.
     removed = [line for line in again.stdout.splitlines() if line.startswith("removed")]
     assert removed == [
-        f"removed   two/{name}, of an earlier run" for name in ("creases.csv", "pattern.svg")
+        f"removed   two/{name}, from an earlier run" for name in ("creases.csv", "pattern.svg")
     ]
     assert (tmp_path / "two" / "panels.csv").read_text() == "mine"
     printed = json.loads(first.stdout)

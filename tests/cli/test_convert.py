@@ -10,7 +10,7 @@ import pytest
 from command_line import orishell, orishell_process
 from documents import demo_document, folded_only
 from orishell.io import write_fold
-from orishell.io.registry import FORMATS, find_formats
+from orishell.io.all_formats import FORMATS, find_formats
 from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
@@ -82,7 +82,8 @@ def test_quantities_are_those_of_the_tables(written: Path) -> None:
         (("shell.fold", "shell.fold/x.obj"), "is a file"),
         (("shell.fold", "taken.obj"), "a directory is in the way"),
         (("folded.fold", "flat.dxf"), "no flat sheet"),
-        (("miura.fold", "flat.dxf"), "unit"),
+        (("miura.fold", "flat.dxf"), "--unit says which it is."),
+        (("miura.fold", "solid.glb"), "--unit says which it is."),
     ],
 )
 def test_faults_of_convert(

@@ -51,8 +51,8 @@ def test_a_port_in_use(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFi
         port = str(taken.getsockname()[1])
         line = refusal(monkeypatch, capsys, "--port", port)
     assert line == (
-        f"orishell: --port: something listens at this port already; got {port}. "
-        "Remedy: end that, or choose another port."
+        f"orishell: --port: another program listens on this port already; got {port}. "
+        "Remedy: end that program, or choose another port."
     )
 
 
@@ -62,7 +62,9 @@ def test_an_address_of_another_machine(
     host: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     line = refusal(monkeypatch, capsys, "--host", host)
-    assert line.startswith(f"orishell: --host: the studio cannot listen there; got {host!r} (")
+    assert line.startswith(
+        f"orishell: --host: the studio cannot listen on this address; got {host!r} ("
+    )
     assert line.endswith("expected an address of this machine.")
 
 

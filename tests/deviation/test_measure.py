@@ -16,7 +16,6 @@ from orishell.deviation import (
     SAMPLES,
     Deviation,
     Distances,
-    describe_deviation,
     find_excess,
     locked_shell,
     measure_approach,
@@ -24,13 +23,14 @@ from orishell.deviation import (
     measure_distance,
     measure_signed,
 )
-from orishell.deviation.mesh import FINEST, mesh_surface
+from orishell.deviation.triangles import FINEST, mesh_surface
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,
 )
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.shell.deviation_report import ApproachReport, describe_deviation
 from orishell.surface import Path, Surface, Turning
 from strategies import (
     Request,
@@ -246,7 +246,7 @@ def test_what_is_approached_instead() -> None:
     straight = design_orthodiagonal(f, graph("0*x", 0, 4), rows=9, columns=13)
     assert straight.approached is None
     report = describe_deviation(shifted, measure_deviation(shifted, samples=COARSE), None)
-    assert report["approached"] == {"what": shifted.approached.what, "max": None, "rms": None}
+    assert report.approached == ApproachReport(shifted.approached.what, None, None)
 
 
 def divided(positions: np.ndarray, parts: tuple[int, int]) -> np.ndarray:

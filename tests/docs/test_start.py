@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from command_line import orishell
-from orishell.spec import starter_file
+from orishell.design_file import starter_file
 
 ROOT = Path(__file__).parents[2]
 START = ROOT / "docs" / "start"

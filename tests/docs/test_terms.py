@@ -14,7 +14,8 @@ import typer
 
 import orishell
 from orishell.cli.main import app
-from orishell.spec import FAMILIES, starter_file
+from orishell.design_file import read_design_file, starter_file
+from orishell.families.registry import FAMILIES
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
@@ -168,3 +169,18 @@ def assert_key(table: str, key: str) -> None:
     texts = [starter_file(family) for family in FAMILIES]
     assert any(f"[{table}]" in text for text in texts), f"no [{table}]"
     assert not key or any(re.search(rf"(?m)^(# )?{key} =", text) for text in texts), f"no {key}"
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_the_guide_explains_every_parameter_of_the_report(family: str, tmp_path: Path) -> None:
+    path = tmp_path / "shell.toml"
+    path.write_text(starter_file(family), encoding="utf-8")
+    file = read_design_file(path)
+    page = (ROOT / "docs" / "guide" / f"{family}.md").read_text(encoding="utf-8")
+    table = page.partition("## `parameters` in the report")[2]
+    explained = {
+        name
+        for row in re.findall(r"^\| (`.*?) \|", table, flags=re.MULTILINE)
+        for name in re.findall(r"`(\w+)`", row)
+    }
+    assert explained == set(file.pattern.design(file.f, file.g).parameters)

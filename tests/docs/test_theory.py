@@ -13,7 +13,7 @@ DOCS = ROOT / "docs"
 PAGES = sorted([*(DOCS / "theory").glob("*.md"), *(DOCS / "guide").glob("*.md")])
 PICTURES = DOCS / "images" / "guide"
 LINKED = {
-    "vertex.py": "vertex",
+    "families/vertex.py": "vertex",
     "clash/__init__.py": "locking-and-clash",
     "deviation/__init__.py": "deviation",
     "families/parallel_repeating/__init__.py": "parallel-repeating",

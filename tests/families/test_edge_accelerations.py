@@ -12,27 +12,28 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import (
     LongitudinalLinearRepeating,
     RowKind,
     Sectors,
-    acceleration,
     find_solutions,
 )
-from orishell.families.longitudinal_linear_repeating.even_lengths import find_even_lengths
-from orishell.families.longitudinal_linear_repeating.fold_rates import fold_rates
-from orishell.families.longitudinal_linear_repeating.mechanism import Pose
-from orishell.families.longitudinal_linear_repeating.program import Wanted
+from orishell.families.longitudinal_linear_repeating.motion import acceleration
+from orishell.families.longitudinal_linear_repeating.motion.fold_rates import fold_rates
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import Pose
 from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
-from orishell.families.longitudinal_linear_repeating.tessellation import (
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Directions,
     flat_foldable_rows,
     repeat_columns,
 )
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    find_even_lengths,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
-from orishell.metrics import diagonal
-from orishell.motion import Mechanism
-from orishell.spec import read_design_file
+from orishell.motion import Mechanism, diagonal
 from strategies import (
     Request,
     graph,

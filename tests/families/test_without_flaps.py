@@ -13,9 +13,9 @@ from orishell.errors import DesignError
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.locking import find_lock
-from orishell.metrics import AssignmentCheck, measure_residuals
 from orishell.motion import FoldingMotion
-from orishell.pattern import Grid
+from orishell.sheet.grid import Grid
+from orishell.verification.residuals import AssignmentCheck, measure_residuals
 from strategies import (
     Request,
     graph,
@@ -106,7 +106,7 @@ def test_smallest_sheets(rows: int, columns: int) -> None:
         motion = FoldingMotion(design.mechanism, 3)
         residuals, assignment = measure_residuals(motion, motion.flat)
         assert max(astuple(residuals)) < 1e-12
-        assert assignment == AssignmentCheck(constant=True, three_to_one=True)
+        assert assignment == AssignmentCheck(constant=True, maekawa=True)
         for axis in (0, 1):
             edges = np.diff(motion.locked.positions, axis=axis)
             assert np.linalg.norm(edges, axis=-1).min() > 0.01

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from orishell.document.from_design import document_of_motion
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import write_fold
 from orishell.motion import FoldingMotion, measure_fold_angles
-from orishell.shell_document import document_of_motion
 from strategies import graph
 
 M, N, FRAMES = 5, 7, 4

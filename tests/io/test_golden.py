@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from orishell.io import Settings, document_of_fold, read_fold
-from orishell.io.registry import FORMATS
+from orishell.io.all_formats import FORMATS
 from orishell.workshop import Workshop
 
 GOLDEN = Path(__file__).parent / "golden"

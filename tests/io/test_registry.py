@@ -1,6 +1,9 @@
 """All formats by one test: what is written is what is read back, in any unit."""
 
 import math
+import re
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,13 +11,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from documents import FAMILIES, demo_document
+from documents import EXAMPLES, FAMILIES, demo_document
 from io_readers import READERS
 from node_tools import lacking
 from orishell.document import LARGEST, Document
 from orishell.errors import InputError
 from orishell.io import Settings, document_of_fold, read_fold, write_fold
-from orishell.io.registry import ALL, FORMATS, Format, find_formats, format_of
+from orishell.io.all_formats import FORMATS, find_formats, format_of
+from orishell.io.format import Format
+from orishell.io.registry import ALL, MODULES
 
 Array = NDArray[np.float64]
 
@@ -75,7 +80,37 @@ def test_what_is_written_is_read_back(
 
 
 def test_every_format_has_a_reader() -> None:
-    assert [each.name for each in FORMATS] == list(READERS)
+    assert [each.name for each in FORMATS] == list(MODULES) == list(READERS)
+
+
+TOY = """
+from orishell.io.format import Format
+
+def write_toy(path, document, settings):
+    path.write_text(document.title)
+
+FORMAT = Format("toy", "shell.toy", (".toy",), "the title alone", write_toy)
+"""
+
+
+def test_a_format_is_one_module_and_one_line(tmp_path: Path) -> None:
+    (tmp_path / "toy.py").write_text(TOY)
+    program = (
+        f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n"
+        "from orishell.io.registry import MODULES; MODULES['toy'] = 'toy'\n"
+        "from orishell.cli.main import run; run()"
+    )
+
+    def printed(*arguments: str | Path) -> str:
+        command = [sys.executable, "-c", program, *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    assert re.search(r"html,\W+toy;\W+or\W+all", printed("design", "--help"))
+    out = ("--out", tmp_path, "--write", "toy", "--no-clash-test")
+    printed("design", EXAMPLES / "figure1.toml", *out)
+    assert (tmp_path / "shell.toy").read_text().startswith("figure1: parallel-repeating")
+    printed("convert", tmp_path / "shell.fold", tmp_path / "again.toy")
+    assert (tmp_path / "again.toy").read_bytes() == (tmp_path / "shell.toy").read_bytes()
 
 
 @pytest.mark.parametrize("family", FAMILIES)

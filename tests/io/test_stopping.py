@@ -17,10 +17,10 @@ from pathlib import Path
 
 import pytest
 
+from orishell.conventions.stopping import stop_quietly
 from orishell.errors import InputError
 from orishell.io import OutputDirectory
 from orishell.io.manifest import NAME, require_one_run
-from orishell.stopping import stop_quietly
 
 STEPS = ("open", "os.mkdir", "os.rename", "os.remove", "os.rmdir", "shutil.rmtree", "os.listdir")
 OLD = {name: f"old {name}" for name in "abcd"}

@@ -10,8 +10,8 @@ import pytest
 from brute_force import crosses, not_designed
 from orishell.curves import Curve
 from orishell.errors import ClashError, Remedy
-from orishell.locking import Request, find_lock, fit_flaps, locks, with_remedies
-from orishell.spec.families import ParallelRepeatingPattern
+from orishell.families.parallel_repeating.pattern import ParallelRepeatingPattern
+from orishell.locking import Request, end_motion, find_lock, reaches_target, with_remedies
 from strategies import graph, pair
 
 
@@ -27,7 +27,7 @@ def bend(flap: Any) -> Request:
 
 def refusal(asked: Request) -> ClashError:
     with pytest.raises(ClashError) as caught:
-        fit_flaps(asked, asked.designed())
+        end_motion(asked.designed(), asked)
     return caught.value
 
 
@@ -40,9 +40,9 @@ def test_too_wide_a_flap_is_told_the_widest_that_works() -> None:
     assert "opposite flaps" in str(refusal(bend(4.0)))
     widest = float(str(mended(bend(4.0)).changes["pattern.flap"]))
     asked = bend(widest)
-    _, lock = fit_flaps(asked, asked.designed())
+    _, lock = end_motion(asked.designed(), asked)
     assert lock.cause == "flaps"
-    assert not locks(bend(1.01 * widest))
+    assert not reaches_target(bend(1.01 * widest))
 
 
 def test_brute_force_agrees_that_the_widest_flaps_meet_nothing() -> None:
@@ -57,7 +57,7 @@ def test_brute_force_agrees_that_the_widest_flaps_meet_nothing() -> None:
 def test_flaps_of_no_given_width_are_as_wide_as_is_useful() -> None:
     # The mean crease of column 1, unless it meets something.
     asked = bend("auto")
-    design, lock = fit_flaps(asked, asked.designed())
+    design, lock = end_motion(asked.designed(), asked)
     assert lock.cause == "flaps"
     assert design.parameters["flap"] == asked.designed().parameters["flap"]
 
@@ -75,13 +75,13 @@ def test_flaps_of_no_given_width_are_narrowed_until_they_meet_nothing() -> None:
     )
     useful = asked.designed()
     assert find_lock(useful).early
-    design, lock = fit_flaps(asked, useful)
+    design, lock = end_motion(useful, asked)
     assert lock.cause == "flaps"
     width, most = design.parameters["flap"], useful.parameters["flap"]
     assert isinstance(width, float)
     assert isinstance(most, float)
     assert 0 < width < most
-    assert not locks(asked.changed(Remedy({"pattern.flap": 1.01 * width})))
+    assert not reaches_target(asked.changed(Remedy({"pattern.flap": 1.01 * width})))
 
 
 @pytest.mark.parametrize(
@@ -97,18 +97,18 @@ def test_other_remedies_work_too(g: Curve, key: str) -> None:
     remedy = mended(asked)
     assert list(remedy.changes) == [key]
     changed = asked.changed(remedy)
-    _, lock = fit_flaps(changed, changed.designed())
+    _, lock = end_motion(changed.designed(), changed)
     assert lock.cause == "flaps"
     value = remedy.changes[key]
     assert isinstance(value, float | list)
     farther = (
         1.05 * value if isinstance(value, float) else [0.0, min(1.05 * float(value[1]), g.stop)]
     )
-    assert not locks(asked.changed(Remedy({key: farther})))
+    assert not reaches_target(asked.changed(Remedy({key: farther})))
 
 
 def test_a_clash_can_be_allowed() -> None:
     asked = bend(4.0)
-    design, lock = fit_flaps(asked, asked.designed(), allow_clash=True)
+    design, lock = end_motion(asked.designed(), asked, allow_clash=True)
     assert lock.early
     assert design.parameters["flap"] == 4.0

@@ -9,15 +9,16 @@ import pytest
 
 from brute_force import exact_contacts, first_crossing
 from orishell.design import Design
+from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import (
     RowKind,
     Sectors,
     design_longitudinal_linear_repeating,
 )
-from orishell.locking import describe_lock, find_lock, unexamined_lock, warn_of_lock
-from orishell.metrics import corrugation_depth, diagonal
-from orishell.spec import read_design_file
-from planted import PLANTED, clear, ring
+from orishell.locking import Request, find_lock, lock_without_clash
+from orishell.motion import corrugation_depth
+from orishell.shell.caveats import warn_of_lock
+from planted import PLANTED, ring
 from strategies import graph
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -65,7 +66,7 @@ def test_figure_3_meets_its_target_and_then_rolls_up_until_its_rims_meet() -> No
 
 
 def test_a_path_that_was_not_examined_is_not_said_to_be_clear() -> None:
-    contact = unexamined_lock(example("figure1")).first_contact
+    contact = lock_without_clash(example("figure1")).first_contact
     assert contact is not None
     assert contact.clear_until == 0
 
@@ -81,7 +82,7 @@ def test_a_longitudinal_sheet_has_no_flaps(first_row: RowKind, columns: int) -> 
         first_row=first_row,
         sectors=Sectors.from_degrees([85, 80, 95, 100]),
     )
-    assert unexamined_lock(design).cause == "crease"
+    assert lock_without_clash(design).cause == "crease"
     contact = find_lock(design).first_contact
     assert contact is not None
     assert contact.kind in {"neighbours", "at the sheet's edge"}
@@ -89,7 +90,7 @@ def test_a_longitudinal_sheet_has_no_flaps(first_row: RowKind, columns: int) -> 
 
 def test_a_crease_folded_flat_ends_the_motion_where_nothing_clashes() -> None:
     # Known: for the paper's angles an S row's crease reaches pi at v_1 = 119.747 degrees.
-    lock = unexamined_lock(example("figure3"))
+    lock = lock_without_clash(example("figure3"))
     assert lock.cause == "crease"
     assert lock.drive == pytest.approx(np.deg2rad(119.747), abs=1e-5)
     assert lock.first_contact is not None
@@ -133,20 +134,6 @@ def test_a_wider_tolerance_touches_earlier_by_the_time_that_it_takes() -> None:
     assert (exact - wider) / (exact - wide) == pytest.approx(100, rel=0.1)
 
 
-def test_what_the_report_says_of_a_lock() -> None:
-    design = clear()
-    said = describe_lock(find_lock(design))
-    assert (said["drive_deg"], said["cause"], said["target_drive_deg"]) == (180, "flaps", 180)
-    assert said["first_contact"]["panels"] == [[0, 0], [1, 0]]
-    path = said["path"]
-    assert path["states"] > 10
-    assert path["ranges"] >= path["states"] - 1
-    assert path["tests"] > design.mechanism.grid.panel_count
-    assert 0 < path["smallest_step_deg"] <= path["largest_step_deg"] <= 180 / 8
-    assert path["contact_tolerance"] == 1e-9 * diagonal(design.mechanism.positions(0.0))
-    assert "acceleration" in path["bound"]
-
-
 def test_panels_that_touch_at_lock_unasked_are_named() -> None:
     # A closed circle without flaps: the last column of the locked shell comes to lie on the first,
     # slowly, so that it is within the tolerance a little earlier; exact predicates see no crossing.
@@ -161,3 +148,15 @@ def test_panels_that_touch_at_lock_unasked_are_named() -> None:
     faces = design.mechanism.grid.faces_vertices()
     for drive in np.linspace(0, np.pi * (1 - 1e-6), 30):
         assert not len(exact_contacts(design.mechanism.positions(drive), faces))
+
+
+@pytest.mark.parametrize("figure", ["figure1", "figure2", "figure3", "sectors"])
+def test_no_crease_is_folded_flat_before_the_end(figure: str) -> None:
+    # The proof of the path leaves panels that share a vertex to this (theory/locking-and-clash).
+    file = read_design_file(EXAMPLES / f"{figure}.toml")
+    design = Request(file.pattern, file.target).designed()
+    mechanism = design.beyond_target or design.mechanism
+    drives = np.append(np.linspace(0, 0.999, 200), 1 - 1e-6) * mechanism.lock_drive
+    angles = mechanism.fold_angles(drives)
+    assert max(np.abs(angles.row).max(), np.abs(angles.column).max()) < np.pi
+    assert np.abs(mechanism.fold_angles(mechanism.lock_drive).row).max() == pytest.approx(np.pi)

@@ -76,7 +76,7 @@ def test_walls_near_vertical_are_for_the_orthodiagonal_family() -> None:
     assert "the orthodiagonal family takes such an f" in error.size
     first = error.remedies[0]
     assert first.changes["shell.family"] == "orthodiagonal"
-    assert made(mended(design, first)).report["family"] == "orthodiagonal"
+    assert made(mended(design, first)).report.family == "orthodiagonal"
 
 
 def test_where_nothing_works_the_message_says_so_and_what_limits() -> None:

@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.curves.nearest import Nearest
-from orishell.geometry import distances_to_polyline
 from orishell.polylines import (
     Staircase,
     choose_theta,
@@ -17,7 +16,8 @@ from orishell.polylines import (
     theta_interval,
     xi_limit,
 )
-from orishell.polylines.in_step import Search, answered, in_step, turned
+from orishell.polylines.batches import Search, batched, rotated_search, run_search
+from orishell.polylines.closeness import distances_to_polyline
 from orishell.polylines.staircase import search_staircase
 from orishell.polylines.staircase_angles import MIN_EVENNESS, WIDEST_XI
 from strategies import curves, graph, numbers, points
@@ -177,14 +177,14 @@ def test_closeness_of_a_known_pair() -> None:
     assert closeness.rms == pytest.approx(np.sqrt(mean), rel=1e-5)
 
 
-def test_searches_in_step_find_what_each_finds_alone() -> None:
+def test_searches_in_batches_find_what_each_finds_alone() -> None:
     trace = trace_curve(graph("0.3*x + 0.2*sin(x)", 0, 5))
     angles = (-0.2, 0.0, 0.15)
 
     def search(angle: float) -> Search[Staircase]:
-        return turned(search_staircase(trace.rotated(angle), 1.2, 10), angle)
+        return rotated_search(search_staircase(trace.rotated(angle), 1.2, 10), angle)
 
-    together = answered(in_step([search(angle) for angle in angles]), Nearest.to(trace))
+    together = run_search(batched([search(angle) for angle in angles]), Nearest.to(trace))
     for found, angle in zip(together, angles, strict=True):
         alone = fit_staircase(trace.rotated(angle), 1.2, 10)
         assert found.distance == pytest.approx(alone.distance, rel=1e-12)
@@ -192,7 +192,7 @@ def test_searches_in_step_find_what_each_finds_alone() -> None:
 
 
 def test_a_rotation_is_chosen_with_few_questions() -> None:
-    # Of 22 rotations 11 are looked at in step; asked one by one they took some 350 questions.
+    # Of 22 rotations 11 are looked at in a batch; asked one by one they took some 350 questions.
     trace = trace_curve(graph("-cosh(x)/2", -1.2, 0.9))
     asked = 0
     nearest = Nearest.__call__

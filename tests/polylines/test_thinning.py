@@ -4,7 +4,7 @@ import numpy as np
 
 from orishell.curves import curve_from_points, trace_curve
 from orishell.polylines import measure_closeness, place_chords
-from orishell.polylines.thinning import MOST, thinned
+from orishell.polylines.closeness import MOST_SAMPLES, thinned
 from strategies import graph
 
 
@@ -15,8 +15,8 @@ def test_ordinary_traces_stay_as_they_are() -> None:
 
 def test_ends_and_corners_are_kept() -> None:
     wavy = trace_curve(graph("0.2*sin(200*x)", 0, 4))
-    assert len(wavy.t) > 2 * MOST
-    assert MOST <= len(thinned(wavy).t) < 2 * MOST
+    assert len(wavy.t) > 2 * MOST_SAMPLES
+    assert MOST_SAMPLES <= len(thinned(wavy).t) < 2 * MOST_SAMPLES
     np.testing.assert_array_equal(thinned(wavy).points[[0, -1]], wavy.points[[0, -1]])
     points = np.stack([np.arange(60_000.0), np.arange(60_000) % 2 * 0.3], axis=-1)
     corners = trace_curve(curve_from_points(points, smooth=False))

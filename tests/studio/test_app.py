@@ -21,7 +21,8 @@ import numpy as np
 import pytest
 
 from command_line import orishell
-from orishell.spec import FAMILIES, starter_file
+from orishell.design_file import starter_file
+from orishell.families.registry import FAMILIES
 from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard
 from studio_server import Studio, running_studio

@@ -14,7 +14,7 @@ import pytest
 
 from command_line import orishell
 from node_tools import PACKAGES, lacking
-from orishell.spec import starter_file
+from orishell.design_file import starter_file
 from orishell.studio.app import PAGES
 from studio_server import running_studio
 from viewer_pages import (

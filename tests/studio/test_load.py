@@ -13,7 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
-from orishell.spec import starter_file
+from orishell.design_file import starter_file
 from studio_server import running_studio
 
 CLIENTS, SECONDS = 20, 30.0

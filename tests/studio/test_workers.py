@@ -9,8 +9,10 @@ from typing import Any
 
 import pytest
 
-from orishell.spec import starter_file
-from orishell.studio.workers import BusyError, OutOfTimeError, Pool, RefusalError
+from orishell.design_file import starter_file
+from orishell.studio.api import RefusalError
+from orishell.studio.tasks import answer
+from orishell.studio.workers import BusyError, OutOfTimeError, Pool
 
 
 def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
@@ -21,7 +23,7 @@ def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
 
 def test_slow_requests_are_stopped_and_others_go_on() -> None:
     async def scene() -> None:
-        pool = Pool(2, seconds=3.0)
+        pool = Pool(answer, 2, seconds=3.0)
         started = (pool.run("parse", {"text": ""}) for _ in range(2))
         await asyncio.gather(*started, return_exceptions=True)
         loop = asyncio.get_running_loop()
@@ -42,7 +44,7 @@ def test_slow_requests_are_stopped_and_others_go_on() -> None:
 
 def test_a_stream_that_is_closed_stops_its_work() -> None:
     async def scene() -> None:
-        pool = Pool(1, seconds=60.0)
+        pool = Pool(answer, 1, seconds=60.0)
         stream = pool.stream("verify", payload(199, 199))
         kind, _ = await anext(stream)
         assert kind == "progress"
@@ -57,10 +59,10 @@ def test_a_stream_that_is_closed_stops_its_work() -> None:
 
 def test_refusals_and_lines_that_are_too_long() -> None:
     async def scene() -> None:
-        pool = Pool(1, seconds=60.0, waiting=1)
+        pool = Pool(answer, 1, seconds=60.0, waiting=1)
         with pytest.raises(RefusalError) as caught:
             await pool.run("parse", {"text": "[shell"})
-        assert "TOML" in caught.value.error["error"]["message"]
+        assert "TOML" in caught.value.body["error"]["message"]
         first = asyncio.create_task(pool.run("design", payload()))
         await asyncio.sleep(0)
         second = asyncio.create_task(pool.run("design", payload()))
@@ -77,7 +79,7 @@ def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
 
     async def scene() -> None:
-        pool = Pool(1, seconds=60.0)
+        pool = Pool(answer, 1, seconds=60.0)
         with contextlib.suppress(RefusalError):
             await pool.run("parse", {"text": ""})
         (files,) = tmp_path.iterdir()

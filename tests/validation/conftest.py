@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from orishell.io import write_fold
-from orishell.report import design_shell
+from orishell.shell.make import design_shell
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

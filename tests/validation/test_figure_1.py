@@ -3,7 +3,9 @@
 The paper's text gives the curves and the numbers of vertices; xi and the flaps are ours.
 """
 
+from dataclasses import astuple
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,10 +22,10 @@ def shell() -> Shell:
 
 
 def test_residuals(shell: Shell) -> None:
-    assert all(value <= 1e-12 for value in shell.report["residuals"].values())
-    assert shell.report["assignment"]["constant"]
-    assert shell.report["assignment"]["three_to_one"]
-    assert shell.report["assignment"]["unfolded"] == 10  # the inflection's column
+    assert all(value <= 1e-12 for value in astuple(shell.report.residuals))
+    assert shell.report.assignment.constant
+    assert shell.report.assignment.maekawa
+    assert shell.report.assignment.unfolded == 10  # the inflection's column
 
 
 def test_middle_row_lies_on_g(shell: Shell) -> None:
@@ -49,11 +51,11 @@ def test_flaps_lock(shell: Shell) -> None:
     angles = np.array(shell.motion.locked.fold_angles.row)
     np.testing.assert_allclose(np.abs(angles[:, [0, -1]]), np.pi, atol=1e-12)
     assert (np.abs(angles[:, 1:-1]) < np.pi - 0.5).all()
-    assert (shell.report["lock"]["drive_deg"], shell.report["lock"]["cause"]) == (180.0, "flaps")
+    assert (shell.report.lock.drive_deg, shell.report.lock.cause) == (180.0, "flaps")
 
 
 def test_report_has_the_fields_of_the_contract(shell: Shell) -> None:
-    report = shell.report
+    report: Any = shell.report.as_dict()
     assert (report["family"], report["unit"]) == ("parallel-repeating", "m")
     assert (report["rows"], report["columns"], report["feasible"]) == (9, 11, True)
     assert set(report["residuals"]) == {
@@ -79,7 +81,7 @@ def test_report_has_the_fields_of_the_contract(shell: Shell) -> None:
 
 
 def test_sheet_area_is_the_same_in_every_state(shell: Shell) -> None:
-    from orishell.metrics import sheet_area
+    from orishell.motion import sheet_area
 
     areas = [sheet_area(state.positions) for state in shell.motion]
-    np.testing.assert_allclose(areas, shell.report["sheet"]["area"], rtol=1e-13)
+    np.testing.assert_allclose(areas, shell.report.sheet.area, rtol=1e-13)

@@ -3,6 +3,7 @@
 The paper's text gives the curves and the numbers of vertices; depth, heading and flaps are ours.
 """
 
+from dataclasses import astuple
 from pathlib import Path
 
 import numpy as np
@@ -25,10 +26,10 @@ def mechanism(shell: Shell) -> Orthodiagonal:
 
 
 def test_residuals(shell: Shell) -> None:
-    assert all(value <= 1e-12 for value in shell.report["residuals"].values())
-    assert shell.report["assignment"]["constant"]
-    assert shell.report["assignment"]["three_to_one"]
-    assert shell.report["assignment"]["unfolded"] == 10  # g's inflection at x = 2 is column 7
+    assert all(value <= 1e-12 for value in astuple(shell.report.residuals))
+    assert shell.report.assignment.constant
+    assert shell.report.assignment.maekawa
+    assert shell.report.assignment.unfolded == 10  # g's inflection at x = 2 is column 7
 
 
 def test_middle_row_lies_on_g(shell: Shell) -> None:
@@ -55,7 +56,7 @@ def test_column_1_is_the_zigzag_of_f(shell: Shell) -> None:
 
 def test_shell_stands_on_level_ground(shell: Shell) -> None:
     locked = shell.motion.locked.positions
-    assert shell.report["parameters"]["ends"] == ["level", "level"]
+    assert shell.report.parameters["ends"] == ["level", "level"]
     np.testing.assert_allclose(locked[[0, -1], :, 2], locked[0, 0, 2], atol=1e-12)
     assert locked[1:-1, :, 2].min() > locked[0, 0, 2] + 0.1
 
@@ -64,14 +65,16 @@ def test_flaps_lock(shell: Shell) -> None:
     angles = np.array(shell.motion.locked.fold_angles.row)
     np.testing.assert_allclose(np.abs(angles[:, [0, -1]]), np.pi, atol=1e-12)
     assert (np.abs(angles[:, 1:-1]) < np.pi - 0.5).all()
-    assert (shell.report["lock"]["drive_deg"], shell.report["lock"]["cause"]) == (180.0, "flaps")
+    assert (shell.report.lock.drive_deg, shell.report.lock.cause) == (180.0, "flaps")
 
 
 def test_admissible_alpha_0_is_narrower_than_the_papers(shell: Shell) -> None:
-    parameters = shell.report["parameters"]
-    low, high = parameters["alpha_0_interval_deg"]
-    middle = parameters["zigzag_deg"][4]
-    assert 90 < low < parameters["alpha_0_deg"] < high < (180 + middle) / 2
+    interval, angle, zigzag = (
+        np.asarray(shell.report.parameters[name], float)
+        for name in ("alpha_0_interval_deg", "alpha_0_deg", "zigzag_deg")
+    )
+    (low, high), middle = interval, zigzag[4]
+    assert 90 < low < angle < high < (180 + middle) / 2
     assert (mechanism(shell).column_lengths() > 0).all()
 
 
@@ -79,7 +82,7 @@ def test_all_columns_lock_at_the_angles_of_column_1(shell: Shell) -> None:
     edges = np.diff(shell.motion.locked.positions, axis=0)
     edges /= np.linalg.norm(edges, axis=-1, keepdims=True)
     cos = -(edges[1:] * edges[:-1]).sum(axis=-1)
-    expected = np.deg2rad(shell.report["parameters"]["zigzag_deg"])
+    expected = np.deg2rad(shell.report.parameters["zigzag_deg"])
     np.testing.assert_allclose(
         np.arccos(cos), np.broadcast_to(expected[:, None], cos.shape), atol=1e-10
     )

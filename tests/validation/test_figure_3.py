@@ -6,13 +6,14 @@ equal, and that the circular section's radius grows from r to 1.67 r. Sizes are 
 
 import json
 import runpy
+from dataclasses import astuple
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from orishell import Shell, design_shell, write_shell
-from orishell.spec import starter_file
+from orishell.design_file import starter_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -23,14 +24,14 @@ def shell() -> Shell:
 
 
 def test_sector_angles(shell: Shell) -> None:
-    second = shell.report["parameters"]["second_sector_deg"]
+    second = np.asarray(shell.report.parameters["second_sector_deg"], float)
     assert np.round(second, 2).tolist() == [91.23, 86.23, 106.23, 76.23]
 
 
 def test_residuals(shell: Shell) -> None:
-    assert all(value <= 1e-12 for value in shell.report["residuals"].values())
-    assert shell.report["assignment"]["constant"]
-    assert shell.report["assignment"]["three_to_one"]
+    assert all(value <= 1e-12 for value in astuple(shell.report.residuals))
+    assert shell.report.assignment.constant
+    assert shell.report.assignment.maekawa
 
 
 def test_equal_lengths_down_column_1(shell: Shell) -> None:
@@ -40,10 +41,10 @@ def test_equal_lengths_down_column_1(shell: Shell) -> None:
 
 
 def test_radius_grows_to_1_67_r(shell: Shell) -> None:
-    first, last = shell.report["parameters"]["radius"]
+    first, last = np.asarray(shell.report.parameters["radius"], float)
     assert first / last == pytest.approx(1.67, abs=0.005)
     # Circular: column 1 on f, and every column near its circle seen along the line.
-    assert shell.report["deviation"]["f"]["max"] < 0.007
+    assert shell.design.closeness["f"].max < 0.007
     radii = []
     for column in np.moveaxis(shell.motion.locked.positions[:, 1:-1, 1:], 1, 0):
         system = np.concatenate([column, np.ones((len(column), 1))], axis=1)
@@ -57,17 +58,17 @@ def test_radius_grows_to_1_67_r(shell: Shell) -> None:
 
 def test_lock(shell: Shell) -> None:
     # Column 1's motion could go to 119.747 degrees; beyond the target the rims meet long before.
-    assert shell.report["lock"]["cause"] == "clash"
-    assert shell.report["feasible"]
-    assert shell.report["parameters"]["motion_end_deg"] == pytest.approx(119.747, abs=1e-3)
+    assert shell.report.lock.cause == "clash"
+    assert shell.report.feasible
+    assert shell.report.parameters["motion_end_deg"] == pytest.approx(119.747, abs=1e-3)
     assert np.rad2deg(shell.motion.locked.drive) == pytest.approx(
-        shell.report["parameters"]["stage_deg"]
+        shell.report.parameters["stage_deg"]
     )
 
 
 def test_s_rows_are_planar(shell: Shell) -> None:
     # The paper says that each row is; F rows are not (geometry.md section 5).
-    assert shell.report["parameters"]["planar"] == ["S rows"]
+    assert shell.report.parameters["planar"] == ["S rows"]
 
 
 def test_files(shell: Shell, tmp_path: Path) -> None:
@@ -81,8 +82,8 @@ def test_starter_file_is_the_same_shell(shell: Shell, tmp_path: Path) -> None:
     path = tmp_path / "shell.toml"
     path.write_text(starter_file("longitudinal-linear-repeating"))
     other = design_shell(path)
-    assert other.report["parameters"]["c"] == shell.report["parameters"]["c"]
-    assert other.report["deviation"]["f"]["max"] < 0.01
+    assert other.report.parameters["c"] == shell.report.parameters["c"]
+    assert other.design.closeness["f"].max < 0.01
 
 
 def test_example(capsys: pytest.CaptureFixture[str]) -> None:

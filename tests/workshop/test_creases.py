@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.errors import InputError
-from orishell.mesh import build_mesh
+from orishell.sheet.mesh import build_mesh
 from orishell.workshop import Workshop
 from orishell.workshop.creases import crease_lines, mean_edge, relief_holes
 from orishell.workshop.drawing import Line

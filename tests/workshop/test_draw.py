@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, folded_only
+from orishell.conventions.units import MILLIMETRES
 from orishell.errors import InputError
-from orishell.mesh import build_mesh
-from orishell.units import MILLIMETRES
+from orishell.sheet.mesh import build_mesh
 from orishell.workshop import Drawing, Line, Workshop
 from orishell.workshop.draw import draw_part, part_lines
 from orishell.workshop.outline import signed_areas, whole_sheet
@@ -174,7 +174,7 @@ def test_a_crease_that_is_called_border_is_refused_and_a_joined_one_is_drawn() -
 
 def test_what_has_no_flat_sheet_or_no_unit_is_refused() -> None:
     document = demo_document()
-    with pytest.raises(InputError, match="--unit"):
+    with pytest.raises(InputError, match="needs a unit of length"):
         draw_part(replace(document, unit="unit"), whole_sheet(document), Workshop())
     with pytest.raises(InputError, match="no flat sheet"):
         whole_sheet(folded_only(document))

@@ -7,7 +7,7 @@ from shapely.strtree import STRtree
 
 from documents import FAMILIES, demo_document
 from orishell.document import Document
-from orishell.mesh import build_mesh
+from orishell.sheet.mesh import build_mesh
 from orishell.workshop import Text, Workshop
 from orishell.workshop.labels import CHARACTER, part_labels
 from orishell.workshop.outline import whole_sheet

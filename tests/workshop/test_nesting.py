@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.errors import InputError
-from orishell.workshop.nesting import Placement, nest_parts
+from orishell.workshop.nesting import nest_parts
+from orishell.workshop.placing import Placement
 
 Outline = np.ndarray
 

@@ -18,8 +18,9 @@ from hypothesis import strategies as st
 from documents import FAMILIES, demo_document
 from orishell.errors import InputError
 from orishell.workshop import Drawing, Workshop
+from orishell.workshop.layout import lay_out
 from orishell.workshop.settings import Joint as JointKind
-from orishell.workshop.sheets import draw_sheets, lay_out, measure_waste
+from orishell.workshop.sheets import draw_sheets, measure_waste
 
 TESTS = Path(__file__).parent.parent
 
@@ -176,6 +177,18 @@ def test_impossible_stock_is_refused(stock: tuple[float, float], margin: float, 
     assert caught.value.where == key
     assert caught.value.got
     assert caught.value.expected
+
+
+def test_a_layout_is_made_once_for_a_flat_sheet_and_its_stock() -> None:
+    document, workshop = demo_document(), Workshop(stock=(10.0, 8.0))
+    layout = lay_out(document, workshop)
+    assert len(layout.parts) > 1
+    drawn_otherwise = replace(workshop, labels="both", creases="dashes")
+    assert lay_out(replace(document, states=(), title="other"), drawn_otherwise) is layout
+    assert document.flat is not None
+    larger = lay_out(replace(document, flat=document.flat * 1.01), workshop)
+    assert larger.parts[0].outlines[0].max() > layout.parts[0].outlines[0].max()
+    assert lay_out(document, replace(workshop, joint="strips")) is not layout
 
 
 def test_drawings_do_not_depend_on_the_hash_seed() -> None:

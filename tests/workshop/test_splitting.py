@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.errors import InputError
-from orishell.mesh import build_mesh
+from orishell.sheet.mesh import build_mesh
 from orishell.workshop.fitting import CutSheet, find_turns
 from orishell.workshop.splitting import split_sheet
 

@@ -1,33 +1,24 @@
 // The figures of a shell, from its report; what a report does not say is measured on the view.
 
 import { length, threeDigits } from "./colours.ts";
-import { panelCount, vertexCount, type View } from "./view.ts";
+import { panelCount, vertexCount, type Known, type View } from "./view.ts";
 
-interface Size { width: number; height: number; depth?: number; area?: number; drive_deg?: number }
-interface Report {
-  sheet?: Size;
-  deployed?: Size;
-  packed?: Size | null;
-  /** null: there is no target. */
-  deviation?: { surface?: { max: number; mean: number } | null; approached?: { what: string } | null } | null;
-  lock?: { drive_deg: number | null; cause: string | null; target_drive_deg: number | null };
-  warnings?: string[];
-}
+interface Size { width: number; height: number; depth?: number; area?: number }
 
 const UNKNOWN = "not yet known";
-const CAUSES: Record<string, string> = { flaps: "by its flaps", clash: "panels meet", crease: "a crease is folded flat" };
+const CAUSES = { flaps: "by its flaps", clash: "panels meet", crease: "a crease is folded flat" };
 
 /** A list of names and figures; `container` is emptied first. */
 export function renderFigures(container: HTMLElement, view: View): void {
-  const report = view.header.report as Report;
+  const { report } = view.header;
   const known = Object.keys(report).length > 0;
   const unit = view.header.unit;
   const grid = view.header.grid;
   const list = document.createElement("dl");
   list.className = "orishell-figures";
 
-  const sheet = report.sheet ?? measured(view, "flat");
-  const shell = report.deployed ?? measured(view, "last");
+  const sheet: Size | null = report.sheet ?? measured(view, "flat");
+  const shell: Size | null = report.deployed ?? measured(view, "last");
   const panels = panelCount(view).toLocaleString("en").replaceAll(",", "\u202f");
   add(list, "Panels", panels, grid ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "");
   if (sheet) {
@@ -46,8 +37,8 @@ export function renderFigures(container: HTMLElement, view: View): void {
     }
     add(list, "Lock", lockOf(report), lockNote(report));
     const packed = report.packed;
-    add(list, "Packed", packed ? [packed.width, packed.depth!, packed.height].map(threeDigits).join(" \u00d7 ") + (unit === "unit" ? "" : ` ${unit}`) : UNKNOWN,
-      packed?.drive_deg == null ? "" : `at ${threeDigits(packed.drive_deg)}\u00b0`);
+    add(list, "Packed", packed ? [packed.width, packed.depth, packed.height].map(threeDigits).join(" \u00d7 ") + (unit === "unit" ? "" : ` ${unit}`) : UNKNOWN,
+      !packed ? "" : `at ${threeDigits(packed.drive_deg)}\u00b0`);
   }
   container.replaceChildren(list);
   for (const warning of report.warnings ?? []) {
@@ -58,20 +49,20 @@ export function renderFigures(container: HTMLElement, view: View): void {
   }
 }
 
-function lockOf(report: Report): string {
+function lockOf(report: Known): string {
   const lock = report.lock;
   if (!lock) return UNKNOWN;
   if (lock.drive_deg === null) return "nothing ends the motion";
   return `${threeDigits(lock.drive_deg)}\u00b0`;
 }
 
-function lockNote(report: Report): string {
+function lockNote(report: Known): string {
   const lock = report.lock;
   if (!lock?.cause) return "";
-  const beyond = lock.target_drive_deg !== null && lock.drive_deg !== null && Math.abs(lock.target_drive_deg - lock.drive_deg) > 1e-6;
-  const cause = CAUSES[lock.cause] ?? lock.cause;
+  const beyond = lock.drive_deg !== null && Math.abs(lock.target_drive_deg - lock.drive_deg) > 1e-6;
+  const cause = CAUSES[lock.cause];
   const aim = report.deviation === null ? "stage" : "target";
-  return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg!)}\u00b0` : cause;
+  return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg)}\u00b0` : cause;
 }
 
 function area(value: number, unit: string): string {

@@ -1,6 +1,8 @@
 // Panels as rigid bodies: a pose (turn and place) in every state, and between two states the turn
 // in between (slerp) about the panel's centre. Vertices are never interpolated: panels keep shape.
 
+import { Matrix4, Quaternion, Vector3 } from "three";
+
 import { drives, panelCount, vertexCount, type View } from "./view.ts";
 
 /** Poses are kept for all states up to so many numbers, otherwise for the latest three. */
@@ -9,30 +11,10 @@ const KEPT = 12_000_000;
 /** Numbers of a pose as drawn: quaternion x y z w, centre x y z, 0. */
 export const POSE = 8;
 
-/** Turn as a quaternion of the frame with the columns (ax ay az), (bx by bz), (cx cy cz). */
-function writeQuaternion(
-  out: Float32Array, at: number,
-  ax: number, ay: number, az: number,
-  bx: number, by: number, bz: number,
-  cx: number, cy: number, cz: number,
-): void {
-  const trace = ax + by + cz;
-  let x: number, y: number, z: number, w: number;
-  if (trace > 0) {
-    const s = 2 * Math.sqrt(1 + trace);
-    w = s / 4; x = (bz - cy) / s; y = (cx - az) / s; z = (ay - bx) / s;
-  } else if (ax > by && ax > cz) {
-    const s = 2 * Math.sqrt(1 + ax - by - cz);
-    w = (bz - cy) / s; x = s / 4; y = (bx + ay) / s; z = (cx + az) / s;
-  } else if (by > cz) {
-    const s = 2 * Math.sqrt(1 + by - ax - cz);
-    w = (cx - az) / s; x = (bx + ay) / s; y = s / 4; z = (cy + bz) / s;
-  } else {
-    const s = 2 * Math.sqrt(1 + cz - ax - by);
-    w = (ay - bx) / s; x = (cx + az) / s; y = (cy + bz) / s; z = s / 4;
-  }
-  out[at] = x; out[at + 1] = y; out[at + 2] = z; out[at + 3] = w;
-}
+// Written over and over: a large sheet has a hundred thousand panels to place.
+const turn = new Quaternion(), other = new Quaternion(), frame = new Matrix4();
+const point = new Vector3(), centre = new Vector3(), axis = new Vector3(), normal = new Vector3();
+const vertices = [0, 1, 2, 3].map(() => new Vector3());
 
 export class Motion {
   readonly panels: number;
@@ -100,14 +82,11 @@ export class Motion {
   place(panel: number, out: Float32Array | Float64Array): void {
     const { pose, corners } = this;
     const p = POSE * panel;
-    const x = pose[p]!, y = pose[p + 1]!, z = pose[p + 2]!, w = pose[p + 3]!;
+    turn.fromArray(pose, p);
+    centre.fromArray(pose, p + 4);
     for (let corner = 0; corner < 4; corner++) {
-      const at = 12 * panel + 3 * corner;
-      const a = corners[at]!, b = corners[at + 1]!, c = corners[at + 2]!;
-      const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
-      out[3 * corner] = pose[p + 4]! + a + w * tx + y * tz - z * ty;
-      out[3 * corner + 1] = pose[p + 5]! + b + w * ty + z * tx - x * tz;
-      out[3 * corner + 2] = pose[p + 6]! + c + w * tz + x * ty - y * tx;
+      point.fromArray(corners, 12 * panel + 3 * corner).applyQuaternion(turn).add(centre);
+      point.toArray(out, 3 * corner);
     }
   }
 
@@ -141,16 +120,14 @@ export class Motion {
       const along = px * dx + py * dy + pz * dz;
       const apart = px * px + py * py + pz * pz - along * along;
       if (apart > radius[panel]! * radius[panel]!) continue;
-      // The ray in the panel's frame: turned by the conjugate.
-      const x = -pose[p]!, y = -pose[p + 1]!, z = -pose[p + 2]!, w = pose[p + 3]!;
-      let tx = 2 * (y * pz - z * py), ty = 2 * (z * px - x * pz), tz = 2 * (x * py - y * px);
-      const lx = px + w * tx + y * tz - z * ty, ly = py + w * ty + z * tx - x * tz, lz = pz + w * tz + x * ty - y * tx;
-      tx = 2 * (y * dz - z * dy); ty = 2 * (z * dx - x * dz); tz = 2 * (x * dy - y * dx);
-      const mx = dx + w * tx + y * tz - z * ty, my = dy + w * ty + z * tx - x * tz, mz = dz + w * tz + x * ty - y * tx;
-      if (Math.abs(mz) < 1e-12) continue;
-      const t = -lz / mz;
+      // The ray in the panel's frame, where the panel lies in z = 0.
+      turn.fromArray(pose, p).conjugate();
+      const from = point.set(px, py, pz).applyQuaternion(turn);
+      const way = axis.set(dx, dy, dz).applyQuaternion(turn);
+      if (Math.abs(way.z) < 1e-12) continue;
+      const t = -from.z / way.z;
       if (t <= 0 || t >= nearest) continue;
-      const hx = lx + t * mx, hy = ly + t * my;
+      const hx = from.x + t * way.x, hy = from.y + t * way.y;
       const c = 12 * panel;
       if (inTriangle(corners, c, c + 3, c + 6, hx, hy) || inTriangle(corners, c, c + 6, c + 9, hx, hy)) {
         nearest = t;
@@ -178,17 +155,12 @@ export class Motion {
     const { faces, reference, corners, radius } = this;
     for (let panel = 0; panel < this.panels; panel++) {
       writePose(reference, faces, panel, own);
-      const p = POSE * panel;
-      const x = -own[p]!, y = -own[p + 1]!, z = -own[p + 2]!, w = own[p + 3]!;
+      turn.fromArray(own, POSE * panel).conjugate();
+      centre.fromArray(own, POSE * panel + 4);
       for (let corner = 0; corner < 4; corner++) {
-        const v = 3 * faces[4 * panel + corner]!;
-        const a = reference[v]! - own[p + 4]!, b = reference[v + 1]! - own[p + 5]!, c = reference[v + 2]! - own[p + 6]!;
-        const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
-        const at = 12 * panel + 3 * corner;
-        corners[at] = a + w * tx + y * tz - z * ty;
-        corners[at + 1] = b + w * ty + z * tx - x * tz;
-        corners[at + 2] = c + w * tz + x * ty - y * tx;
-        radius[panel] = Math.max(radius[panel]!, Math.hypot(a, b, c) * 1.001);
+        point.fromArray(reference, 3 * faces[4 * panel + corner]!).sub(centre);
+        radius[panel] = Math.max(radius[panel]!, point.length() * 1.001);
+        point.applyQuaternion(turn).toArray(corners, 12 * panel + 3 * corner);
       }
     }
   }
@@ -232,41 +204,19 @@ function dot(a: [number, number, number], b: [number, number, number]): number {
 
 /** Frame of a panel: first axis along its diagonal, third its normal. */
 function writePose(points: Float32Array, faces: Uint32Array, panel: number, out: Float32Array): void {
-  const a = 3 * faces[4 * panel]!, b = 3 * faces[4 * panel + 1]!;
-  const c = 3 * faces[4 * panel + 2]!, d = 3 * faces[4 * panel + 3]!;
-  let ux = points[c]! - points[a]!, uy = points[c + 1]! - points[a + 1]!, uz = points[c + 2]! - points[a + 2]!;
-  const vx = points[d]! - points[b]!, vy = points[d + 1]! - points[b + 1]!, vz = points[d + 2]! - points[b + 2]!;
-  let nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-  const u = Math.hypot(ux, uy, uz) || 1, n = Math.hypot(nx, ny, nz) || 1;
-  ux /= u; uy /= u; uz /= u;
-  nx /= n; ny /= n; nz /= n;
-  const p = POSE * panel;
-  writeQuaternion(out, p, ux, uy, uz, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux, nx, ny, nz);
-  for (let axis = 0; axis < 3; axis++) {
-    out[p + 4 + axis] = (points[a + axis]! + points[b + axis]! + points[c + axis]! + points[d + axis]!) / 4;
-  }
+  const [a, b, c, d] = [0, 1, 2, 3].map((corner) => vertices[corner]!.fromArray(points, 3 * faces[4 * panel + corner]!));
+  axis.subVectors(c!, a!).normalize();
+  normal.crossVectors(axis, point.subVectors(d!, b!)).normalize();
+  frame.makeBasis(axis, point.crossVectors(normal, axis), normal);
+  turn.setFromRotationMatrix(frame).toArray(out, POSE * panel);
+  a!.add(b!).add(c!).add(d!).divideScalar(4).toArray(out, POSE * panel + 4);
 }
 
 /** Poses between two states: the shorter turn, evenly (slerp), and centres straight. */
 function blend(from: Float32Array, to: Float32Array, t: number, out: Float32Array): void {
   for (let p = 0; p < out.length; p += POSE) {
-    let cosine = from[p]! * to[p]! + from[p + 1]! * to[p + 1]! + from[p + 2]! * to[p + 2]! + from[p + 3]! * to[p + 3]!;
-    const sign = cosine < 0 ? -1 : 1;
-    cosine *= sign;
-    let a = 1 - t, b = t;
-    if (cosine < 0.99999) {
-      const angle = Math.acos(cosine), sine = Math.sqrt(1 - cosine * cosine);
-      a = Math.sin(a * angle) / sine;
-      b = Math.sin(b * angle) / sine;
-    }
-    b *= sign;
-    const x = a * from[p]! + b * to[p]!, y = a * from[p + 1]! + b * to[p + 1]!;
-    const z = a * from[p + 2]! + b * to[p + 2]!, w = a * from[p + 3]! + b * to[p + 3]!;
-    const size = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
-    out[p] = x * size; out[p + 1] = y * size; out[p + 2] = z * size; out[p + 3] = w * size;
-    out[p + 4] = (1 - t) * from[p + 4]! + t * to[p + 4]!;
-    out[p + 5] = (1 - t) * from[p + 5]! + t * to[p + 5]!;
-    out[p + 6] = (1 - t) * from[p + 6]! + t * to[p + 6]!;
+    turn.fromArray(from, p).slerp(other.fromArray(to, p), t).toArray(out, p);
+    for (let i = p + 4; i < p + 7; i++) out[i] = (1 - t) * from[i]! + t * to[i]!;
   }
 }
 

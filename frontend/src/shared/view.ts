@@ -1,32 +1,13 @@
 // The binary view of a shell, as orishell.io.view writes it: little endian, a JSON header, arrays.
 
-export interface Contact {
-  drive_deg: number;
-  panels: [number, number];
-}
+import type * as Api from "./api-types.ts";
 
-interface ArrayPlace {
-  type: "float32" | "uint32" | "uint8";
-  shape: number[];
-  offset: number;
-}
+export type Contact = Api.FirstContact;
 
-export interface Header {
-  version: number;
-  title: string;
-  unit: string;
-  /** Rows and columns of vertices; panel p lies in row p div (C-1), column p mod (C-1). */
-  grid: [number, number] | null;
-  /** Was subtracted from all coordinates in space before they were rounded. */
-  origin: [number, number, number];
-  /** Drive of every state, flat first. */
-  drives_deg: (number | null)[];
-  // The report is printed, never computed with; what may be absent is asked for in figures.ts.
-  report: Record<string, unknown>;
-  contact: Contact | null;
-  arrays: Record<string, ArrayPlace>;
-  [more: string]: unknown;
-}
+/** The report is empty if only a file of a sheet was read, and what only the proof can say may be
+ * left out; see figures.ts. */
+export type Known = Partial<Omit<Api.Report, "deviation">> & { deviation?: Partial<Api.DeviationReport> | null };
+export type Header = Omit<Api.Header, "report"> & { report: Known };
 
 export interface Lattice {
   rows: number;

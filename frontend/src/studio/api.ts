@@ -1,10 +1,8 @@
 // The studio's server. Every function throws ServerFault, or AbortError if it was aborted.
 
-import { ServerFault, faultFrom, unreachable } from "./faults.ts";
-import type { Design, Fault, Info, Point, Ranges, Verified } from "./types.ts";
-
-/** Marks a refusal that is an answer like any other: browsers log an error for statuses above 400. */
-const REFUSED = "X-Orishell-Refused";
+import type * as Api from "../shared/api-types.ts";
+import { ServerFault, ownFault, refusalOf, unreachable } from "./faults.ts";
+import type { Design, DroppedCurve, Info, Ranges, Verified } from "./types.ts";
 
 async function ask(path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
   const options: RequestInit = signal ? { signal } : {};
@@ -18,22 +16,19 @@ async function ask(path: string, body?: unknown, signal?: AbortSignal): Promise<
     response = await fetch(`api/${path}`, options);
   } catch (error) {
     if (signal?.aborted) throw error;
-    throw new ServerFault(unreachable(), 0);
+    throw unreachable();
   }
-  if (!response.ok || response.headers.has(REFUSED)) throw await faultOf(response);
+  if (!response.ok) throw await refusedBy(response);
   return response;
 }
 
-async function faultOf(response: Response): Promise<ServerFault> {
-  let body: { error?: Partial<Fault> } | null = null;
+async function refusedBy(response: Response): Promise<ServerFault> {
   try {
-    body = (await response.json()) as { error?: Partial<Fault> };
+    return refusalOf((await response.json()) as Api.Refusal);
   } catch {
     // Not ours: a proxy, or a server that fell over. The status says what there is to say.
+    return new ServerFault(ownFault("http", `The studio answered with status ${response.status}`));
   }
-  const message = `The studio answered with status ${response.status}`;
-  const fault = faultFrom(body?.error ?? { kind: "http", message, what: message });
-  return new ServerFault(fault, response.status, body);
 }
 
 async function json<T>(path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
@@ -54,24 +49,18 @@ export async function fetchView(
 }
 
 export async function fetchRanges(design: Design, signal: AbortSignal): Promise<Ranges> {
-  return (await json<{ ranges: Ranges }>("ranges", { design }, signal)).ranges;
+  return (await json<Api.Ranges>("ranges", { design }, signal)).ranges;
 }
 
 export async function parseDesign(text: string): Promise<Design> {
-  return (await json<{ design: Design }>("parse", { text })).design;
+  return (await json<Api.Parsed>("parse", { text })).design as unknown as Design;
 }
 
 export async function formatDesign(design: Design): Promise<string> {
-  return (await json<{ text: string }>("format", { design })).text;
+  return (await json<Api.Written>("format", { design })).text;
 }
 
-export interface ReadCurve {
-  points: Point[];
-  smooth: boolean;
-  note: string;
-}
-
-export async function readCurve(file: File, unit: string): Promise<ReadCurve> {
+export async function readCurve(file: File, unit: string): Promise<DroppedCurve> {
   return json("curve", { name: file.name, content: await base64(file), unit });
 }
 
@@ -109,17 +98,12 @@ export async function verify(
     rest = done ? "" : lines.pop()!;
     for (const line of lines) {
       if (!line.trim()) continue;
-      const message = JSON.parse(line) as {
-        progress?: number;
-        what?: string;
-        result?: Verified;
-        error?: Partial<Fault>;
-      };
-      if (message.error) throw new ServerFault(faultFrom(message.error), 422, message);
-      if (message.result) return message.result;
-      progressed(message.progress ?? 0, message.what ?? "");
+      const message = JSON.parse(line) as Api.Advance | Api.Result | Api.Refusal;
+      if ("error" in message) throw refusalOf(message);
+      if ("result" in message) return message.result;
+      progressed(message.progress, message.what);
     }
-    if (done) throw new ServerFault(unreachable(), 0);
+    if (done) throw unreachable();
   }
 }
 

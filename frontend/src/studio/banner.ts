@@ -2,7 +2,7 @@
 
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { placeOf, sentence, wordsOfRemedies } from "./faults.ts";
+import { patternKeysOf, sentence, wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { patternKeys, remedyButton } from "./remedy-button.ts";
 import type { Store } from "./store.ts";
@@ -39,7 +39,6 @@ export class Banner {
     this.element.hidden = !fault;
     if (!fault) return this.element.replaceChildren();
     this.element.dataset["kind"] = fault.kind;
-    const detail = fault.message.includes("\n") ? fault.message.slice(fault.message.indexOf("\n") + 1) : "";
     this.element.replaceChildren(
       h("div", { class: "banner-mark" }, icon("warning")),
       h(
@@ -47,7 +46,7 @@ export class Banner {
         { class: "banner-body" },
         h("p", { class: "banner-title" }, TITLES[fault.kind] ?? "Something went wrong"),
         h("p", {}, sentence(fault.what)),
-        detail ? h("pre", {}, detail) : null,
+        fault.detail ? h("pre", {}, fault.detail) : null,
         facts(fault),
         this.actions(fault),
       ),
@@ -57,8 +56,7 @@ export class Banner {
   private actions(fault: Fault): HTMLElement {
     const { family } = this.store.design.value.shell;
     const keys = patternKeys(this.store);
-    const place = placeOf(fault);
-    const key = place?.table === "pattern" ? place.keys.find((each) => keys.includes(each)) : undefined;
+    const key = patternKeysOf(fault).find((each) => keys.includes(each));
     return h(
       "div",
       { class: "banner-actions" },

@@ -4,7 +4,7 @@ import { readCurve } from "./api.ts";
 import { type Segmented, button, segmented } from "./controls.ts";
 import { CurvePlot } from "./curve-plot.ts";
 import { h, pickFile } from "./dom.ts";
-import { ServerFault, faultFrom, placeOf, sentence } from "./faults.ts";
+import { faultOf, isAbout, sentence } from "./faults.ts";
 import { FormulaFields } from "./formula-fields.ts";
 import { icon } from "./icons.ts";
 import { PointFields } from "./point-fields.ts";
@@ -214,10 +214,9 @@ export class CurveEditor {
       const table: CurveTable = { points: curve.points, smooth: curve.smooth };
       this.plot.refit();
       this.store.setCurve(this.name, table, `${this.name} from ${file.name}`);
-      this.say(sentence(curve.note || `${curve.points.length} points from ${file.name}`));
+      this.say(sentence(curve.note));
     } catch (error) {
-      const fault = error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) });
-      this.say(sentence(fault.message), true);
+      this.say(sentence(faultOf(error).message), true);
     }
   }
 
@@ -244,8 +243,7 @@ export class CurveEditor {
 
   private showFault(): void {
     const fault = this.store.fault.value;
-    const place = fault && placeOf(fault);
-    const mine = place?.table === "target" && place.curve === this.name;
+    const mine = isAbout(fault, this.name);
     this.element.classList.toggle("faulty", mine);
     if (mine) this.say(sentence(fault!.what), true);
     else if (this.note.classList.contains("error")) this.say("");

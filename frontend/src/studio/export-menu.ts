@@ -3,9 +3,9 @@
 import { exportDesign } from "./api.ts";
 import { button, segmented } from "./controls.ts";
 import { download, h, setAttribute } from "./dom.ts";
-import { ServerFault, faultFrom, sentence } from "./faults.ts";
+import { faultOf, sentence } from "./faults.ts";
 import type { Store } from "./store.ts";
-import type { Format } from "./types.ts";
+import type { FileFormat } from "./types.ts";
 
 type State = "locked" | "flat" | "shown";
 
@@ -66,7 +66,7 @@ export class ExportMenu {
     this.menu.querySelector<HTMLElement>(".format")?.focus();
   }
 
-  private entry(format: Format): HTMLElement {
+  private entry(format: FileFormat): HTMLElement {
     return h(
       "button",
       { type: "button", class: "format", "data-testid": `export-${format.name}`, onclick: () => void this.write(format) },
@@ -91,7 +91,7 @@ export class ExportMenu {
     this.note.classList.remove("error");
   }
 
-  private async write(format: Format): Promise<void> {
+  private async write(format: FileFormat): Promise<void> {
     const { store } = this;
     const state = this.state === "shown" ? this.frame() : this.state;
     this.menu.classList.add("busy");
@@ -102,8 +102,7 @@ export class ExportMenu {
       download(file.blob, file.name);
       this.note.textContent = `Written: ${file.name}`;
     } catch (error) {
-      const fault = error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) });
-      this.note.textContent = sentence(fault.message);
+      this.note.textContent = sentence(faultOf(error).message);
       this.note.classList.add("error");
     } finally {
       this.menu.classList.remove("busy");

@@ -1,73 +1,53 @@
 // Errors of the server: what they say, which control they are about, and what would mend them.
 
-import type { CurveName, Design, Fault, Remedy } from "./types.ts";
+import type { Refusal } from "../shared/api-types.ts";
+import type { CurveName, Curves, Design, Fault, Remedy } from "./types.ts";
 
 /** An answer that is not what was asked for. */
 export class ServerFault extends Error {
   constructor(
     readonly fault: Fault,
-    readonly status: number,
-    readonly body: unknown = null,
+    /** Of a design that is refused, what can be drawn all the same. */
+    readonly curves: Curves | null = null,
   ) {
     super(fault.message);
   }
 }
 
-const EMPTY: Fault = {
-  kind: "",
-  message: "",
-  what: "",
-  where: "",
-  got: "",
-  expected: "",
-  remedy: "",
-  place: "",
-  size: "",
-  limit: "",
-  remedies: [],
-  searching: false,
-};
+/** What the server refuses. */
+export function refusalOf({ error, curves }: Refusal): ServerFault {
+  return new ServerFault({ ...error, searching: false }, curves ?? null);
+}
 
-/** A fault with all fields, from whatever an error answer holds. */
-export function faultFrom(partial: Partial<Fault>): Fault {
-  const given = Object.entries(partial).filter(([, value]) => value !== null && value !== undefined);
-  const fault: Fault = { ...EMPTY, ...Object.fromEntries(given) };
-  if (!fault.what) fault.what = fault.message;
-  return fault;
+/** What the page finds wrong itself. */
+export function ownFault(kind: Fault["kind"], what: string, remedy = ""): Fault {
+  return {
+    kind, what, remedy, message: what,
+    where: "", keys: [], got: "", expected: "", detail: "", place: "", size: "", limit: "",
+    remedies: [], searching: false,
+  };
+}
+
+/** The fault behind whatever was thrown. */
+export function faultOf(error: unknown): Fault {
+  return error instanceof ServerFault ? error.fault : ownFault("page", String(error));
 }
 
 /** The server cannot be reached, or a request was broken off. */
-export function unreachable(): Fault {
-  return faultFrom({
-    kind: "network",
-    what: "The studio does not answer",
-    message: "The studio does not answer.",
-    remedy: "see whether `orishell studio` still runs; your design is kept in this page",
-  });
+export function unreachable(): ServerFault {
+  const remedy = "see whether `orishell studio` still runs; your design is kept in this page";
+  return new ServerFault(ownFault("network", "The studio does not answer", remedy));
 }
 
-/** The control that a fault is about. */
-export type Place =
-  | { table: "pattern" | "tolerance" | "shell" | "motion" | "workshop"; keys: string[] }
-  | { table: "target"; curve: CurveName; keys: string[] };
+/** The keys of the table [pattern] that a fault is about. */
+export function patternKeysOf(fault: Fault | null): string[] {
+  const keys = fault?.keys.filter((key) => key.startsWith("pattern.")) ?? [];
+  return keys.map((key) => key.slice("pattern.".length));
+}
 
-/** Find tables and keys in a fault's `where`, as in "design: [pattern] xi_deg"; if it has none,
- * keys that `what` gives values of, as in "xi_deg = 170 is too large". */
-export function placeOf(fault: Fault): Place | null {
-  if (!fault.where) {
-    const keys = [...fault.what.matchAll(/\b([a-z]+(?:_[a-z0-9]+)*) = /g)].map((found) => found[1]!);
-    return keys.length ? { table: "pattern", keys } : null;
-  }
-  const found = /\[(target\.([fg])|target|pattern|tolerance|shell|motion|workshop)\]\s*([\w, .]*)/.exec(
-    fault.where,
-  );
-  if (!found) return null;
-  const keys = (found[3] ?? "").split(/[,\s]+/).filter(Boolean);
-  if (found[1]!.startsWith("target")) {
-    const curve = (found[2] ?? keys.shift()?.charAt(0)) as CurveName | undefined;
-    return curve === "f" || curve === "g" ? { table: "target", curve, keys } : null;
-  }
-  return { table: found[1] as "pattern", keys };
+/** Whether a fault is about a curve. */
+export function isAbout(fault: Fault | null, curve: CurveName): boolean {
+  return fault?.keys.some((key) => `${key}.`.startsWith(`target.${curve}.`)) ?? false;
 }
 
 /** The design with what a remedy changes. */
@@ -95,12 +75,15 @@ export function wordsOfRemedies(fault: Fault): string {
 /** Keys of a curve that is no formula. */
 const SOURCES = ["points", "smooth", "svg", "id", "dxf", "layer", "handle", "unit", "part", "reverse"];
 
+export function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
 /** A sentence as a person reads it: a capital first, one full stop last. */
 export function sentence(text: string): string {
   const trimmed = text.trim();
   if (!trimmed) return "";
   // Names of keys and curves keep their small letter.
-  const first = /^(?:a|[a-z]{2,})[\s,]/.test(trimmed) ? trimmed[0]!.toUpperCase() : trimmed[0]!;
-  const whole = first + trimmed.slice(1);
+  const whole = /^(?:a|[a-z]{2,})[\s,]/.test(trimmed) ? capital(trimmed) : trimmed;
   return /[.!?]$/.test(whole) ? whole : `${whole}.`;
 }

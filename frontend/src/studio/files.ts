@@ -2,7 +2,7 @@
 
 import { formatDesign, parseDesign } from "./api.ts";
 import { download, pickFile } from "./dom.ts";
-import { ServerFault, faultFrom } from "./faults.ts";
+import { faultOf } from "./faults.ts";
 import type { Store } from "./store.ts";
 
 export class Files {
@@ -54,9 +54,7 @@ export class Files {
     try {
       await act();
     } catch (error) {
-      this.store.fault.set(
-        error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) }),
-      );
+      this.store.fault.set(faultOf(error));
     } finally {
       files.set(files.value - 1);
     }

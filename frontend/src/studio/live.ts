@@ -3,11 +3,11 @@
 
 import { type View, decodeView } from "../shared/view.ts";
 import { decodeBytes, decodeFloats, fetchRanges, fetchView, verify } from "./api.ts";
-import { ServerFault, faultFrom } from "./faults.ts";
+import { ServerFault, faultOf } from "./faults.ts";
 import { earlyContact } from "./lock.ts";
 import { sized } from "./sizing.ts";
 import type { Store } from "./store.ts";
-import type { Curves, Design, Report } from "./types.ts";
+import type { Design, Report } from "./types.ts";
 
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
@@ -117,7 +117,7 @@ export class Live {
     try {
       const view = decodeView(await fetchView(next.design, next.states, signal));
       if (this.overtaken(next, sequence)) return;
-      store.curves.set((view.header["curves"] as Curves | undefined) ?? store.curves.value);
+      store.curves.set(view.header.curves ?? store.curves.value);
       leaveOpen(view);
       store.report.set(view.header.report as Report);
       store.view.set(view);
@@ -155,15 +155,11 @@ export class Live {
     const { store } = this;
     store.busy.set(null);
     store.freshness.set("outdated");
-    if (error instanceof ServerFault) {
-      const curves = (error.body as { curves?: Curves } | null)?.curves;
-      if (curves) store.curves.set(curves);
-      store.fault.set(error.fault);
-      // What would be admissible is worth knowing just then.
-      if (error.fault.kind === "design") this.restLater(null);
-    } else {
-      store.fault.set(faultFrom({ kind: "page", message: String(error) }));
-    }
+    if (error instanceof ServerFault && error.curves) store.curves.set(error.curves);
+    const fault = faultOf(error);
+    store.fault.set(fault);
+    // What would be admissible is worth knowing just then.
+    if (fault.kind === "design") this.restLater(null);
   }
 
   private restLater(shown: Pending | null): void {
@@ -243,7 +239,7 @@ export class Live {
 
   private async prove(design: Design, signal: AbortSignal): Promise<void> {
     const { store } = this;
-    store.proof.set({ state: "running", share: 0, what: "Verifying" });
+    store.proof.set({ state: "running", share: 0, what: "verifying" });
     try {
       const result = await verify(design, signal, (share, what) => {
         if (!signal.aborted) store.proof.set({ state: "running", share, what });
@@ -254,26 +250,26 @@ export class Live {
       const view = other ?? store.view.value!;
       view.header.report = result.report;
       view.header.contact = earlyContact(result);
-      if (result.distance) view.distance = decodeFloats(result.distance);
+      view.distance = decodeFloats(result.distance);
       store.report.set(result.report);
       if (other) {
         store.view.set(other);
         await this.draw();
         if (signal.aborted) return;
       }
-      store.proof.set({ state: "done", refusal: result.refusal ? faultFrom(result.refusal) : null });
+      const { refusal } = result;
+      store.proof.set({ state: "done", refusal: refusal && { ...refusal, searching: false } });
     } catch (error) {
       if (signal.aborted) return;
-      const fault = error instanceof ServerFault ? error.fault : faultFrom({ message: String(error) });
-      store.proof.set({ state: "failed", fault });
+      store.proof.set({ state: "failed", fault: faultOf(error) });
     }
   }
 }
 
 /** Take from a view what only the proof can say: the figures then call it not yet known. */
 function leaveOpen(view: View): void {
-  const { lock: _, deviation, ...rest } = view.header.report as Report;
-  const { surface: _surface, ...known } = (deviation ?? {}) as Record<string, unknown>;
+  const { lock: _, deviation, ...rest } = view.header.report;
+  const { surface: _surface, ...known } = deviation ?? {};
   view.header.report = { ...rest, deviation: known };
   view.header.contact = null;
 }

@@ -2,7 +2,7 @@
 
 import type { Contact } from "../shared/view.ts";
 import { pretty } from "./numbers.ts";
-import type { Lock, Verified } from "./types.ts";
+import type { LockReport, Verified } from "./types.ts";
 
 export type Tone = "quiet" | "good" | "bad";
 
@@ -11,15 +11,15 @@ const SAME = 1e-6;
 
 /** The first contact, if it comes before the target: flaps that meet at lock are meant to. */
 export function earlyContact({ report, contact }: Verified): Contact | null {
-  return contact && report.lock && isEarly(contact.drive_deg, report.lock) ? contact : null;
+  return contact && isEarly(contact.drive_deg, report.lock) ? contact : null;
 }
 
-function isEarly(drive: number, lock: Lock): boolean {
+function isEarly(drive: number, lock: LockReport): boolean {
   return drive < lock.target_drive_deg - SAME;
 }
 
 /** What a lock means, in a sentence. */
-export function wordsOfLock(lock: Lock | undefined): [string, Tone] {
+export function wordsOfLock(lock: LockReport | undefined): [string, Tone] {
   if (!lock) return ["Not verified.", "quiet"];
   const contact = lock.first_contact;
   if (contact && isEarly(contact.drive_deg, lock)) {

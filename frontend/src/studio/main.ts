@@ -15,13 +15,14 @@ import "./theme.ts";
 import { fetchInfo, parseDesign } from "./api.ts";
 import { buildStudio } from "./app.ts";
 import { h } from "./dom.ts";
-import { ServerFault } from "./faults.ts";
+import { ServerFault, faultOf } from "./faults.ts";
 import { Store } from "./store.ts";
+import type { Design } from "./types.ts";
 
 async function start(root: HTMLElement): Promise<void> {
   const info = await fetchInfo();
   const first = info.start ?? info.examples[0]!;
-  const design = "design" in first ? first.design : await parseDesign(first.text);
+  const design = "design" in first ? (first.design as unknown as Design) : await parseDesign(first.text);
   const store = new Store(info, design);
   store.name.set(first.name);
   buildStudio(root, store);
@@ -29,7 +30,7 @@ async function start(root: HTMLElement): Promise<void> {
 
 const root = document.getElementById("studio")!;
 start(root).catch((error: unknown) => {
-  const message = error instanceof ServerFault ? error.fault.message : String(error);
+  const { message } = faultOf(error);
   root.replaceChildren(h("p", { class: "no-start", role: "alert" }, `The studio could not start. ${message}`));
   if (!(error instanceof ServerFault)) throw error;
 });

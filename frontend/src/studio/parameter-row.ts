@@ -46,9 +46,6 @@ export class ParameterRow {
       case "choice":
         head.append(this.choice(id));
         break;
-      case "flag":
-        head.append(this.flag(id));
-        break;
       case "angles4":
         this.auto(head);
         this.element.append(this.angles(id));
@@ -79,7 +76,7 @@ export class ParameterRow {
   private words({ range, value, taken }: RowState): string[] {
     if (!range || !isNumeric(this.parameter)) return [];
     const { intervals, below, above } = range;
-    if (!intervals.length) return [sentence(`No value works${below ? `: ${reason(below)}` : ""}`)];
+    if (!intervals.length) return [sentence(`No value works${below ? `: ${below}` : ""}`)];
     const low = intervals[0]![0];
     const high = intervals.at(-1)![1];
     const sign = this.parameter.unit === "deg" ? "°" : "";
@@ -88,8 +85,8 @@ export class ParameterRow {
     // The reason on the side where the value is; both where it is in the middle of nowhere.
     const middle = (low + high) / 2;
     const reasons: string[] = [];
-    if (below && (at < middle || !above)) reasons.push(`Below: ${sentence(reason(below))}`);
-    if (above && (!(at < middle) || !below)) reasons.push(`Above: ${sentence(reason(above))}`);
+    if (below && (at < middle || !above)) reasons.push(`Below: ${sentence(below)}`);
+    if (above && (!(at < middle) || !below)) reasons.push(`Above: ${sentence(above)}`);
     return [`Admissible ${parts.join(" and ")}. ${reasons.join(" ")}`];
   }
 
@@ -195,7 +192,7 @@ export class ParameterRow {
   }
 
   private choice(id: string): HTMLElement {
-    const { key, choices = [] } = this.parameter;
+    const { key, choices } = this.parameter;
     const select = h(
       "select",
       { id, "data-testid": `param-${key}`, onchange: () => this.events.changed(select.value, "") },
@@ -212,25 +209,6 @@ export class ParameterRow {
     });
     return select;
   }
-
-  private flag(id: string): HTMLElement {
-    const input = h("input", {
-      id,
-      type: "checkbox",
-      "data-testid": `param-${this.parameter.key}`,
-      onchange: () => this.events.changed(input.checked, ""),
-    });
-    this.controls.push(({ value }) => (input.checked = Boolean(value ?? this.parameter.default)));
-    return input;
-  }
-}
-
-/** The reason alone, without place and size: the slider shows those. */
-function reason(text: string): string {
-  return text
-    .replace(/^[^:[]*: \[\w+\] \w+: /, "")
-    .replace(/, (?:at|in|between|from|where|on) [^]*$/, "")
-    .replace(/: [^:]*\d[^:]*$/, "");
 }
 
 function isNumeric(parameter: Parameter): boolean {

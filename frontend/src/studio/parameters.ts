@@ -2,7 +2,7 @@
 
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { placeOf, sentence } from "./faults.ts";
+import { patternKeysOf, sentence } from "./faults.ts";
 import type { Live } from "./live.ts";
 import { ParameterRow } from "./parameter-row.ts";
 import { Sizes } from "./sizes.ts";
@@ -47,13 +47,12 @@ export class Parameters {
     const { shell, pattern } = design.value;
     const parameters = this.store.info.families[shell.family]?.parameters ?? [];
     if (this.family !== shell.family) this.build(shell.family, parameters);
-    const place = fault.value && placeOf(fault.value);
-    const named = place && place.table === "pattern" ? place.keys : [];
+    const named = patternKeysOf(fault.value);
     for (const { key } of parameters) {
-      const taken = report.value?.parameters?.[key] ?? report.value?.[key];
+      const taken = report.value?.parameters[key] ?? report.value?.[key as "rows" | "columns"];
       this.rows.get(key)!.show({
         value: pattern[key],
-        taken: report.value?.["family"] === shell.family ? taken : undefined,
+        taken: report.value?.family === shell.family ? taken : undefined,
         range: ranges.value[key],
         unit: shell.unit,
         fault: named.includes(key) ? sentence(fault.value!.what) : "",

@@ -1,7 +1,7 @@
 // What is proved about the motion: that nothing touches before lock, or what does.
 
 import { h } from "./dom.ts";
-import { sentence, wordsOfRemedies } from "./faults.ts";
+import { capital, sentence, wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { type Tone, wordsOfLock } from "./lock.ts";
 import { remedyButton } from "./remedy-button.ts";
@@ -59,9 +59,9 @@ export class ProofCard {
       case "waiting":
         return ["Verifying…", "quiet"];
       case "running":
-        return [`Verifying… ${proof.what}, ${Math.round(100 * proof.share)} %`, "quiet"];
+        return [`${capital(proof.what)}… ${Math.round(100 * proof.share)} %`, "quiet"];
       case "failed":
-        return [sentence(proof.fault.message || proof.fault.what), "bad"];
+        return [sentence(proof.fault.message), "bad"];
       case "done":
         return wordsOfLock(this.store.report.value?.lock);
     }

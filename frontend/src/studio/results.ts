@@ -59,10 +59,10 @@ export class Results {
 
   private summary(): string {
     const report = this.store.report.value;
-    const sheet = report?.["sheet"] as { width: number; height: number } | undefined;
-    if (!sheet) return "";
+    if (!report) return "";
+    const { rows, columns, sheet } = report;
     const unit = this.store.design.value.shell.unit;
-    return `${report!.rows} rows, ${report!.columns} columns; the flat sheet is ${sheet.width.toPrecision(3)} by ${sheet.height.toPrecision(3)} ${unit}.`;
+    return `${rows} rows, ${columns} columns; the flat sheet is ${sheet.width.toPrecision(3)} by ${sheet.height.toPrecision(3)} ${unit}.`;
   }
 
   private say(text: string): void {

@@ -95,11 +95,8 @@ export class Sizes {
 
   /** A distance that the present shell about keeps, to begin with. */
   private guess(): number {
-    const deviation = this.store.report.value?.["deviation"] as
-      | { surface?: { max?: number } }
-      | undefined;
-    const size = (this.store.report.value?.["deployed"] as { width?: number } | undefined)?.width;
-    return Number(short(deviation?.surface?.max ?? 0.01 * (size ?? 10), 2));
+    const { deviation, deployed } = this.store.report.value ?? {};
+    return Number(short(deviation?.surface?.max ?? 0.01 * (deployed?.width ?? 10), 2));
   }
 
   private toSizes(): void {

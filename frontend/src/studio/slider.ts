@@ -49,7 +49,7 @@ export class Slider {
     if (this.parameter.unit === "length") {
       // A length's scale is the design's own.
       const limit = range?.intervals.at(-1)?.[1] ?? 0;
-      const wanted = Math.max(2 * (value ?? 0), 1.25 * limit, 0.05 * (range?.span?.[1] ?? 0));
+      const wanted = Math.max(2 * (value ?? 0), 1.25 * limit, 0.05 * (range?.span[1] ?? 0));
       if (wanted > 0) [low, high] = [0, niceAbove(wanted)];
     }
     if (value !== null) [low, high] = [Math.min(low, value), Math.max(high, value)];

@@ -1,4 +1,9 @@
-// What the studio and its server say to each other.
+// What the page holds beside what the server sends: the design as it is edited, faults of its own.
+
+import type * as Api from "../shared/api-types.ts";
+import type { Known } from "../shared/view.ts";
+
+export type { Curves, DroppedCurve, FileFormat, Info, LockReport, Parameter, Range, Remedy, Verified } from "../shared/api-types.ts";
 
 export type Value = string | number | boolean | Value[];
 export type CurveName = "f" | "g";
@@ -33,115 +38,14 @@ export interface Design {
   workshop?: Record<string, Value>;
 }
 
-export interface Parameter {
-  key: string;
-  label: string;
-  help: string;
-  kind: "integer" | "number" | "choice" | "angles4" | "flag";
-  auto: boolean;
-  choices?: string[];
-  /** Null: the design must give it. */
-  default: Value | null;
-  slider?: [number, number];
-  step?: number;
-  unit: "length" | "deg" | "";
-}
+/** The report of the shell on the screen: while it changes, without what only the proof can say. */
+export type Report = Omit<Api.Report, "lock" | "deviation"> & Pick<Known, "lock" | "deviation">;
 
-export interface Family {
-  label: string;
-  what: string;
-  parameters: Parameter[];
-}
+export type Ranges = Api.Ranges["ranges"];
 
-export interface Example {
-  name: string;
-  title: string;
-  text: string;
-}
-
-export interface Format {
-  name: string;
-  file: string;
-  what: string;
-}
-
-export interface Info {
-  version: string;
-  units: string[];
-  families: Record<string, Family>;
-  examples: Example[];
-  formats: Format[];
-  limits: { vertices: number; bytes: number; seconds: number };
-  /** The design file that the studio was started with. */
-  start?: { name: string; design: Design } | null;
-}
-
-export type Curves = Record<CurveName, Point[]>;
-
-export interface Fault {
-  kind: string;
-  message: string;
-  what: string;
-  where: string;
-  got: string;
-  expected: string;
-  remedy: string;
-  place: string;
-  size: string;
-  /** What limits, where nothing was found that works. */
-  limit: string;
-  /** What was tried and works, the nearest first. */
-  remedies: Remedy[];
+/** Why something did not work: as the server says it, or found by the page itself. */
+export type Fault = Omit<Api.Fault, "kind"> & {
+  kind: Api.Fault["kind"] | "network" | "http" | "page";
   /** Whether what works is still being looked for. */
   searching: boolean;
-}
-
-/** Values of keys of the design file, the tables in front of them; null removes a key. */
-export interface Remedy {
-  text: string;
-  changes: Record<string, Value | null>;
-}
-
-export interface Range {
-  /** Values that were tried. */
-  span?: [number, number];
-  intervals: [number, number][];
-  below: string;
-  above: string;
-}
-export type Ranges = Record<string, Range>;
-
-export interface FirstContact {
-  drive_deg: number;
-  panels: [[number, number], [number, number]];
-  kind: string;
-}
-
-export interface Lock {
-  drive_deg: number | null;
-  cause: "flaps" | "clash" | "crease" | null;
-  target_drive_deg: number;
-  first_contact: FirstContact | null;
-}
-
-/** The parts of report.json that the studio reads itself. */
-export interface Report {
-  rows?: number;
-  columns?: number;
-  parameters?: Record<string, unknown>;
-  warnings?: string[];
-  lock?: Lock;
-  feasible?: boolean | null;
-  [more: string]: unknown;
-}
-
-export interface Verified {
-  report: Report;
-  contact: { drive_deg: number; panels: [number, number] } | null;
-  /** Float32 numbers in base64. */
-  distance?: string | null;
-  /** Why the design is refused although its shell can be shown: panels meet before it locks. */
-  refusal?: Fault | null;
-  /** A view in base64 that takes the place of the one shown. */
-  view?: string | null;
-}
+};

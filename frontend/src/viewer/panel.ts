@@ -140,7 +140,7 @@ export class Viewer {
 
 /** What the last state is: most shells lock there, others only meet the target. */
 function endOf(view: View): string {
-  const lock = view.header.report["lock"] as { cause: string | null } | undefined;
+  const { lock } = view.header.report;
   if (!lock) return "folded";
   return lock.cause === "flaps" ? "locked" : "target";
 }

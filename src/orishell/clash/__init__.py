@@ -1,9 +1,10 @@
-"""Which panels touch: in one state, and first along a path of folding.
+"""Which panels touch in one state, and which touch first as the sheet folds.
 
 Derived in docs/theory/locking-and-clash.md.
 """
 
-from orishell.clash.path import PathContact, PathResult, Proof, find_first_contact
+from orishell.clash.path import find_first_contact
+from orishell.clash.result import PathContact, PathResult, ProofRecord
 from orishell.clash.state import find_contacts
 
-__all__ = ["PathContact", "PathResult", "Proof", "find_contacts", "find_first_contact"]
+__all__ = ["PathContact", "PathResult", "ProofRecord", "find_contacts", "find_first_contact"]

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.clash.corners import touching_at_corners
-from orishell.clash.quads import corners_of, nearest
-from orishell.clash.tree import CHUNK, PanelTree, gaps, split
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from orishell.clash.broad_phase import CHUNK, PanelTree, child_pairs, gaps
+from orishell.clash.neighbours import touching_neighbours
+from orishell.clash.separation import corners_of, nearest
+from orishell.numerics.arrays import Array, Integers
 
 
 def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Integers:
-    """Find all pairs of panels that touch, cross or overlap.
+    """Return all pairs of panels that touch, cross or overlap.
 
     Panels that share a crease count when it is folded flat, panels that share one vertex when
     they cross there.
@@ -40,7 +37,7 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
         near = gaps((extents, extents), level, pairs) <= tolerance
         pairs = (pairs[0][near], pairs[1][near])
         if level < tree.depth:
-            pairs = split(pairs)
+            pairs = child_pairs(pairs)
     first, second = np.sort([tree.panels[nodes] for nodes in pairs], axis=0)
     real = (first >= 0) & (first != second)
     first, second = first[real], second[real]
@@ -51,7 +48,7 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
         shared = tree.share_corner(*chunk)
         touching = np.zeros(len(shared), np.bool_)
         beside = (chunk[0][shared], chunk[1][shared])
-        touching[shared] = touching_at_corners(positions, faces, beside, tolerance)
+        touching[shared] = touching_neighbours(positions, faces, beside, tolerance)
         apart = [corners_of(positions, faces[panels[~shared]]) for panels in chunk]
         touching[~shared] = nearest(apart[0], apart[1])[0] <= tolerance
         found.append(np.stack(chunk, axis=-1)[touching])

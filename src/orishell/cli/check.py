@@ -4,29 +4,26 @@ from __future__ import annotations
 
 import json
 import os
-import sys
-from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from orishell.cli.printing import say
+from orishell.cli.progress import bar
+from orishell.errors import InputError
 
 if TYPE_CHECKING:
-    from orishell.inspection import Inspection
-    from orishell.io import FoldFrame
+    from orishell.verification import Inspection
 
 TOLERANCE = 1e-6
-"""That of :data:`orishell.inspection.TOLERANCE`, which ``--help`` is not to import."""
-QUIET_BELOW = 30_000
-"""Vertices times frames below which no progress bar is worth showing (less than a second)."""
+"""The same as :data:`orishell.verification.TOLERANCE`, without importing it for ``--help``."""
 
 
 def check(
     file: Annotated[
         Path,
-        typer.Argument(help="The crease pattern (FOLD), with its frames; or where design wrote."),
+        typer.Argument(help="The FOLD file, or the directory that `orishell design` wrote it to."),
     ],
     tolerance: Annotated[
         float,
@@ -36,33 +33,29 @@ def check(
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
 ) -> None:
-    """Verify a quadrilateral crease pattern: developable, rigid, fold angles, signs, contact."""
-    from orishell.inspection import inspect_fold
+    """Check a FOLD file of quadrilateral panels: flat sheet, rigidity, creases and contact."""
     from orishell.io import read_fold
+    from orishell.io.all_formats import FOLD
     from orishell.io.manifest import require_one_run
-    from orishell.io.registry import FOLD
+    from orishell.verification import inspect_fold
 
     if os.path.isdir(file):  # a name that is too long is none
         file /= FOLD.file
     require_one_run(file)
-    inspection = inspect_fold(read_fold(file), tolerance, _watched)
+    pattern = read_fold(file)
+    try:
+        with bar() as progress:
+            inspection = inspect_fold(pattern, tolerance, progress)
+    except InputError as error:
+        if error.where == "tolerance":
+            error.where = "--tolerance"
+        raise
     if json_report:
         say(json.dumps(inspection.as_dict(), indent=2, allow_nan=False))
     else:
         _print_summary(inspection)
     if not inspection.passed:
         raise typer.Exit(1)
-
-
-def _watched(frames: Sequence[FoldFrame], what: str) -> Iterator[FoldFrame]:
-    """Show a progress bar on standard error while the frames go by."""
-    if len(frames) * len(frames[0].positions) < QUIET_BELOW or not sys.stderr.isatty():
-        yield from frames
-        return
-    from rich.console import Console
-    from rich.progress import track
-
-    yield from track(frames, description=what, console=Console(stderr=True), transient=True)
 
 
 def _print_summary(inspection: Inspection) -> None:

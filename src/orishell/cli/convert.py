@@ -9,12 +9,12 @@ import typer
 
 from orishell.cli.files import STATE_HELP, shortened, state_number
 from orishell.cli.printing import say
+from orishell.conventions.units import MILLIMETRES
 from orishell.errors import InputError
-from orishell.units import MILLIMETRES
 
 
 def convert(
-    file: Annotated[Path, typer.Argument(help="The crease pattern (FOLD), with its frames.")],
+    file: Annotated[Path, typer.Argument(help="The FOLD file to convert.")],
     out: Annotated[Path, typer.Argument(help="The file to write; its ending names the format.")],
     state: Annotated[str, typer.Option(help=STATE_HELP)] = "locked",
     workshop: Annotated[
@@ -27,10 +27,10 @@ def convert(
     ] = None,
 ) -> None:
     """Write a crease pattern and its folded states in another format."""
+    from orishell.design_file import read_workshop
     from orishell.io import Settings
-    from orishell.spec import read_workshop
+    from orishell.shell.export import convert_fold
     from orishell.workshop import DEFAULT
-    from orishell.writing import convert_fold
 
     if unit is not None and unit not in MILLIMETRES:
         raise InputError(
@@ -43,5 +43,11 @@ def convert(
         state=state_number(state),
         workshop=DEFAULT if workshop is None else read_workshop(workshop),
     )
-    for text in shortened(convert_fold(file, out, settings, unit)):
+    try:
+        written = convert_fold(file, out, settings, unit)
+    except InputError as error:
+        if error.where.endswith(" unit"):
+            error.add_note("--unit says which it is.")
+        raise
+    for text in shortened(written):
         say(f"wrote {text}")

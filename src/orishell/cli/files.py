@@ -1,4 +1,4 @@
-"""What the commands that write files share: formats, the state to show, the workshop."""
+"""Options that several commands share: formats, the state to show, the output directory."""
 
 from __future__ import annotations
 
@@ -8,18 +8,15 @@ from itertools import groupby
 from pathlib import Path
 
 from orishell.errors import InputError
+from orishell.io.registry import ALL, MODULES
 
-WRITE_HELP = (
-    "More formats, commas between: fold, dxf, svg, pdf, origami-simulator, obj, stl, ply, glb, "
-    "3dm, vtu, csv, html; or all."
-)
-"""Its names are those of :mod:`orishell.io.registry`, which ``--help`` is not to import."""
+WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
 
-STATE_HELP = "State for formats that show one: flat, locked, or the number of a frame from 0."
+STATE_HELP = "State for formats that show only one: flat, locked, or the number of a frame from 0."
 
 
 def directory(text: str) -> Path:
-    """A directory by its name.
+    """The path of the output directory, which must have a name.
 
     Raises
     ------
@@ -32,7 +29,7 @@ def directory(text: str) -> Path:
 
 
 def state_number(text: str) -> int:
-    """The number of a state by its name or number.
+    """The number of the state that ``--state`` asks for: flat, locked, or a number.
 
     Raises
     ------
@@ -55,7 +52,7 @@ def state_number(text: str) -> int:
 
 
 def shortened(paths: Iterable[Path]) -> list[str]:
-    """Paths as they are listed, numbered files of one kind as the first and the last of them."""
+    """Paths to print; of three or more numbered files only the first and the last."""
 
     def kind(path: Path) -> tuple[str, str, bool]:
         stem = re.sub(r"-[0-9]+$", "", path.stem)

@@ -10,7 +10,6 @@ from typing import Annotated
 
 import typer
 
-from orishell._version import __version__
 from orishell.cli.check import check
 from orishell.cli.convert import convert
 from orishell.cli.design import design
@@ -18,6 +17,7 @@ from orishell.cli.new import new
 from orishell.cli.printing import say
 from orishell.cli.solve import solve
 from orishell.cli.studio import studio
+from orishell.conventions.version import __version__
 from orishell.errors import OrishellError
 
 app = typer.Typer(
@@ -52,7 +52,7 @@ def _main(
 
 
 def run() -> None:
-    """Run the command line: one message and the contract's exit status for every error."""
+    """Run the command line; an error prints one message and sets the exit status."""
     # Read when numpy is first imported. Its matrices are small here: threads only wait for work.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:

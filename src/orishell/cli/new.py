@@ -18,7 +18,8 @@ def new(
     file: Annotated[Path | None, typer.Argument(help="The file to write [FAMILY.toml].")] = None,
 ) -> None:
     """Write a starter design file."""
-    from orishell.spec import FAMILIES, starter_file
+    from orishell.design_file import starter_file
+    from orishell.families.registry import FAMILIES
 
     if family is None:
         raise InputError(

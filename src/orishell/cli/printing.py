@@ -1,4 +1,4 @@
-"""All that commands say goes through here: no file's text gives orders to the terminal."""
+"""Printing with control characters escaped, so that no file can send them to the terminal."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from orishell.errors import printable
 
 
 def say(text: str, *, err: bool = False) -> None:
-    """Print lines, every other control character as an escape.
+    """Print lines, with all control characters but line breaks escaped.
 
     Parameters
     ----------

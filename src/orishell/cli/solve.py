@@ -1,4 +1,4 @@
-"""``orishell solve``: what four sector angles of the longitudinal linear repeating type fold."""
+"""``orishell solve``: the columns that can follow one with given sector angles."""
 
 from __future__ import annotations
 

@@ -8,12 +8,15 @@ import os
 import socket
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from orishell.cli.printing import say
 from orishell.errors import InputError
+
+if TYPE_CHECKING:
+    from orishell.studio.api import NamedDesign
 
 CONNECTIONS = 150
 """Connections at a time, at most: all of them together must not take the machine's memory."""
@@ -24,7 +27,8 @@ def studio(
     *,
     port: Annotated[int, typer.Option(min=1024, max=65535, help="Port on this machine.")] = 8765,
     host: Annotated[
-        str, typer.Option(help="Address to listen on; other machines can come in if it is theirs.")
+        str,
+        typer.Option(help="Address to listen on; 0.0.0.0 lets other machines in."),
     ] = "127.0.0.1",
     browse: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> None:
@@ -65,7 +69,7 @@ def studio(
 
 
 def _listening(host: str, port: int) -> socket.socket:
-    """A socket that takes connections, before anybody is sent there."""
+    """A socket that accepts connections already, before the browser is sent to it."""
     try:
         family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
         place = socket.socket(family, kind)
@@ -80,10 +84,10 @@ def _listening(host: str, port: int) -> socket.socket:
         place.close()
         if error.errno == errno.EADDRINUSE:
             raise InputError(
-                "something listens at this port already",
+                "another program listens on this port already",
                 where="--port",
                 got=str(port),
-                remedy="end that, or choose another port",
+                remedy="end that program, or choose another port",
             ) from None
         raise _no_such_place(host, error) from None
     return place
@@ -91,18 +95,18 @@ def _listening(host: str, port: int) -> socket.socket:
 
 def _no_such_place(host: str, error: Exception) -> InputError:
     return InputError(
-        "the studio cannot listen there",
+        "the studio cannot listen on this address",
         where="--host",
         got=f"{host!r} ({getattr(error, 'strerror', None) or error})",
         expected="an address of this machine",
     )
 
 
-def _start(path: Path) -> dict[str, Any]:
-    """Name and tables of a design file that can be shown, files of curves as their points."""
-    from orishell.spec import read_design_file
+def _start(path: Path) -> NamedDesign:
+    """Name and tables of a design file, with the points of curves in place of their files."""
+    from orishell.conventions.toml_file import read_toml
+    from orishell.design_file import read_design_file
     from orishell.studio.dropped import points_along
-    from orishell.toml_file import read_toml
 
     file = read_design_file(path)
     tables = read_toml(path)

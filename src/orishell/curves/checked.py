@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from orishell.curves.curve import Curve
-from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.numerics.arrays import Array
 
 LARGEST = 1e100
 """Coordinates and derivatives beyond this count as not finite."""
@@ -23,8 +23,6 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
 
     Parameters
     ----------
-    curve
-        The curve.
     t
         Parameters (N,).
 
@@ -84,8 +82,6 @@ def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
 
     Parameters
     ----------
-    curve
-        The curve.
     t
         Parameters (N,) of its samples.
     first

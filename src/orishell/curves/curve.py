@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.curves.formula import Formula
-from orishell.curves.jets import Array
 from orishell.errors import CurveError
-from orishell.intervals import Enclosure
+from orishell.numerics import Enclosure
+from orishell.numerics.arrays import Array
 
 CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 """Position, first and second derivative, each (..., 2), at parameters (...)."""
@@ -121,7 +121,7 @@ class Curve:
         return replace(self, jet=jet, enclosure=enclosure, breaks=breaks, drawn=drawn)
 
     def part(self, first: float, last: float) -> Self:
-        """The part of the curve between two of its parameters, which it keeps.
+        """The part of the curve between two parameters, with unchanged parameter.
 
         Parameters
         ----------
@@ -148,12 +148,12 @@ class Curve:
         raise CurveError(what, where="part", got=got, expected=expected)
 
     def as_drawn(self, t: ArrayLike) -> Array:
-        """Parameters (...) as the curve was drawn, for messages, of this curve's t (...)."""
+        """The parameters (...) that t (...) have on the curve as it was drawn, for messages."""
         offset, factor = self.drawn
         return offset + factor * np.asarray(t, dtype=np.float64)
 
     def drawn_part(self, first: float, last: float) -> tuple[float, float]:
-        """The part between two parameters as ``key`` takes it, the smaller value first.
+        """The ends of a part in parameters of the curve as drawn, the smaller first, for ``key``.
 
         Parameters
         ----------
@@ -164,7 +164,7 @@ class Curve:
         return low, high
 
     def part_of_drawn(self, first: float, last: float) -> Self:
-        """The part between two parameters as the curve was drawn: what ``key`` says.
+        """The part between two parameters of the curve as drawn, which are those of ``key``.
 
         Parameters
         ----------

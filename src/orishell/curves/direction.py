@@ -16,8 +16,6 @@ def run_along_axis(trace: Trace, theta: float = 0.0) -> Trace:
 
     Parameters
     ----------
-    trace
-        The curve.
     theta
         Rotation that is going to be made (radians): it is the rotated x axis that counts.
 

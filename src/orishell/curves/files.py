@@ -1,4 +1,4 @@
-"""Curves from files: points in a CSV."""
+"""Reading files of curves: the bytes of any, up to a limit, and the points of a CSV."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Final
 
 import numpy as np
 
-from orishell.curves.jets import Array
-from orishell.curves.sources import read_source
+from orishell.conventions.units import conversion
 from orishell.errors import CurveError, InputError
-from orishell.units import conversion
+from orishell.numerics.arrays import Array
 
+MAX_BYTES = 20_000_000
 UNIT_NAMES: Final = {
     "mm": ("mm", "millimetre", "millimeter", "millimetres", "millimeters"),
     "cm": ("cm", "centimetre", "centimeter", "centimetres", "centimeters"),
@@ -25,6 +25,33 @@ _BRACKETS = re.compile(r"\[([^\]]*)\]$")
 _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
 
 
+def read_source(path: Path, kind: str) -> bytes:
+    """Read the bytes of a file, unless it is too large.
+
+    Parameters
+    ----------
+    kind
+        What messages call it, as in "SVG file".
+
+    Raises
+    ------
+    InputError
+        If it is missing, no file, too large, or cannot be read; without its name.
+    """
+    try:
+        if path.exists() and not path.is_file():
+            raise InputError("this is not a file")
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"the {kind} is too large", expected=f"at most {MAX_BYTES} bytes")
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(
+            f"the {kind} does not exist", remedy="the path is read relative to the design file"
+        ) from None
+    except (OSError, ValueError) as error:
+        raise InputError(f"the {kind} cannot be read", got=str(error)) from None
+
+
 def read_points(path: Path, *, into: str | None = None, unit: str | None = None) -> Array:
     """Points (N, 2) from the first two columns of a text file, in the order of its lines.
 
@@ -34,8 +61,6 @@ def read_points(path: Path, *, into: str | None = None, unit: str | None = None)
 
     Parameters
     ----------
-    path
-        The file.
     into
         Unit of length of the result; the numbers as they stand if None.
     unit
@@ -123,7 +148,7 @@ def _header_unit(fields: list[str], where: str) -> str | None:
                 where=where,
                 got=repr(field[:60]),
                 expected="one of " + ", ".join(UNIT_NAMES),
-                remedy="or give unit in the design file, which the header yields to",
+                remedy="or give unit in the design file, which overrules the header",
             )
         found = bracket[1].strip() if bracket is not None else word[1] if word else ""
         if found in _NAMED:

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.curves.jets import FUNCTIONS, Array, Jet
-from orishell.curves.rules import (
+from orishell.conventions.formatting import in_one_line
+from orishell.curves.formula_arithmetic import (
     ENCLOSURES,
     JETS,
-    OPERATORS,
     Run,
     apply,
     combine,
@@ -20,9 +19,10 @@ from orishell.curves.rules import (
     named,
     the_variable,
 )
+from orishell.curves.jets import FUNCTIONS, Jet
 from orishell.errors import FormulaError
-from orishell.intervals import Enclosure, Interval
-from orishell.quoting import in_one_line
+from orishell.numerics import Enclosure
+from orishell.numerics.arrays import Array
 
 MAX_LENGTH = 500
 MAX_DEPTH = 100
@@ -58,14 +58,12 @@ class Formula:
         return value, first, second
 
     def enclosure(self, low: Array, high: Array) -> Enclosure:
-        """What these can be between ``low`` and ``high`` (S,); nan or infinite where unbounded."""
+        """Bounds of all three from ``low`` to ``high`` (S,); nan or infinite where unbounded."""
         with np.errstate(all="ignore"):
             found = self._run(Enclosure.variable(low, high), ENCLOSURES)
-        spread = (
-            Interval(np.broadcast_to(each.low, low.shape), np.broadcast_to(each.high, low.shape))
-            for each in (found.value, found.first, found.second)
+        return found.each(
+            lambda interval: interval.through(lambda ends: np.broadcast_to(ends, low.shape))
         )
-        return Enclosure(*spread)
 
 
 class _Compiler:
@@ -105,9 +103,9 @@ class _Compiler:
                 return self.power(
                     self.compile(left, depth + 1), self.compile(right, depth + 1), right
                 )
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in JETS.operators:
                 return combine(
-                    OPERATORS[type(op)],
+                    type(op),
                     self.compile(left, depth + 1),
                     self.compile(right, depth + 1),
                 )
@@ -154,7 +152,7 @@ class _Compiler:
 
     @staticmethod
     def negative(operand: float | Run) -> float | Run:
-        return combine(OPERATORS[ast.Sub], 0.0, operand)
+        return combine(ast.Sub, 0.0, operand)
 
     def power(
         self,
@@ -173,7 +171,7 @@ class _Compiler:
             n = exponent
             return apply(lambda rules: lambda value: rules.power(value, n), base)
         if isinstance(base, float) and base > 0:
-            scaled = combine(OPERATORS[ast.Mult], float(np.log(base)), exponent)
+            scaled = combine(ast.Mult, float(np.log(base)), exponent)
             return apply(named("exp"), scaled)
         raise self.fault(
             "the exponent varies",

@@ -1,10 +1,10 @@
-"""Frames in which what lies far from the origin keeps its digits."""
+"""Coordinate frames in which points far from the origin keep their digits."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from orishell.curves.jets import Array
+from orishell.numerics.arrays import Array
 
 ROOM = 4.0
 """Origins of frames lie on a grid at least this many times as wide as what is in them."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from orishell.curves.curve import Curve
-from orishell.curves.jets import Array
 from orishell.errors import CurveError
-from orishell.intervals import Enclosure, Interval
+from orishell.numerics import Enclosure, Interval
+from orishell.numerics.arrays import Array, Integers
 
 
 def curve_from_points(points: ArrayLike, *, smooth: bool) -> Curve:
@@ -100,7 +100,7 @@ def _polyline(knots: Array, points: Array) -> Curve:
     last = len(slopes) - 1
 
     def jet(t: Array) -> tuple[Array, Array, Array]:
-        cell: NDArray[np.intp] = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, last)
+        cell: Integers = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, last)
         position = points[cell] + (t - knots[cell])[..., None] * slopes[cell]
         position = np.where((t == knots[-1])[..., None], points[-1], position)
         first = slopes[cell]

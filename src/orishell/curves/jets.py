@@ -9,9 +9,9 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array: TypeAlias = NDArray[np.float64]
+from orishell.numerics.arrays import Array
+
 Jet: TypeAlias = tuple[Array, Array, Array]
 """Value, first and second derivative, each of the shape of the variable."""
 

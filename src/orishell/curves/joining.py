@@ -6,16 +6,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
-from orishell.curves.jets import Array
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
 from orishell.errors import CurveError
+from orishell.numerics.arrays import Array, Integers
 
-Integers = NDArray[np.intp]
 Place = Callable[[Array], str]
 """How messages name a point (2,) of the drawing."""
 
@@ -240,7 +238,7 @@ def _walk(node: Integers, first: int) -> tuple[list[int], list[bool]]:
 
 
 def _parts(piece: Piece) -> int:
-    """How many parts a spline sees in a piece: as many as its turning asks for."""
+    """Into how many parts a piece is cut for a spline, by how much it turns."""
     turn = abs(piece.sweep) if isinstance(piece, Arc) else _polygon_turn(piece)
     return min(MOST_BETWEEN, 1 + int(np.ceil(turn / SMOOTH_TURN))) if turn > 1e-9 else 1
 

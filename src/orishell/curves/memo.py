@@ -1,4 +1,4 @@
-"""Results that are kept for the curves asked about last, since a search asks again and again."""
+"""A cache of results for the last few curves, since searches ask the same again and again."""
 
 from __future__ import annotations
 

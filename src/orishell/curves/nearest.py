@@ -1,4 +1,4 @@
-"""Nearest points on a curve: exact feet, found on the trace and polished on the curve."""
+"""Nearest points on a curve (feet): found on its trace, then refined on the curve itself."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.curves.jets import Array
 from orishell.curves.memo import remembered
 from orishell.curves.trace import Trace
+from orishell.numerics.arrays import Array, Integers
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -68,7 +67,7 @@ class Nearest:
         column = np.arange(len(points))
         return feet[best, column], distances[best, column]
 
-    def _shares(self, cell: NDArray[np.intp], points: Array) -> Array:
+    def _shares(self, cell: Integers, points: Array) -> Array:
         """Where on the chords of cells (3, P), from 0 to 1, the points nearest to (P, 2) are."""
         start = self.trace.points[cell]
         chord = self.trace.points[cell + 1] - start
@@ -78,7 +77,7 @@ class Nearest:
 
 @remembered
 def _tree_of(trace: Trace) -> STRtree:
-    """The chords between samples."""
+    """A search tree over the chords between samples."""
     import shapely
 
     ends = np.stack([trace.points[:-1], trace.points[1:]], axis=1)

@@ -7,13 +7,10 @@ from dataclasses import dataclass
 from math import comb
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.curves.jets import Array
 from orishell.curves.pieces import Arc
-from orishell.intervals import FUNCTIONS, Enclosure, Interval, power_of
-
-Integers = NDArray[np.intp]
+from orishell.numerics import FUNCTIONS, Enclosure, Interval, power_of
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 RETRACTED = 1e-6
 """A control point this near to the end, relative to the control polygon, is put on it."""
@@ -96,7 +93,7 @@ class Arcs:
 
     @classmethod
     def of(cls, arcs: Sequence[Arc]) -> Arcs:
-        """Take the numbers of arcs together."""
+        """Gather the numbers of several arcs in arrays."""
         return cls(
             np.array([arc.centre for arc in arcs]),
             np.array([arc.axes for arc in arcs]),
@@ -138,8 +135,8 @@ def powers_of(control: Array) -> Array:
     return np.stack(powers, axis=1)
 
 
-def even_out(control: Array) -> tuple[Array, NDArray[np.bool_], Integers]:
-    """Find curves (N, d+1, 3) that stand still in an end because control points lie in it.
+def even_out(control: Array) -> tuple[Array, Booleans, Integers]:
+    """Put control points (N, d+1, 3) near an end into it; return which curves stand still there.
 
     Returns
     -------
@@ -183,9 +180,9 @@ def _from_the_end(powers: Array) -> Array:
 
 
 def _polynomial(powers: Array, low: Array, high: Array) -> Enclosure:
-    """A polynomial with coefficients (P, d+1) between ``low`` and ``high`` (P,).
+    """Bounds of a polynomial with coefficients (P, d+1) between ``low`` and ``high`` (P,).
 
-    About the middle, where terms but the first few are small.
+    It is expanded about the middle, where all terms but the first few are small.
     """
     radius = 0.5 * (high - low)
     terms = _shifted(powers, 0.5 * (low + high))
@@ -212,7 +209,7 @@ def _quotients(polynomials: list[Enclosure]) -> tuple[Enclosure, Enclosure]:
     return x * inverse, y * inverse
 
 
-def _either(where: NDArray[np.bool_], first: Interval, second: Interval) -> Interval:
+def _either(where: Booleans, first: Interval, second: Interval) -> Interval:
     return Interval(
         np.where(where, first.low, second.low), np.where(where, first.high, second.high)
     )

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from orishell.curves.jets import Array
 from orishell.errors import CurveError
+from orishell.numerics.arrays import Array, Integers
 
 MAX_PIECES = 50_000
 """Most pieces that a drawing may have."""
@@ -164,7 +164,7 @@ def nurbs(
     w = np.ones(len(plane)) if weights is None else np.asarray(weights, dtype=np.float64)
     _require_nurbs(degree, t, plane, w)
     control = np.concatenate([plane * w[:, None], w[:, None]], axis=1)
-    span: NDArray[np.intp] = np.flatnonzero(np.diff(t) > 0)
+    span: Integers = np.flatnonzero(np.diff(t) > 0)
     span = span[(span >= degree) & (span < len(plane))]
     low, high = t[span], t[span + 1]
     corners = [
@@ -173,7 +173,7 @@ def nurbs(
     return [Bezier(each) for each in np.stack(corners, axis=1)]
 
 
-def _blossom(t: Array, control: Array, span: NDArray[np.intp], at: list[Array]) -> Array:
+def _blossom(t: Array, control: Array, span: Integers, at: list[Array]) -> Array:
     """The polar form of a spline on each of its spans (S, 3), by de Boor's triangle."""
     degree = len(at)
     d = [control[span - degree + j] for j in range(degree + 1)]

@@ -11,15 +11,12 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.curves.curve import Curve
-from orishell.curves.jets import Array
 from orishell.curves.piece_groups import Arcs, Rationals, even_out, powers_of
 from orishell.curves.pieces import Arc, Bezier, Piece
-from orishell.intervals import Enclosure, Interval
-
-Integers = NDArray[np.intp]
+from orishell.numerics import Enclosure, Interval
+from orishell.numerics.arrays import Array, Integers
 
 SLUGGISH = 0.2
 """A piece that is slower than this at both ends, relative to its mean, is sampled in the middle."""

@@ -9,15 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.curves.between import Samples, unseen
+from orishell.conventions.formatting import in_one_line
 from orishell.curves.checked import checked_jet, least_within, require_length, require_speed
 from orishell.curves.curve import Curve
 from orishell.curves.frames import nearby_origin
-from orishell.curves.jets import Array
+from orishell.curves.sample_gaps import Samples, missing_samples
 from orishell.errors import CurveError
-from orishell.quoting import in_one_line
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 MAX_TURN = 0.004
 """Largest turn of the tangent from sample to sample (radians)."""
@@ -30,7 +29,7 @@ SMALLEST_CELL = 2.0**-24
 """Smallest distance of samples in the parameter, relative to the range."""
 MAX_SAMPLES = 400_000
 QUADRATURE = 1e-6
-"""To this share arc lengths of cells are taken from quadrature, but where there is a corner."""
+"""A chord longer than a cell's quadrature by more than this share shows a corner in the cell."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,7 +71,7 @@ class Trace:
         return float(self.arc[-1])
 
     @property
-    def corners(self) -> NDArray[np.intp]:
+    def corners(self) -> Integers:
         """Indices (K,) of the inner samples at which the tangent jumps."""
         return np.flatnonzero(np.abs(self.heading - self.arriving) > KINK)
 
@@ -103,7 +102,7 @@ class Trace:
         )
 
     def in_own_frame(self) -> Trace:
-        """The trace in a frame beside it, so that what is made of it keeps its digits.
+        """The trace in a frame near it, in which points far from the origin keep their digits.
 
         A curve near the origin of its drawing stays where it is.
         """
@@ -158,12 +157,10 @@ class Trace:
 
 
 def trace_curve(curve: Curve, name: str = "") -> Trace:
-    """Sample a curve adaptively and check that it is one.
+    """Sample a curve adaptively; refuse one that breaks off, stands still or turns too often.
 
     Parameters
     ----------
-    curve
-        The curve.
     name
         What errors call it, for example "f".
 
@@ -189,7 +186,7 @@ def _trace(curve: Curve) -> Trace:
         missing = (0.5 * (t[:-1] + t[1:]))[bad]
         if not len(missing):
             _check_leaps(curve, samples)
-            missing = unseen(curve, samples, MAX_TURN, smallest)
+            missing = missing_samples(curve, samples, MAX_TURN, smallest)
         if not len(missing):
             break
         if len(t) + len(missing) > MAX_SAMPLES:
@@ -234,12 +231,12 @@ def _ends(curve: Curve, t: Array, first: Array) -> tuple[Array, Array]:
     return leaving, arriving
 
 
-def _turning_cells(samples: Samples) -> NDArray[np.bool_]:
+def _turning_cells(samples: Samples) -> Booleans:
     """Cells in which the tangent, or the chord against it, turns by more than MAX_TURN."""
     leaving, arriving = samples.leaving, samples.arriving
     chord = np.diff(samples.points, axis=0)
     turn = np.maximum(np.abs(_angle(leaving, chord)), np.abs(_angle(chord, arriving)))
-    turning: NDArray[np.bool_] = np.maximum(np.abs(_angle(leaving, arriving)), turn) > MAX_TURN
+    turning: Booleans = np.maximum(np.abs(_angle(leaving, arriving)), turn) > MAX_TURN
     # What is lost in the rounding of the coordinates cannot be refined.
     return np.asarray(turning & samples.distinct())
 

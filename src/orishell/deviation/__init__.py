@@ -3,7 +3,6 @@
 Derived in docs/theory/deviation.md.
 """
 
-from orishell.deviation.describe import describe_deviation
 from orishell.deviation.measure import (
     COARSE,
     SAMPLES,
@@ -23,7 +22,6 @@ __all__ = [
     "Deviation",
     "Distances",
     "SignedDistances",
-    "describe_deviation",
     "find_excess",
     "locked_shell",
     "measure_approach",

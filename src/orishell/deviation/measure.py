@@ -10,21 +10,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.design import Design
-from orishell.deviation.mesh import mesh_shell, mesh_surface
+from orishell.deviation.branch_and_bound import Cells, find_largest
 from orishell.deviation.patches import Patch
-from orishell.deviation.search import Cells, find_largest
-from orishell.deviation.triangles import Nearest, Triangles
+from orishell.deviation.triangles import Nearest, Triangles, mesh_shell, mesh_surface
+from orishell.numerics.arrays import Array
 from orishell.surface import Surface
-
-Array = NDArray[np.float64]
 
 SAMPLES = 15_000
 """Samples each way by default: a fifth of a second for sheets of some hundred panels."""
 SEARCHED = 2
-"""So many times as many points are spent in search of the largest distance, at most."""
+"""Points spent in search of the largest distance, at most, for each sample."""
 COARSE = 3_000
 """Samples each way for a first look: a twentieth of a second, for sheets of some hundred panels."""
 SHARE = 0.95
@@ -40,7 +37,7 @@ class Distances:
     max
         The largest.
     rms, mean, p95
-        Root mean square, mean, and the distance below which 95 % of the area are.
+        Root mean square, mean, and the distance below which 95 % of the area lies.
     sample_spacing
         What is not known: the largest distance lies between max - sample_spacing and
         max + sample_spacing.
@@ -92,7 +89,7 @@ class Deviation:
 
     @property
     def p95(self) -> float:
-        """The distance below which 95 % of the area are, the larger of both ways."""
+        """The distance below which 95 % of the area lies, the larger of both ways."""
         return max(each.p95 for each in self._ways)
 
     @property
@@ -106,12 +103,10 @@ class Deviation:
 
 
 def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
-    """Measure the locked shell of a design, flaps left out, against f swept along g.
+    """Return distances of the locked shell of a design, flaps left out, from f swept along g.
 
     Parameters
     ----------
-    design
-        The design.
     samples
         Samples each way, about: all corners, edges and insides of panels are sampled at least.
 
@@ -133,12 +128,10 @@ def measure_deviation(design: Design, *, samples: int = SAMPLES) -> Deviation:
 
 
 def measure_approach(design: Design, *, samples: int = SAMPLES) -> Deviation | None:
-    """Measure the locked shell against what its family approaches instead, if that is known.
+    """Return distances of the locked shell from the surface that its family approaches, if known.
 
     Parameters
     ----------
-    design
-        The design.
     samples
         Samples each way, about.
     """
@@ -151,25 +144,18 @@ def locked_shell(design: Design) -> Array:
     """Vertices (rows, n, 3) of the shell that meets the surface: columns 1 ... n.
 
     Flaps and border strips are not part of it: they stand beyond the ends of g.
-
-    Parameters
-    ----------
-    design
-        The design.
     """
     mechanism = design.mechanism
     return mechanism.positions(mechanism.lock_drive)[:, mechanism.inner_columns]
 
 
 def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) -> Deviation:
-    """Measure panels, given by their vertices (rows, columns, 3), against a surface, both ways.
+    """Return distances of panels from a surface, both ways.
 
     Parameters
     ----------
     shell
         Vertices (rows, columns, 3) of plane panels.
-    surface
-        The surface.
     samples
         Samples each way, about.
     """
@@ -178,12 +164,10 @@ def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) 
 
 
 def find_excess(design: Design, limit: float, *, samples: int) -> float:
-    """Find out whether a shell is farther from its surface than a limit, flaps left out.
+    """Return a distance that shows whether a shell is farther from its surface than a limit.
 
     Parameters
     ----------
-    design
-        The design.
     limit
         The limit (length).
     samples
@@ -217,7 +201,7 @@ class _Way:
     sagitta: float
 
     def search(self, samples: int, limit: float | None = None) -> tuple[float, float]:
-        """See :func:`~orishell.deviation.search.find_largest`."""
+        """See :func:`~orishell.deviation.branch_and_bound.find_largest`."""
         patch = self.patch
         cells = Cells.of_lattice(patch.u, patch.v, patch.points, self.found)
         attained = float(self.found.distances.max())
@@ -225,7 +209,7 @@ class _Way:
 
 
 def _both_ways(shell: Array, surface: Surface, samples: int, least: int = 2) -> tuple[_Way, _Way]:
-    """From shell to surface, and back."""
+    """Samples of the shell with the nearest points of the surface, and the other way round."""
     of_shell, panels = Patch.of_shell(shell, samples, least=least), mesh_shell(shell)
     of_surface = Patch.of_surface(surface, samples, shell)
     mesh, sagitta = mesh_surface(surface, samples)
@@ -234,7 +218,7 @@ def _both_ways(shell: Array, surface: Surface, samples: int, least: int = 2) -> 
 
 
 def _measure(way: _Way, samples: int) -> Distances:
-    """All that is to be said of one way."""
+    """The distances one way, and how exactly they are known."""
     patch = way.patch
     inside, share = patch.spread(way.found.distances)
     order = np.argsort(inside, kind="stable")

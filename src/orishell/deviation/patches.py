@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.deviation.search import At
-from orishell.panels import area_vectors, lengths
+from orishell.deviation.branch_and_bound import At
+from orishell.numerics.arrays import Array
+from orishell.sheet.quads import area_vectors, grid_corners, lengths
 from orishell.surface import Surface
-
-Array = NDArray[np.float64]
 
 MOST_LONGER = 30.0
 """Samples are at most so many times farther apart in one direction than in the other."""
@@ -22,7 +20,7 @@ often."""
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Patch:
-    """Samples at all pairs of two parameters.
+    """Samples of a surface at every pair of a value of u and a value of v.
 
     Parameters
     ----------
@@ -46,7 +44,7 @@ class Patch:
     def of_shell(
         cls, positions: Array, samples: int, *, least: int = 2, longer: float | None = None
     ) -> Patch:
-        """About so many samples of panels (rows-1, columns-1), given by their vertices.
+        """About ``samples`` samples of a shell's panels, given its vertices (rows, columns, 3).
 
         The parameters are row and column. However many panels there are, each of their edges has
         at least ``least`` steps: with 2 edges and insides of all are among the samples, with 1 the
@@ -77,7 +75,7 @@ class Patch:
 
     @classmethod
     def of_surface(cls, surface: Surface, samples: int, shell: Array) -> Patch:
-        """About so many samples of a surface, farther apart where the panels of a shell are long.
+        """About ``samples`` samples of a surface, spaced in proportion to a shell's panels.
 
         The shell is given by its vertices (rows, columns, 3).
         """
@@ -97,16 +95,16 @@ class Patch:
             first, second = distances[:-1], distances[1:]
             pairs = (near * first + (1 - near) * second, near * second + (1 - near) * first)
             distances = np.stack(pairs, axis=1).reshape(-1, distances.shape[1]).T
-        areas = lengths(area_vectors(_cells(self.points)))
+        areas = lengths(area_vectors(grid_corners(self.points)))
         shares = np.repeat(np.repeat(areas / (4 * areas.sum()), 2, axis=0), 2, axis=1)
         return distances.ravel(), shares.ravel()
 
     def radii(self) -> Array:
-        """For each cell (A-1, B-1), a length within which all of it has one of its corners."""
+        """For each cell (A-1, B-1), a length within which each of its points has a corner."""
         middle = self.at(
             0.5 * (self.u[:-1] + self.u[1:])[:, None], 0.5 * (self.v[:-1] + self.v[1:])[None, :]
         )
-        corners = _cells(self.points)
+        corners = grid_corners(self.points)
         to_middle = lengths(corners - middle[..., None, :]).max(axis=-1)
         edges = lengths(corners - np.roll(corners, 1, axis=-2)).max(axis=-1)
         return np.asarray(np.maximum(to_middle, 0.5 * edges))
@@ -125,8 +123,3 @@ def _divided(parts: Array) -> Array:
     unit = np.repeat(np.arange(len(counts)), counts)
     within = np.arange(len(unit)) - np.repeat(np.cumsum(counts) - counts, counts)
     return np.concatenate([unit + within / counts[unit], [float(len(counts))]])
-
-
-def _cells(points: Array) -> Array:
-    """Corners (A-1, B-1, 4, 3) of every cell of samples (A, B, 3)."""
-    return np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=-2)

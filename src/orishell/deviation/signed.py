@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.deviation.mesh import mesh_surface
+from orishell.conventions.formatting import in_one_line
 from orishell.deviation.patches import Patch
-from orishell.quoting import in_one_line
+from orishell.deviation.triangles import mesh_surface
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.surface import Surface
-
-Array = NDArray[np.float64]
-Booleans = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,10 +44,8 @@ def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Ar
     ----------
     points
         The points (..., 3).
-    surface
-        The surface.
     samples
-        The mesh suits so many samples of the surface.
+        How fine the mesh is: as for so many samples of the surface.
     """
     mesh, _ = mesh_surface(surface, samples)
     found = mesh.nearest(points)
@@ -58,14 +53,12 @@ def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Ar
 
 
 def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> SignedDistances:
-    """Measure about so many points of panels, given by their vertices (rows, columns, 3).
+    """Return signed distances of points of a shell's panels from a surface, for a picture.
 
     Parameters
     ----------
     shell
         Vertices (rows, columns, 3) of plane panels.
-    surface
-        The surface.
     samples
         Number of points, about.
     most
@@ -84,8 +77,8 @@ def measure_signed(shell: Array, surface: Surface, samples: int, most: int) -> S
     )
 
 
-def _thinned(count: int, most: int) -> tuple[int, NDArray[np.intp]]:
-    """A stride, and the lines that it keeps: the first, the second and so on, and the last two."""
+def _thinned(count: int, most: int) -> tuple[int, Integers]:
+    """A stride, and the lines that are kept: both borders, and lines a stride apart between."""
     stride = max(1, -(-(count - 1) // most))
     stride += 1 - stride % 2
     kept = np.concatenate([[0], np.arange(1, count - 1, stride), [count - 2, count - 1]])

@@ -1,4 +1,4 @@
-"""Exact distances of points to a surface of triangles, and how much it turns between places."""
+"""Triangles of surfaces and shells: distances to them, and how much they turn between places."""
 
 from __future__ import annotations
 
@@ -6,15 +6,20 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.panels import lengths
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.grid import Grid
+from orishell.sheet.quads import lengths, unit_normals
+from orishell.surface import Lattice, Surface
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-
+FLATNESS = 400.0
+"""The mesh of a surface leaves it by about the samples' step over this."""
+LONGEST_CELL = 8.0
+"""Cells of the mesh are at most this many steps of the samples long."""
+FINEST = 200_000
+"""Cells of a mesh of a surface at most: 100 MB with its tree."""
 AT_ONCE = 200_000
-"""Points asked for at once: bounds the memory that answers take."""
+"""Points looked up at once, to bound the memory."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,7 +69,7 @@ class Triangles:
 
     @classmethod
     def of(cls, points: Array, corners: Integers) -> Triangles:
-        """Prepare for questions about a grid (A, B, 3) and its triangles, cell by cell."""
+        """The triangles of a grid of points (A, B, 3), cell by cell, with what look-ups need."""
         import igl
 
         vertices, corners = points.reshape(-1, 3), np.ascontiguousarray(corners)
@@ -74,7 +79,7 @@ class Triangles:
         return cls(vertices, corners, points.shape[1] - 1, turning, tree)
 
     def nearest(self, points: Array) -> Nearest:
-        """The nearest points to points (..., 3)."""
+        """The points of the triangles that are nearest to given points (..., 3)."""
         flat = np.ascontiguousarray(points.reshape(-1, 3))
         feet, cells = np.empty_like(flat), np.empty((len(flat), 2), np.int64)
         distances, sides = np.empty(len(flat)), np.empty(len(flat))
@@ -104,6 +109,35 @@ class Triangles:
             first, last = low[..., axis], high[..., axis]
             total += between[last] - between[first] + within[last + 1] - within[first]
         return np.where((low == high).all(axis=-1), 0.0, total)
+
+
+def mesh_shell(positions: Array) -> Triangles:
+    """The panels of a shell, given by their vertices (rows, columns, 3): two triangles each."""
+    faces = Grid(*positions.shape[:2]).faces_vertices()
+    corners = faces[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
+    return Triangles.of(positions, corners)
+
+
+def mesh_surface(surface: Surface, samples: int) -> tuple[Triangles, float]:
+    """A mesh of a surface that suits so many samples, and how far it leaves the surface."""
+    step = float(np.sqrt(surface.area() / samples))
+    lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS, most=FINEST)
+    triangles = Triangles.of(lattice.points, lattice.triangles())
+    return triangles, sagitta(surface, lattice) + lattice.left_out
+
+
+def sagitta(surface: Surface, lattice: Lattice) -> float:
+    """How far a lattice's triangles leave the surface, measured at the middles of their edges."""
+    u, v, points = lattice.u, lattice.v, lattice.points
+    middle_u, middle_v = 0.5 * (u[1:] + u[:-1]), 0.5 * (v[1:] + v[:-1])
+    a, b, c, d = points[:-1, :-1], points[:-1, 1:], points[1:, 1:], points[1:, :-1]
+    normals = unit_normals(np.stack([a, b, c, d], axis=-2))
+    gaps = (
+        surface.points(middle_u[:, None], middle_v[None, :]) - 0.5 * (a + c),
+        surface.points(u[:-1, None], middle_v[None, :]) - 0.5 * (a + b),
+        surface.points(middle_u[:, None], v[None, :-1]) - 0.5 * (a + d),
+    )
+    return max(float(np.abs(np.einsum("...i,...i->...", gap, normals)).max()) for gap in gaps)
 
 
 def _turning(points: Array) -> tuple[Array, Array]:

@@ -1,1 +1,1 @@
-"""The families of rigid-foldable patterns: each knows the waist, none knows another."""
+"""The families of rigid-foldable patterns: each gives a mechanism, none depends on another."""

@@ -1,19 +1,19 @@
-"""What a refusal leaves open, in keys of the design file: values worth a try (not in the paper)."""
+"""Changes to the design file that are worth trying after a refusal (not in the paper)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
+from orishell.conventions.formatting import ROUNDING, between, rounded, tidy_degrees
 from orishell.curves import Curve
 from orishell.errors import Remedy
-from orishell.quoting import ROUNDING, between, rounded, tidy_degrees
 
 FARTHER = (1 + ROUNDING, 1.1, 1.4, 2.0)
-"""How far beyond a limit that a curve's size must not reach sizes are tried."""
+"""Sizes of a curve are tried beyond their limit by these factors."""
 
 
 def values(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """Values of an open interval, none if it is empty.
+    """Values of a key to try, within an open interval; none if it is empty.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def values(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]
 
 
 def angles(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """The same for angles in radians.
+    """Values of an angle to try, as :func:`values` gives them.
 
     Parameters
     ----------
@@ -42,14 +42,12 @@ def angles(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]
 
 
 def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
-    """Sizes of a curve beyond a limit.
+    """Sizes of a curve to try, beyond a limit that it must not reach.
 
     Parameters
     ----------
     name
         "f" or "g".
-    curve
-        The curve.
     factor
         How many times larger the curve would be at the limit: below 1 it must become smaller.
     """
@@ -59,14 +57,12 @@ def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
 
 
 def part(name: str, curve: Curve, start: float, stop: float) -> Remedy:
-    """A part of a curve.
+    """The change that keeps only a part of a curve.
 
     Parameters
     ----------
     name
         "f" or "g".
-    curve
-        The curve.
     start, stop
         Its parameters.
     """
@@ -75,7 +71,7 @@ def part(name: str, curve: Curve, start: float, stop: float) -> Remedy:
 
 
 def fewer(key: str, count: int) -> Iterator[Remedy]:
-    """Smaller odd numbers of rows or columns.
+    """Smaller odd numbers of rows or columns to try.
 
     Parameters
     ----------
@@ -87,19 +83,3 @@ def fewer(key: str, count: int) -> Iterator[Remedy]:
     while count > 3:
         count = count // 4 * 2 + 1
         yield Remedy({f"pattern.{key}": count})
-
-
-def bisect(good: float, bad: float, works: Callable[[float], bool]) -> float:
-    """The value nearest to one that does not work that does, to a ten-thousandth of itself.
-
-    Parameters
-    ----------
-    good, bad
-        A value that works, and one that does not.
-    works
-        Whether a value works.
-    """
-    while abs(bad - good) > 1e-4 * abs(good):
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if works(middle) else (good, middle)
-    return good

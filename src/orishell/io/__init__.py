@@ -1,10 +1,15 @@
-"""Files in and out: one file per format, one registry."""
+"""Reading FOLD files, and writing shells in every format."""
 
-from orishell.io.fold import write_fold
-from orishell.io.fold_document import document_of_fold
-from orishell.io.fold_reader import FoldFile, FoldFrame, read_fold
-from orishell.io.output import OutputDirectory
-from orishell.io.settings import DEFAULT_SETTINGS, LAST, Settings
+from typing import TYPE_CHECKING
+
+from orishell.conventions.on_demand import import_on_demand
+
+if TYPE_CHECKING:
+    from orishell.io.fold import write_fold
+    from orishell.io.fold_document import document_of_fold
+    from orishell.io.fold_reader import FoldFile, FoldFrame, read_fold
+    from orishell.io.output import OutputDirectory
+    from orishell.io.settings import DEFAULT_SETTINGS, LAST, Settings
 
 __all__ = [
     "DEFAULT_SETTINGS",
@@ -17,3 +22,15 @@ __all__ = [
     "read_fold",
     "write_fold",
 ]
+
+# Imported when they are asked for: whoever only lists the formats does not wait for numpy.
+__getattr__, __dir__ = import_on_demand(
+    __name__,
+    {
+        "orishell.io.fold": ("write_fold",),
+        "orishell.io.fold_document": ("document_of_fold",),
+        "orishell.io.fold_reader": ("FoldFile", "FoldFrame", "read_fold"),
+        "orishell.io.output": ("OutputDirectory",),
+        "orishell.io.settings": ("DEFAULT_SETTINGS", "LAST", "Settings"),
+    },
+)

@@ -6,13 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell._version import __version__
+from orishell.conventions.version import __version__
 from orishell.document import Document, DocumentState
+from orishell.io.format import Format
 from orishell.io.settings import DEFAULT_SETTINGS, Settings
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
 
 
 def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETTINGS) -> None:
@@ -23,13 +22,9 @@ def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETT
 
     Parameters
     ----------
-    path
-        The file.
     document
         What is written. States are taken one by one, so that only one need be in memory. Without
         a flat sheet the first state is the key frame.
-    settings
-        Nothing of them matters here.
     """
     import orjson
 
@@ -95,3 +90,6 @@ def _mesh(document: Document) -> dict[str, Any]:
         "faces_edges": mesh.faces_edges(),
         **({"orishell:grid_shape": list(shape)} if shape is not None else {}),
     }
+
+
+FORMAT = Format("fold", "shell.fold", (".fold",), "pattern and motion (FOLD 1.2)", write_fold)

@@ -1,13 +1,14 @@
-"""The document of a FOLD file: what it is converted from."""
+"""The document of a FOLD file, from which other formats are written."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document, DocumentState
-from orishell.io.fold_reader import Array, FoldFile, FoldFrame
-from orishell.mesh import measure_mesh_folds
-from orishell.units import MILLIMETRES
+from orishell.io.fold_reader import FoldFile, FoldFrame
+from orishell.numerics.arrays import Array
+from orishell.sheet.mesh import measure_mesh_folds
 
 
 def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
@@ -18,8 +19,6 @@ def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
 
     Parameters
     ----------
-    file
-        The file.
     unit
         Unit of length to be stated instead of the file's own.
     """
@@ -58,7 +57,7 @@ def _in_plane(positions: Array) -> Array:
 def _fold_angles(
     file: FoldFile, flat: FoldFrame | None, states: tuple[DocumentState, ...]
 ) -> Array:
-    """The angles that the flat sheet names, or the last state, or those that are measured."""
+    """Fold angles (E,): those the flat sheet gives, else the last state's, given or measured."""
     if flat is not None and flat.fold_angles_deg is not None:
         return flat.fold_angles_deg
     if states and states[-1].fold_angles_deg is not None:
@@ -69,5 +68,5 @@ def _fold_angles(
 
 
 def _guess(file: FoldFile) -> tuple[str, ...]:
-    """Without assignments: borders are known, creases are unassigned."""
+    """The assignment of a file that gives none: borders B, creases unassigned (U)."""
     return tuple("U" if crease else "B" for crease in file.mesh.crease.tolist())

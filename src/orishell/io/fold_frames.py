@@ -19,7 +19,7 @@ MAX_BYTES = 5_000_000_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Frames:
-    """The frames as they stand in the file, and the owner of each value that they use.
+    """The frames of a file, and which frame each inherited value comes from.
 
     Parameters
     ----------
@@ -36,11 +36,11 @@ class Frames:
         return len(self.raw)
 
     def own(self, number: int) -> dict[str, Any]:
-        """What stands in a frame itself."""
+        """The keys and values that a frame itself has."""
         return self.raw[number]
 
     def value(self, number: int, key: str) -> Any:
-        """A value that stands in a frame itself."""
+        """The value of a key that a frame itself has."""
         return self.raw[number][key]
 
     def owner(self, number: int, key: str) -> int | None:
@@ -48,7 +48,7 @@ class Frames:
         return self.sources[number].get(key)
 
     def owners(self, key: str) -> list[int]:
-        """All frames in which an inheritable key stands."""
+        """All frames that have an inheritable key themselves."""
         return [number for number, frame in enumerate(self.raw) if key in frame]
 
     def place(self, number: int, key: str) -> str:
@@ -74,12 +74,12 @@ def read_frames(path: Path) -> Frames:
 
 
 def differing(where: str) -> InputError:
-    """The error for a list that is to be the same in all frames and is not."""
+    """The error for a list that must be the same in all frames and is not."""
     return InputError(
         "the frames differ in more than their coordinates and fold angles",
         where=where,
         expected="the same list in every frame that has one",
-        remedy="write different models into different files",
+        remedy="write each model to a file of its own",
     )
 
 

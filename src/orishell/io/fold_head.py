@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.io.fold_frames import Frames, differing
 from orishell.io.json_arrays import misfit
-from orishell.mesh import QuadMesh
+from orishell.sheet.mesh import QuadMesh
 
 
 def read_title(frames: Frames) -> str:
@@ -31,7 +31,7 @@ def read_unit(frames: Frames) -> str:
 
 
 def read_grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
-    """The grid that the file names, if its panels are those of such a grid (it only names)."""
+    """Rows and columns of vertices that the file states, if its panels do form that grid."""
     for owner in frames.owners("orishell:grid_shape"):
         match frames.value(owner, "orishell:grid_shape"):
             case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:

@@ -7,18 +7,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.document import LARGEST
 from orishell.errors import InputError, printable
 from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
-from orishell.mesh import QuadMesh, build_mesh
-from orishell.quoting import in_one_line
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.mesh import QuadMesh, build_mesh
 
 LETTERS = frozenset("BMVFUCJ")
 """Assignments of FOLD 1.2: border, mountain, valley, flat, unassigned, cut, join."""
@@ -92,11 +89,6 @@ class FoldFile:
 
 def read_fold(path: Path) -> FoldFile:
     """Read and check a FOLD file whose faces have four corners.
-
-    Parameters
-    ----------
-    path
-        The file.
 
     Raises
     ------

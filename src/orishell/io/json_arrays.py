@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.errors import InputError
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
 
 
 def number_table(

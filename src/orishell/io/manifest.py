@@ -53,7 +53,7 @@ class Manifest:
         return found
 
     def text(self) -> str:
-        """What is written."""
+        """The text of the list, as it is written to its file."""
         moving = {} if self.earlier is None else {"earlier": self.earlier}
         return json.dumps({"about": ABOUT, "files": self.files, **moving}, indent=1) + "\n"
 
@@ -64,13 +64,7 @@ class Manifest:
 
 
 def read_manifest(directory: Path) -> Manifest | None:
-    """The list of the files in a directory; None if there is none that can be used.
-
-    Parameters
-    ----------
-    directory
-        The directory.
-    """
+    """The list of the files in a directory; None if there is none that can be used."""
     path = directory / NAME
     try:
         if not path.is_file() or path.stat().st_size > LARGEST:
@@ -128,13 +122,7 @@ def require_one_run(path: Path) -> None:
 
 
 def hash_of(path: Path) -> str | None:
-    """SHA-256 of a file, in hexadecimal digits; None if there is no such file, or it is a link.
-
-    Parameters
-    ----------
-    path
-        The file.
-    """
+    """SHA-256 of a file, in hexadecimal digits; None if there is no such file, or it is a link."""
     try:
         if path.is_symlink() or not path.is_file():
             return None

@@ -1,4 +1,4 @@
-"""Files are written beside their place and moved there when all of them are whole."""
+"""Writing several files as a whole: made in a temporary directory, moved when all are complete."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from orishell.conventions.stopping import cleaning_up, uninterrupted
 from orishell.errors import InputError
 from orishell.io.manifest import NAME, Manifest, hash_of, read_manifest
-from orishell.stopping import cleaning_up, uninterrupted
 
 DRAFT = ".orishell-"
 """What the names of temporary directories begin with."""
@@ -34,7 +34,7 @@ class OutputDirectory:
     path: Path
 
     def require_usable(self) -> None:
-        """Refuse a path that cannot become a directory with files in it, before any work is done.
+        """Refuse, before any work is done, a path that files cannot be written to.
 
         Raises
         ------
@@ -55,7 +55,7 @@ class OutputDirectory:
                 "the output directory cannot be made",
                 where=str(self.path),
                 got=f"{existing} is a file",
-                remedy="choose another directory with --out",
+                remedy="choose another directory",
             )
         if not os.access(existing, os.W_OK | os.X_OK):
             raise InputError("the output directory cannot be written to", where=str(self.path))
@@ -78,7 +78,7 @@ class OutputDirectory:
 
     @contextlib.contextmanager
     def replacing(self) -> Iterator[Path]:
-        """The same, and what an earlier run wrote here is removed, unless somebody changed it."""
+        """As :meth:`adding`, and files of an earlier run are removed, unless they were changed."""
         with self._drafting() as draft:
             yield draft
             new = Manifest.of(sorted(draft.iterdir()))
@@ -118,7 +118,7 @@ class OutputDirectory:
 
     @contextlib.contextmanager
     def _alone(self) -> Iterator[None]:
-        """No other run moves its files meanwhile, and this one is not stopped."""
+        """While this lasts, no other run moves its files here, and this one is not stopped."""
         with _locked(self.path), uninterrupted():
             yield
 

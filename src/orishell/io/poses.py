@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.panels import unit_normals
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.quads import unit_normals
 
 
 def longer_diagonals(corners: Array) -> Integers:
@@ -18,7 +15,7 @@ def longer_diagonals(corners: Array) -> Integers:
 
 
 def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
-    """A frame fixed in every panel.
+    """Origin and axes of a frame fixed in every panel, as it moves.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What can be chosen about the files that are written."""
+"""Settings for the files that are written."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ LAST = -1
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """Choices for all formats.
+    """The state that is shown and the workshop's settings, for all formats.
 
     Parameters
     ----------

@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.panels import reflex_corners
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.quads import reflex_corners
 
 TRIANGLES: Final[Integers] = np.array([[[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [1, 3, 0]]])
 """Corners of a panel's two triangles (2, 2, 3), which go round as the panel does: split from
@@ -19,7 +16,7 @@ TRIANGLES.flags.writeable = False
 
 
 def find_splits(corners: Array) -> Integers:
-    """Which of the two splits (F,) a panel (F, 4, 3) takes: 0 but for panels that it leaves.
+    """The diagonal (F,) that splits each panel (F, 4, 3): 1 where the first runs outside, else 0.
 
     All panels are split from corner 0 to corner 2, except those with a corner 1 or 3 that points
     into the panel: there that diagonal runs outside, and the other one inside.
@@ -28,6 +25,6 @@ def find_splits(corners: Array) -> Integers:
 
 
 def split_panels(corners: Array) -> Array:
-    """The triangles (2F, 3, 3) of panels (F, 4, 3), two after two."""
+    """The triangles (2F, 3, 3) of panels (F, 4, 3), the two of a panel one after the other."""
     picked = TRIANGLES[find_splits(corners)].reshape(len(corners), 6, 1)
     return np.asarray(np.take_along_axis(corners, picked, axis=1).reshape(-1, 3, 3))

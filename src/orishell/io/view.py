@@ -9,23 +9,70 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Literal, NotRequired, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.document import Document, DocumentState
-
-Array = NDArray[np.float64]
+from orishell.document import Document, DocumentState, FirstContact
+from orishell.numerics.arrays import Array
 
 VERSION = 1
 CODES = {"B": 0, "M": 1, "V": 2, "F": 3, "U": 3, "C": 4}
-"""Numbers of the assignments."""
+"""The number that stands for each assignment."""
 MOST = 4_000_000
 """Coordinates of states in a view, at most: of longer motions every k-th state is taken."""
 
 
-def dump_view(document: Document, extra: Mapping[str, Any] | None = None) -> bytes:
+Drawn = list[tuple[float, float]]
+"""Points of a curve as it is drawn; empty if it is none."""
+
+
+class Curves(TypedDict):
+    """The target's curves."""
+
+    f: Drawn
+    g: Drawn
+
+
+class ArrayPlace(TypedDict):
+    """Where an array of the view begins, in bytes behind the header."""
+
+    type: Literal["float32", "uint32", "uint8"]
+    shape: list[int]
+    offset: int
+
+
+class Header(TypedDict):
+    """The header of a view: what the shell is, and where its arrays are.
+
+    Parameters
+    ----------
+    grid
+        Rows and columns of vertices; null if they are no grid's.
+    origin
+        Was subtracted from all coordinates in space before they were rounded.
+    drives_deg
+        Drive of every state, the flat one first.
+    report
+        The fields of ``report.json``; empty if there is none.
+    curves
+        In the studio.
+    """
+
+    version: int
+    title: str
+    unit: str
+    grid: tuple[int, int] | None
+    origin: tuple[float, float, float]
+    drives_deg: list[float | None]
+    report: Mapping[str, object]
+    contact: FirstContact | None
+    arrays: dict[str, ArrayPlace]
+    curves: NotRequired[Curves]
+
+
+def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     """The view of a document.
 
     Parameters
@@ -33,8 +80,8 @@ def dump_view(document: Document, extra: Mapping[str, Any] | None = None) -> byt
     document
         The sheet. Of its states at most so many are taken that :data:`MOST` coordinates are kept,
         the first and the last among them.
-    extra
-        Further entries of the header.
+    curves
+        f and g as they are drawn, if the header is to have them.
     """
     import orjson
 
@@ -42,37 +89,30 @@ def dump_view(document: Document, extra: Mapping[str, Any] | None = None) -> byt
     last = states[-1].positions if states else np.zeros((0, 3))
     origin = (last.min(axis=0) + last.max(axis=0)) / 2 if len(last) else np.zeros(3)
     arrays = _arrays(document, states, origin)
-    places, offset = {}, 0
+    places: dict[str, ArrayPlace] = {}
+    offset = 0
     for name, array in arrays.items():
-        places[name] = {"type": str(array.dtype), "shape": list(array.shape), "offset": offset}
+        kind: Any = str(array.dtype)
+        places[name] = {"type": kind, "shape": list(array.shape), "offset": offset}
         offset += -(-array.nbytes // 4) * 4
-    header = {
+    x, y, z = document.in_world(origin).tolist()
+    header: Header = {
         "version": VERSION,
         "title": document.title,
         "unit": document.unit,
         "grid": document.grid_shape,
-        "origin": document.in_world(origin).tolist(),
+        "origin": (x, y, z),
         "drives_deg": [state.drive_deg for state in states],
         "report": dict(document.report),
-        "contact": contact_of(document.report, document.grid_shape),
+        "contact": document.contact,
         "arrays": places,
-        **(extra or {}),
     }
+    if curves is not None:
+        header["curves"] = curves
     text = orjson.dumps(header)
     text += b" " * (-len(text) % 4)
     blocks = [array.tobytes() + b"\0" * (-array.nbytes % 4) for array in arrays.values()]
     return b"".join([struct.pack("<I", len(text)), text, *blocks])
-
-
-def contact_of(
-    report: Mapping[str, Any], grid_shape: tuple[int, int] | None
-) -> dict[str, Any] | None:
-    """The first contact before the target in a report, with its panels by their numbers."""
-    contact = report.get("lock", {}).get("first_contact")
-    if contact is None or grid_shape is None or contact["drive_deg"] is None:
-        return None
-    numbers = [row * (grid_shape[1] - 1) + column for row, column in contact["panels"]]
-    return {"drive_deg": contact["drive_deg"], "panels": numbers}
 
 
 def _thinned(document: Document) -> Sequence[DocumentState]:

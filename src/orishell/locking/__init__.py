@@ -1,26 +1,29 @@
-"""Where the motion ends, what touches first, and flaps that lock without meeting anything else."""
+"""Where the motion ends, the proof, and the widest flaps that meet nothing."""
 
-from orishell.locking.describe import describe_lock, warn_of_lock
-from orishell.locking.end import end_of
-from orishell.locking.flaps import fit_flaps, locks
-from orishell.locking.lock import CONTACT_TOLERANCE, Contact, Lock, find_lock, unexamined_lock
-from orishell.locking.open_end import end_motion
+from orishell.locking.flap_widths import reaches_target
+from orishell.locking.lock import (
+    CONTACT_TOLERANCE,
+    Cause,
+    Contact,
+    Kind,
+    Lock,
+    find_lock,
+    lock_without_clash,
+)
+from orishell.locking.motion_end import end_motion
 from orishell.locking.remedies import with_remedies
-from orishell.locking.request import FamilyParameters, Request
+from orishell.locking.request import Request
 
 __all__ = [
     "CONTACT_TOLERANCE",
+    "Cause",
     "Contact",
-    "FamilyParameters",
+    "Kind",
     "Lock",
     "Request",
-    "describe_lock",
     "end_motion",
-    "end_of",
     "find_lock",
-    "fit_flaps",
-    "locks",
-    "unexamined_lock",
-    "warn_of_lock",
+    "lock_without_clash",
+    "reaches_target",
     "with_remedies",
 ]

@@ -1,23 +1,23 @@
-"""Where the motion ends and what touches first: the proof that a shell locks as designed."""
+"""Where the motion ends and what touches first: the proof that a shell locks as designed.
+
+Why it is one: docs/theory/locking-and-clash.md.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.clash import PathResult, Proof, find_contacts, find_first_contact
+from orishell.clash import PathResult, ProofRecord, find_contacts, find_first_contact
+from orishell.conventions.formatting import in_degrees
+from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
-from orishell.metrics import corrugation_depth, diagonal
-from orishell.motion import Mechanism
-from orishell.pattern import Grid
-from orishell.quoting import in_degrees
+from orishell.motion import Mechanism, corrugation_depth, diagonal
+from orishell.numerics.arrays import Booleans, Integers
+from orishell.sheet.grid import Grid
 
-Array = NDArray[np.float64]
-Booleans = NDArray[np.bool_]
 Panel = tuple[int, int]
 """Row and column of a panel."""
 
@@ -83,7 +83,7 @@ class Lock:
     first_contact
         The first contact, if there is one.
     target
-        Drive of the state that meets the target (radians).
+        Drive of the target state (radians).
     depth
         Depth of the corrugation in that state (length).
     touching
@@ -98,12 +98,12 @@ class Lock:
     target: float
     depth: float
     touching: tuple[tuple[Panel, Panel], ...]
-    proof: Proof | None
+    proof: ProofRecord | None
 
     def __repr__(self) -> str:
         target = f"target at {in_degrees(self.target)} degrees"
         end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
-        path = "path not examined" if self.proof is None else "path proved"
+        path = "path not examined" if self.proof is None else "path examined"
         return f"{type(self).__name__}({end}, {target}, {path})"
 
     @property
@@ -121,20 +121,16 @@ def find_lock(
     *,
     tolerance: float = CONTACT_TOLERANCE,
     flaps_only: bool = False,
-    advanced: Callable[[float], None] | None = None,
+    progress: Progress = unwatched,
 ) -> Lock:
-    """Find where a design's motion ends, and the first contact on the way there.
+    """Return where a design's motion ends, and the first contact on the way there.
 
     Parameters
     ----------
-    design
-        The design.
     tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     flaps_only
         Look for contacts of the flaps only.
-    advanced
-        Called with the share of the path that is done.
 
     Notes
     -----
@@ -154,7 +150,7 @@ def find_lock(
             distance,
             lenient=sheet.designed if sheet.folded_flat else None,
             only=_flap_panels(mechanism.grid) if flaps_only else None,
-            advanced=advanced,
+            progress=progress,
         )
 
     path = search(sheet.path_end, size)
@@ -172,20 +168,18 @@ def find_lock(
             corrugation_depth(mechanism.positions(drive)),
         )
         return sheet.lock(drive, "clash", found, path.proof)
-    return unexamined_lock(design, path.proof, sheet.touching_at_end(size))
+    return lock_without_clash(design, path.proof, sheet.touching_at_end(size))
 
 
-def unexamined_lock(
+def lock_without_clash(
     design: Design,
-    proof: Proof | None = None,
+    proof: ProofRecord | None = None,
     touching: tuple[tuple[Panel, Panel], ...] = (),
 ) -> Lock:
-    """How the motion ends if no panels clash before: where a crease is folded flat.
+    """Return how the motion ends if no panels clash before: where a crease is folded flat.
 
     Parameters
     ----------
-    design
-        The design.
     proof
         How the path was examined, if it was.
     touching
@@ -211,6 +205,7 @@ class _Sheet:
     """What is known of a sheet before any contact is looked for."""
 
     mechanism: Mechanism
+    target: float
     end: float
     flaps: bool
     """Whether the first and last column of panels are flaps: made to fold flat at the end."""
@@ -219,14 +214,14 @@ class _Sheet:
 
     @classmethod
     def of(cls, design: Design) -> _Sheet:
-        mechanism = design.at_rest or design.mechanism
-        end = mechanism.lock_drive if design.lock_drive is None else design.lock_drive
+        mechanism = design.beyond_target or design.mechanism
+        end = mechanism.lock_drive
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)
         first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        # A design that gives the end of its motion is ended by a crease, wherever that is.
-        flaps = design.lock_drive is None and bool(flat[:, [0, -1]].all())
-        return cls(mechanism, end, flaps, first)
+        # What goes on beyond its target is ended by a crease, wherever that is.
+        flaps = design.beyond_target is None and bool(flat[:, [0, -1]].all())
+        return cls(mechanism, design.mechanism.lock_drive, end, flaps, first)
 
     @property
     def columns(self) -> int:
@@ -242,18 +237,17 @@ class _Sheet:
         drive: float | None,
         cause: Cause | None,
         contact: Contact | None,
-        proof: Proof | None,
+        proof: ProofRecord | None,
         touching: tuple[tuple[Panel, Panel], ...] = (),
     ) -> Lock:
-        target = self.mechanism.lock_drive
-        depth = corrugation_depth(self.mechanism.positions(target))
-        return Lock(drive, cause, contact, target, depth, touching, proof)
+        depth = corrugation_depth(self.mechanism.positions(self.target))
+        return Lock(drive, cause, contact, self.target, depth, touching, proof)
 
     def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
         first, second = sorted(divmod(number, self.columns) for number in numbers)
         return first, second
 
-    def designed(self, pairs: tuple[NDArray[np.int64], NDArray[np.int64]]) -> Booleans:
+    def designed(self, pairs: tuple[Integers, Integers]) -> Booleans:
         """Pairs with a flap, of its own column or the next: they meet at lock by design."""
         first, second = (numbers % self.columns for numbers in pairs)
         low, high = np.minimum(first, second), np.maximum(first, second)
@@ -273,7 +267,7 @@ class _Sheet:
         return "distant panels"
 
     def touching_at_end(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
-        """Pairs that touch at the end, those left out that are to."""
+        """Pairs of panels that touch at the end without being meant to."""
         faces = self.mechanism.grid.faces_vertices()
         points = self.mechanism.positions(self.end).reshape(-1, 3)
         pairs = find_contacts(points, faces, tolerance)

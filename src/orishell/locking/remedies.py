@@ -1,4 +1,4 @@
-"""What to change where a design is refused: found by trying it, through to the proof of its path.
+"""What to change in a refused design: every change is tried, through to the proof of its path.
 
 A family knows what its own conditions leave open (``DesignError.candidates``), not whether panels
 then meet. So each candidate is designed and its path proved before a message offers it; where that
@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import chain
 
+from orishell.conventions.formatting import rounded
+from orishell.conventions.progress import Progress, unwatched
 from orishell.errors import ClashError, DesignError, InputError, Remedy
-from orishell.locking.end import end_of
-from orishell.locking.flaps import largest, locks, widest_flap
+from orishell.locking.flap_widths import largest_quotable, reaches_target, widest_flap
+from orishell.locking.motion_end import end_motion
 from orishell.locking.request import Request
-from orishell.quoting import rounded
 
 MOST = 3
 """Remedies that are offered at most."""
@@ -25,26 +26,16 @@ whose rows and columns must be searched for so many."""
 SMALLEST = 0.05
 """Curves are offered no smaller than this share."""
 COARSE = 2e-2
-"""To this share the nearest size of a curve is found."""
+"""Accuracy of the largest size of a curve that works, relative to it."""
 SHARES = (0.5, 0.25, 0.1)
 """Shares of a flap, or of a curve, tried on top of another change."""
 
 
 def with_remedies(
-    request: Request, refusal: DesignError, advanced: Callable[[float], None] | None = None
+    request: Request, refusal: DesignError, progress: Progress = unwatched
 ) -> DesignError:
-    """Try what a refusal's condition leaves open, and say what works, or what limits.
-
-    Parameters
-    ----------
-    request
-        What was refused.
-    refusal
-        Why.
-    advanced
-        Called with the share of the trials that is done.
-    """
-    search = _Search(request, advanced or (lambda share: None))
+    """Return the refusal with changes that were tried and work, or with why none does."""
+    search = _Search(request, progress)
     refusal.remedies = search.run(refusal)
     if not refusal.remedies:
         refusal.limit = search.limit
@@ -54,7 +45,7 @@ def with_remedies(
 @dataclass(slots=True)
 class _Search:
     request: Request
-    advanced: Callable[[float], None]
+    progress: Progress
     tried: int = 0
     failures: list[tuple[Remedy, DesignError]] = field(default_factory=list)
 
@@ -80,7 +71,7 @@ class _Search:
         return tuple(found)
 
     def _working(self, base: Remedy, candidates: Iterator[Remedy], most: int) -> list[Remedy]:
-        """Of candidates for each set of keys the first that works on top of ``base``."""
+        """The first candidate for each set of keys that works together with ``base``."""
         found: dict[frozenset[str], Remedy] = {}
         for candidate in candidates:
             keys = frozenset(candidate.changes)
@@ -102,13 +93,13 @@ class _Search:
             request = self.request.changed(remedy).sized()
             design = request.designed()
             self.tried += design.mechanism.grid.panel_count * TRIALS // PANELS
-            end_of(request, design)
+            end_motion(design, request)
         except DesignError as error:
             return error
         except InputError as error:
             return DesignError(error.what)
         finally:
-            self.advanced(min(1.0, self.tried / TRIALS))
+            self.progress(min(1.0, self.tried / TRIALS), "looking for what works")
         return None
 
     def _further(self, remedy: Remedy, reason: DesignError) -> Iterator[Remedy]:
@@ -118,7 +109,7 @@ class _Search:
 
 
 def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
-    """The widest flaps, the largest f and the longest part of g that meet nothing."""
+    """Changes that keep panels apart: the widest flaps, the largest f, the longest part of g."""
     if request.target is None:
         return
     design = request.designed() if request.quick else None
@@ -126,16 +117,16 @@ def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
         yield from _shrunk(request, clash.flap)
         return
     # Where the sheet meets itself without flaps, no width of flaps helps.
-    if clash.flap and locks(request.changed(Remedy({"pattern.flap": 0.0}))):
+    if clash.flap and reaches_target(request.changed(Remedy({"pattern.flap": 0.0}))):
         width = widest_flap(request, design)
         if width is not None:
             yield Remedy({"pattern.flap": width})
     for resized in (_scaled_f, _shortened_g):
 
         def works(share: float, resized: Resized = resized) -> bool:
-            return locks(request.changed(resized(request, share)))
+            return reaches_target(request.changed(resized(request, share)))
 
-        share = largest(works, 1.0, SMALLEST, COARSE)
+        share = largest_quotable(works, 1.0, SMALLEST, COARSE)
         if share is not None:
             yield resized(request, share)
 

@@ -1,42 +1,23 @@
-"""What a shell is asked for, so that it can be asked for a little differently."""
+"""What is asked of a shell, in a form in which single values can be changed and tried."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal, Protocol, Self
+from typing import Self
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves import Curve, curve_from_formulas, parse_formula
 from orishell.design import Design
 from orishell.errors import Remedy, Value
+from orishell.families.pattern import Pattern
+from orishell.families.registry import FAMILIES
 from orishell.locking.lock import CONTACT_TOLERANCE
-from orishell.quoting import in_one_line
-
-
-class FamilyParameters(Protocol):
-    """The parameters of a family: its table [pattern]."""
-
-    @property
-    def flap(self) -> float | Literal["auto"]:
-        """Width of the flaps; "auto" is as wide as the family finds useful and as meets nothing."""
-        ...
-
-    def design(self, f: Curve, g: Curve) -> Design:
-        """Design the shell that these parameters and the curves f and g ask for."""
-        ...
-
-    def design_without_target(self) -> Design:
-        """Design what these parameters alone ask for."""
-        ...
-
-    def changed(self, values: Mapping[str, Value | None]) -> FamilyParameters:
-        """The same with other values of its keys, None for a key removed, or of another family."""
-        ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Request:
-    """A target, a family's parameters, and when panels touch.
+    """The family's parameters, the target curves, and the distance at which panels touch.
 
     Parameters
     ----------
@@ -48,7 +29,7 @@ class Request:
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     """
 
-    pattern: FamilyParameters
+    pattern: Pattern
     target: tuple[Curve, Curve] | None
     tolerance: float = CONTACT_TOLERANCE
 
@@ -56,35 +37,30 @@ class Request:
 
     @property
     def quick(self) -> bool:
-        """Whether it takes no search to know the number of rows and columns."""
+        """Whether rows and columns are known without a search."""
         return True
 
     def sized(self) -> Request:
-        """The request with a number of rows and columns."""
+        """The request with its rows and columns settled: here they are given."""
         return self
 
     def designed(self) -> Design:
-        """The design, its path not examined yet."""
+        """The design that is asked for, before its path is examined for contact."""
         if self.target is None:
             return self.pattern.design_without_target()
         return self.pattern.design(*self.target)
 
     def changed(self, remedy: Remedy) -> Self:
-        """The request with other values at keys of the design file.
-
-        Parameters
-        ----------
-        remedy
-            The keys and their values.
-        """
+        """The request with other values at keys of the design file."""
         tables: dict[str, dict[str, Value | None]] = {}
         for key, value in remedy.changes.items():
             table, _, name = key.rpartition(".")
             tables.setdefault(table, {})[name] = value
-        values = {**tables.get("shell", {}), **tables.get("pattern", {})}
+        family = tables.get("shell", {}).get("family")
+        model = type(self.pattern) if family is None else FAMILIES[str(family)].pattern
         return replace(
             self,
-            pattern=self.pattern.changed(values) if values else self.pattern,
+            pattern=self.pattern.changed(tables.get("pattern", {}), model),
             target=self.target
             and (
                 _changed(self.target[0], tables.get("target.f", {})),

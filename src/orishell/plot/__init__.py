@@ -1,4 +1,4 @@
-"""Pictures: all of matplotlib is in here."""
+"""Pictures of a shell, drawn with matplotlib."""
 
 from orishell.plot.deviation import plot_deviation
 from orishell.plot.overview import DrawnContact, plot_overview

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.colours import DISTANCE_MAP
+from orishell.conventions.colours import DISTANCE_MAP
 from orishell.motion import panel_normals
+from orishell.numerics.arrays import Array, Booleans
 from orishell.plot.scene import (
     BORDER,
     HEADING,
@@ -28,13 +28,12 @@ from orishell.plot.scene import (
     save,
     set_title,
 )
+from orishell.sheet.quads import grid_corners
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
 
-Array = NDArray[np.float64]
-Booleans = NDArray[np.bool_]
 
 CREASE = (0.15, 0.15, 0.18)
 LIGHT = np.array([-0.45, -0.55, 0.70])
@@ -59,8 +58,6 @@ def plot_deviation(
 
     Parameters
     ----------
-    path
-        The file.
     points
         Points of the locked shell (A, B, 3), by rows and columns.
     distances
@@ -111,13 +108,13 @@ def _draw_cells(
     )
     rows, columns = (np.flatnonzero(each) for each in creases)
     panels = points[np.ix_(rows, columns)]
-    picture, depth = camera.project(_corners(panels))
+    picture, depth = camera.project(grid_corners(panels))
     order = np.argsort(depth.mean(axis=-1).ravel(), kind="stable")
 
     of_row = np.searchsorted(rows, np.arange(points.shape[0] - 1), side="right") - 1
     of_column = np.searchsorted(columns, np.arange(points.shape[1] - 1), side="right") - 1
     panel = np.add.outer(of_row * (len(columns) - 1), of_column).ravel()
-    colours = _corners(np.asarray(scale.to_rgba(distances))).reshape(-1, 4, 4)
+    colours = grid_corners(np.asarray(scale.to_rgba(distances))).reshape(-1, 4, 4)
     colours[..., :3] *= _brightness(panels, camera).ravel()[panel, None, None]
 
     place = np.empty_like(order)
@@ -126,7 +123,7 @@ def _draw_cells(
     outlines = np.take(picture, [0, 1, 2, 3, 0], axis=-2).reshape(-1, 5, 2)
     axes.add_artist(
         ShadedPanels(
-            camera.project(_corners(points))[0].reshape(-1, 4, 2)[behind],
+            camera.project(grid_corners(points))[0].reshape(-1, 4, 2)[behind],
             colours[behind],
             np.cumsum(np.bincount(place[panel])),
             outlines[order],
@@ -135,11 +132,6 @@ def _draw_cells(
         )
     )
     return scale
-
-
-def _corners(points: Array) -> Array:
-    """What (A, B, N) belongs to the corners of every cell (A-1, B-1, 4, N)."""
-    return np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=-2)
 
 
 def _brightness(positions: Array, camera: Camera) -> Array:

@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.colours import LIGHT, rgb
+from orishell.conventions.colours import LIGHT, rgb
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
-from orishell.pattern import CreaseValues
+from orishell.numerics.arrays import Array
 from orishell.plot.scene import (
     BORDER,
     HEADING,
@@ -30,11 +29,12 @@ from orishell.plot.scene import (
     save,
     set_title,
 )
+from orishell.sheet.grid import CreaseValues
+from orishell.sheet.quads import grid_corners
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 
 MOUNTAIN, VALLEY, UNFOLDED = (LIGHT[name] for name in ("mountain", "valley", "unfolded"))
 RIM, CONTACT = LIGHT["border-crease"], LIGHT["contact"]
@@ -76,8 +76,6 @@ def plot_overview(
 
     Parameters
     ----------
-    path
-        The file.
     motion
         Its flat, half folded and locked states are shown.
     targets
@@ -182,7 +180,7 @@ def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) 
 
 
 def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> None:
-    """Panels, painted from the farthest to the nearest."""
+    """Draw the panels, from the farthest to the nearest."""
     from matplotlib.collections import PolyCollection
 
     empty = CreaseValues(
@@ -190,9 +188,7 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> 
         np.zeros((positions.shape[0] - 1, positions.shape[1] - 2)),
     )
     positions = _thin(positions, empty, SHELL_DRAWN)[0]
-    corners = np.stack(
-        [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
-    ).reshape(-1, 4, 3)
+    corners = grid_corners(positions).reshape(-1, 4, 3)
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
     colours = _shade(panel_normals(positions).reshape(-1, 3), camera)

@@ -9,15 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+
+from orishell.numerics.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-from orishell.colours import LIGHT
-
-Array = NDArray[np.float64]
+from orishell.conventions.colours import LIGHT
 
 DPI = 200
 WIDTH = 13.0
@@ -100,7 +99,7 @@ def save(figure: Figure, path: Path) -> None:
 
 
 def line_width(picture: Array, inches: float, widest: float, share: float) -> float:
-    """Width (points) of a grid's edges (rows, columns, 2), drawn so wide: a part of its step."""
+    """Line width (points) of a grid (rows, columns, 2) drawn ``inches`` wide."""
     points = 72 * inches / float(np.ptp(picture[..., 0]))
     steps = [np.linalg.norm(np.diff(picture, axis=axis), axis=-1) for axis in (0, 1)]
     return float(np.clip(share * points * min(np.median(step) for step in steps), 0.1, widest))

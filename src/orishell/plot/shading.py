@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.path import Path
-from numpy.typing import NDArray
+
+from orishell.numerics.arrays import Array, Integers
 
 if TYPE_CHECKING:
     from matplotlib.backend_bases import RendererBase
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.intp]
 
 TRIANGLES = [0, 1, 2, 0, 2, 3]
 """Corners of the two triangles of a quad."""
@@ -56,7 +54,8 @@ class ShadedPanels(Artist):
     def draw(self, renderer: RendererBase) -> None:
         """Draw all panels."""
         agg: Any = renderer
-        transform = self.axes.transData  # type: ignore[union-attr]
+        assert self.axes is not None  # a renderer draws what has been added to axes
+        transform = self.axes.transData
         pen = agg.new_gc()
         pen.set_foreground(self.edge, isRGBA=True)
         pen.set_linewidth(self.width)

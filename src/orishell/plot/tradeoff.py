@@ -8,7 +8,7 @@ from pathlib import Path
 from orishell.plot.scene import DPI
 
 APART = 1.5
-"""Designs are named whose number of panels is so many times that of the one named before."""
+"""A design is labelled if it has this many times the panels of the last labelled one."""
 LINE, CHOSEN, LIMIT = "#1f5fbf", "#d62728", "#0a8f3c"
 
 
@@ -23,8 +23,6 @@ def plot_tradeoff(
 
     Parameters
     ----------
-    path
-        The file.
     tried
         Number of panels, distance from the surface and name of designs, none beaten in both.
     chosen

@@ -1,8 +1,7 @@
-"""Polylines that follow curves: numbers only."""
+"""Polylines that follow curves: staircases, zigzags, chords."""
 
 from orishell.polylines.chords import Chords, Placement, Spacing, measure_chords, place_chords
-from orishell.polylines.closeness import Closeness, measure_closeness
-from orishell.polylines.coarse import warn_of_coarse_row
+from orishell.polylines.closeness import Closeness, measure_closeness, warn_of_coarse_row
 from orishell.polylines.staircase import Staircase, fit_staircase
 from orishell.polylines.staircase_angles import choose_theta, choose_xi, theta_interval, xi_limit
 from orishell.polylines.zigzag import (

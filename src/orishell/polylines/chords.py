@@ -15,14 +15,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves import Trace, remembered
-from orishell.curves.jets import Array
-from orishell.polylines.closeness import Closeness, measure_closeness
+from orishell.numerics.arrays import Array, Integers
+from orishell.polylines.closeness import Closeness, measure_closeness, thinned
 from orishell.polylines.edge_errors import measure_edges
-from orishell.polylines.thinning import thinned
-from orishell.quoting import in_one_line
 
 Spacing = Literal["curvature", "equal"]
 Placement = Literal["inscribed", "balanced"]
@@ -78,12 +76,10 @@ def place_chords(
     spacing: Spacing = "curvature",
     placement: Placement = "inscribed",
 ) -> Chords:
-    """Place the vertices of a polyline that follows a curve from end to end.
+    """Return a polyline that follows a curve from end to end.
 
     Parameters
     ----------
-    trace
-        The curve.
     count
         Number of vertices, at least 2.
     spacing
@@ -96,30 +92,22 @@ def place_chords(
         that this brings no closer it is the same as ``"inscribed"``.
     """
     trace = thinned(trace)
-    inscribed = _settle(trace, count, spacing, "inscribed")
+    inscribed = _evened_out(trace, count, spacing, "inscribed")
     if placement == "inscribed":
         return inscribed
-    balanced = _settle(trace, count, spacing, "balanced")
+    balanced = _evened_out(trace, count, spacing, "balanced")
     distances = [measure_chords(trace, each).max for each in (balanced, inscribed)]
     return balanced if distances[0] < distances[1] else inscribed
 
 
 @remembered
 def measure_chords(trace: Trace, chords: Chords) -> Closeness:
-    """Measure a polyline against its curve, as :func:`measure_closeness` does.
-
-    Parameters
-    ----------
-    trace
-        The curve.
-    chords
-        The polyline.
-    """
+    """Return how close a polyline is to its curve, as :func:`measure_closeness` does."""
     return measure_closeness(trace, chords.vertices)
 
 
-def _settle(trace: Trace, count: int, spacing: Spacing, placement: Placement) -> Chords:
-    """The closest of the first guess and what the sweeps make of it."""
+def _evened_out(trace: Trace, count: int, spacing: Spacing, placement: Placement) -> Chords:
+    """The closest polyline of the first guess and its corrections, sweep by sweep."""
     bend, corners = _bends(trace, count)
     offsets = np.zeros(count)
     best, least, gained = None, np.inf, 0
@@ -133,7 +121,7 @@ def _settle(trace: Trace, count: int, spacing: Spacing, placement: Placement) ->
             gained = sweep
         if best is None or distance < least:
             best, least = Chords(t, vertices), distance
-        uneven = errors.largest if placement == "inscribed" else errors.swing
+        uneven = errors.largest if placement == "inscribed" else errors.half_range
         spread = float(np.ptp(uneven)) if spacing == "curvature" else 0.0
         bias = float(np.abs(errors.bias[1:-1]).max(initial=0.0)) if placement == "balanced" else 0.0
         if max(spread, bias) <= EVEN * distance or distance <= ROUNDING * trace.length:
@@ -155,7 +143,7 @@ def _equal(trace: Trace, count: int) -> Array:
     return t
 
 
-def _bends(trace: Trace, count: int) -> tuple[Array, NDArray[np.intp]]:
+def _bends(trace: Trace, count: int) -> tuple[Array, Integers]:
     """Square root of curvature over every cell (N-1,), and the samples that take a vertex."""
     corners = trace.corners
     turn = np.maximum(np.abs(trace.arriving[1:] - trace.heading[:-1]) - ROUNDING, 0.0)
@@ -166,8 +154,8 @@ def _bends(trace: Trace, count: int) -> tuple[Array, NDArray[np.intp]]:
     return np.sqrt(turn * np.diff(trace.arc)), corners
 
 
-def _cut(trace: Trace, bend: Array, corners: NDArray[np.intp], count: int) -> Array:
-    """Parameters (count,) at equal steps of the bend (N-1,) summed up, but on straight parts."""
+def _cut(trace: Trace, bend: Array, corners: Integers, count: int) -> Array:
+    """Parameters (count,) at equal steps of the summed bend (N-1,), never sparser than a limit."""
     cells = np.diff(trace.arc)
     measure = bend if bend.sum() > 0 else cells
     while True:
@@ -197,7 +185,7 @@ def _correction(trace: Trace, t: Array, uneven: Array) -> Array:
 
 
 def _admissible(trace: Trace, t: Array, offsets: Array) -> Array:
-    """The offsets (n,), zero at ends and corners and small beside the pieces of the curve."""
+    """The offsets (n,), limited to a share of the pieces beside them, zero at ends and corners."""
     pieces = np.diff(np.interp(t, trace.t, trace.arc))
     limit = np.zeros(len(t))
     limit[1:-1] = LARGEST_OFFSET * np.minimum(pieces[1:], pieces[:-1])
@@ -223,10 +211,10 @@ def _spread_turn(trace: Trace, window: float) -> Array:
     return np.asarray(density * np.diff(trace.arc))
 
 
-def _share_out(shares: Array, total: int) -> NDArray[np.intp]:
+def _share_out(shares: Array, total: int) -> Integers:
     """Whole numbers (K,), each at least 1, of the given sum, as near to the shares as possible."""
     ideal = shares / shares.sum() * total
-    numbers: NDArray[np.intp] = np.maximum(np.floor(ideal), 1).astype(np.intp)
+    numbers: Integers = np.maximum(np.floor(ideal), 1).astype(np.intp)
     while numbers.sum() < total:
         numbers[np.argmax(ideal / numbers)] += 1
     while numbers.sum() > total:

@@ -1,18 +1,22 @@
-"""How close a polyline and a curve are."""
+"""How close a polyline and a curve are, and whether that is close enough to recognise the curve."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from orishell.curves import Trace
-from orishell.curves.jets import Array
+from orishell.curves import Trace, remembered
 from orishell.curves.nearest import Nearest
-from orishell.geometry import distances_to_polyline
-from orishell.polylines.thinning import thinned
+from orishell.numerics.arrays import Array
+from orishell.polylines.plane import extent_across
 
 SAMPLES_PER_EDGE = 8
+MOST_SAMPLES = 20_000
+"""Traces of twice as many samples or more are thinned to this number, or little more; corners are
+all kept."""
+COARSE_SHARE = 0.1
+"""A polyline that leaves g by more than this share of g's rise draws a warning."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,15 +36,13 @@ class Closeness:
 
 
 def measure_closeness(trace: Trace, vertices: Array) -> Closeness:
-    """Measure a polyline (K, 2) against a curve, both ways.
+    """Return how close a polyline (K, 2) and a curve are, both ways.
 
     The curve is taken at the samples of its trace, 20,000 to 40,000 of them where there are more,
     the polyline at its vertices and :data:`SAMPLES_PER_EDGE` points on every edge.
 
     Parameters
     ----------
-    trace
-        The curve.
     vertices
         Vertices (K, 2) of the polyline.
     """
@@ -52,3 +54,63 @@ def measure_closeness(trace: Trace, vertices: Array) -> Closeness:
     squares = to_polyline**2
     mean = float((0.5 * (squares[1:] + squares[:-1]) * np.diff(trace.arc)).sum() / trace.length)
     return Closeness(float(max(to_polyline.max(), to_curve.max())), float(np.sqrt(mean)))
+
+
+def distances_to_polyline(points: Array, vertices: Array) -> Array:
+    """Distances (P,) of points (P, 2) to the nearest point of a polyline (K, 2).
+
+    Parameters
+    ----------
+    points
+        The points (P, 2).
+    vertices
+        Vertices (K, 2) of the polyline.
+    """
+    import shapely
+
+    edges = shapely.linestrings(np.stack([vertices[:-1], vertices[1:]], axis=1))
+    tree = shapely.STRtree(np.asarray(edges, dtype=object))
+    index, distance = tree.query_nearest(
+        shapely.points(points), return_distance=True, all_matches=False
+    )
+    result = np.empty(len(points))
+    result[index[0]] = distance
+    return result
+
+
+@remembered
+def thinned(trace: Trace) -> Trace:
+    """The trace, or every k-th of its samples and those at corners if it has very many."""
+    stride = len(trace.t) // MOST_SAMPLES
+    if stride < 2:
+        return trace
+    last = len(trace.t) - 1
+    kept = np.unique(np.concatenate([np.arange(0, last, stride), trace.corners, [last]]))
+    return replace(
+        trace,
+        t=trace.t[kept],
+        points=trace.points[kept],
+        arc=trace.arc[kept],
+        heading=trace.heading[kept],
+        arriving=trace.arriving[kept],
+    )
+
+
+def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str, ...]:
+    """Warn of a polyline that is too coarse to show the shape of g.
+
+    Parameters
+    ----------
+    distance
+        Distance of the polyline from it, in its unit.
+    columns
+        Number n of the polyline's vertices.
+    """
+    size = extent_across(trace.points)
+    if distance <= COARSE_SHARE * size + 1e-9 * trace.length:
+        return ()
+    return (
+        f"the polyline of g with {columns} columns leaves g by {distance:.4g}, "
+        f"{distance / size:.0%} of g's rise of {size:.4g} (more than {COARSE_SHARE:.0%}): "
+        "the shell will not show g's shape; take more columns",
+    )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.curves import Trace
-from orishell.curves.jets import Array
+from orishell.numerics.arrays import Array
 
 SAMPLES_PER_EDGE = 12
 """Points of the curve taken along every edge, besides the samples of its trace."""
@@ -24,7 +24,7 @@ class EdgeErrors:
     ----------
     largest
         Largest distance (n-1,) between each edge and its piece of the curve.
-    swing
+    half_range
         Half of the way (n-1,) from the largest error of each edge on one side to that on the other,
         those at its far ends left out.
     bias
@@ -33,17 +33,15 @@ class EdgeErrors:
     """
 
     largest: Array
-    swing: Array
+    half_range: Array
     bias: Array
 
 
 def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> EdgeErrors:
-    """Measure every edge of a polyline against its piece of the curve.
+    """Return how far every edge of a polyline leaves its piece of the curve.
 
     Parameters
     ----------
-    trace
-        The curve.
     t
         Parameters (n,) to which the vertices belong, increasing, from end to end.
     vertices
@@ -77,12 +75,12 @@ def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> Ed
         highest[vertex] = np.maximum(highest[vertex], high[side])
         lowest[vertex] = np.minimum(lowest[vertex], low[side])
     largest = np.maximum.reduceat(np.hypot(error, beyond), first)
-    swing = np.hypot(0.5 * (high - low).max(axis=0), np.maximum.reduceat(beyond, first))
-    return EdgeErrors(np.maximum(largest, np.abs(ends).max(axis=0)), swing, highest + lowest)
+    half_range = np.hypot(0.5 * (high - low).max(axis=0), np.maximum.reduceat(beyond, first))
+    return EdgeErrors(np.maximum(largest, np.abs(ends).max(axis=0)), half_range, highest + lowest)
 
 
 def _components(vectors: Array, unit: Array) -> tuple[Array, Array]:
-    """Of vectors (P, 2) along unit vectors (P, 2), and to the left of them."""
+    """Components (P,) of vectors (P, 2) along unit vectors (P, 2), and to the left of them."""
     along: Array = (vectors * unit).sum(axis=1)
     across: Array = unit[:, 0] * vectors[:, 1] - unit[:, 1] * vectors[:, 0]
     return along, across

@@ -16,13 +16,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves import Trace
-from orishell.curves.jets import Array
 from orishell.curves.nearest import Nearest
-from orishell.polylines.in_step import Search, answered, in_step
-from orishell.quoting import in_one_line
+from orishell.numerics.arrays import Array, Integers
+from orishell.polylines.batches import Search, batched, run_search
+from orishell.polylines.zigzag import alternating
 
 MAX_ITERATIONS = 60
 SMALLEST_STEP = 1e-3
@@ -86,13 +86,13 @@ def fit_staircase(trace: Trace, xi: float, edges: int) -> Staircase:
     Staircase
         The better one of those that begin upwards and downwards.
     """
-    return answered(search_staircase(trace, xi, edges), Nearest.to(trace))
+    return run_search(search_staircase(trace, xi, edges), Nearest.to(trace))
 
 
 def search_staircase(trace: Trace, xi: float, edges: int) -> Search[Staircase]:
-    """The search of :func:`fit_staircase`, for points of the curve near to given ones."""
+    """The search behind :func:`fit_staircase`, which asks for the curve's nearest points."""
     both = [_balance(_Levels.of(trace, xi, edges, first)) for first in (1, -1)]
-    candidates = yield from in_step(both)
+    candidates = yield from batched(both)
     return min(candidates, key=lambda staircase: staircase.distance)
 
 
@@ -126,7 +126,7 @@ class _Levels:
     @property
     def side(self) -> Array:
         """+1 for odd corners, -1 for even ones (m,)."""
-        return np.where(np.arange(self.edges - 1) % 2 == 0, 1.0, -1.0)
+        return alternating(self.edges - 1)
 
     def signed_distances(self, level: Array) -> Search[tuple[Array, Array, Array]]:
         """Signed distances (m,) of the corners, and their derivatives by both levels of each."""
@@ -209,9 +209,7 @@ def _newton_step(side: Array, before: Array, after: Array, residual: Array) -> t
     return solution[:-1], float(solution[-1])
 
 
-def _solve(
-    entries: Array, rows: NDArray[np.intp], columns: NDArray[np.intp], right: Array
-) -> Array:
+def _solve(entries: Array, rows: Integers, columns: Integers, right: Array) -> Array:
     """The solution (m,) of a sparse system, not a number where there is none."""
     if len(right) <= DENSE:
         matrix = np.zeros((len(right), len(right)))

@@ -11,9 +11,9 @@ from collections.abc import Iterable
 import numpy as np
 
 from orishell.curves import Trace
-from orishell.curves.jets import Array
 from orishell.curves.nearest import Nearest
-from orishell.polylines.in_step import Search, answered, in_step, turned
+from orishell.numerics.arrays import Array
+from orishell.polylines.batches import Search, batched, rotated_search, run_search
 from orishell.polylines.staircase import Staircase, search_staircase
 
 MIN_EVENNESS = 0.25
@@ -83,7 +83,7 @@ def choose_xi(trace: Trace, edges: int, accuracy: float = XI_ACCURACY) -> float:
     accuracy
         How near to come to the widest (radians).
     """
-    return answered(_search_xi(trace, edges, accuracy), Nearest.to(trace)).xi
+    return run_search(_search_xi(trace, edges, accuracy), Nearest.to(trace)).xi
 
 
 def _search_xi(trace: Trace, edges: int, accuracy: float) -> Search[Staircase]:
@@ -128,8 +128,10 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
     nearest = Nearest.to(trace)
 
     def costs(thetas: Iterable[float], edges: int = coarse) -> Array:
-        every = [turned(_search_cost(trace.rotated(theta), edges, xi), theta) for theta in thetas]
-        return np.array(answered(in_step(every), nearest))
+        every = [
+            rotated_search(_search_cost(trace.rotated(theta), edges, xi), theta) for theta in thetas
+        ]
+        return np.array(run_search(batched(every), nearest))
 
     # The scan is symmetric about the middle, where a symmetric curve has its optimum.
     scan = np.linspace(begin, end, 11)
@@ -149,7 +151,7 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
 
 
 def _search_cost(rotated: Trace, edges: int, xi: float | None) -> Search[float]:
-    """The distance of the staircase; rotations that keep the edges even come first."""
+    """The cost of a rotation: the staircase's distance, far more if its edges are uneven."""
     if xi is None:
         staircase = yield from _search_xi(rotated, edges, COARSE_ACCURACY)
     else:

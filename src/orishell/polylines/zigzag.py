@@ -12,13 +12,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves import Trace
-from orishell.curves.jets import Array
-from orishell.quoting import in_one_line
-
-Complex = NDArray[np.complex128]
+from orishell.numerics.arrays import Array, Complex
 
 MEAN_ANGLE = np.pi / 2
 """"auto" makes the mean angle of the zigzag this: half way from a flat sheet to a closed one."""
@@ -62,7 +59,7 @@ class Zigzag:
 
     @property
     def angles(self) -> Array:
-        """Angles beta (m,), measured from the alternating sides (radians): below pi as meant."""
+        """Angles beta (m,) on alternating sides, below pi where it turns as meant (radians)."""
         edges = self._edges()
         turn = np.angle(edges[1:] * edges[:-1].conj())
         return np.asarray(np.pi + self.first * alternating(len(turn)) * turn)
@@ -96,7 +93,7 @@ class Zigzag:
         return float(np.max(low, initial=-np.inf)), float(np.min(high, initial=np.inf))
 
     def reach(self) -> float:
-        """How wide a stretch of g along t the columns can follow."""
+        """The largest extent of g along t that the columns can follow."""
         low, high = self.shift_limits()
         return float((high - low) / np.cos(self.angles[len(self.angles) // 2] / 2))
 
@@ -105,7 +102,7 @@ class Zigzag:
 
 
 def alternating(count: int) -> Array:
-    """1, -1, 1, ... (count,).
+    """Alternating signs (count,): 1, -1, 1 and so on.
 
     Parameters
     ----------
@@ -120,8 +117,6 @@ def place_zigzags(trace: Trace, inner: int, depth: float) -> list[Zigzag]:
 
     Parameters
     ----------
-    trace
-        The curve.
     inner
         Number m of inner vertices, at least 1.
     depth
@@ -148,8 +143,6 @@ def place_zigzag(
 
     Parameters
     ----------
-    trace
-        The curve.
     inner
         Number m of inner vertices, at least 1.
     depth
@@ -166,11 +159,6 @@ def smallest_radius(trace: Trace) -> tuple[float, float]:
     """Smallest radius of curvature and the parameter where it is; corners do not count.
 
     Both offsets of the curve at a smaller distance are regular.
-
-    Parameters
-    ----------
-    trace
-        The curve.
     """
     curvature = _turns(trace) / np.diff(trace.arc)
     at = int(curvature.argmax())
@@ -186,8 +174,6 @@ def choose_depth(trace: Trace, inner: int) -> float:
 
     Parameters
     ----------
-    trace
-        The curve.
     inner
         Number m of inner vertices.
     """

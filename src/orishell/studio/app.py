@@ -1,9 +1,8 @@
-"""The studio's server: pages and answers, on this machine, to this machine."""
+"""The studio's web server: it serves the pages and answers their requests."""
 
 from __future__ import annotations
 
 import asyncio
-import json
 from collections.abc import AsyncIterator, Collection
 from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
@@ -16,19 +15,22 @@ from fastapi.responses import JSONResponse, StreamingResponse
 from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 
-from orishell._version import __version__
-from orishell.io.registry import FORMATS
+from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.version import __version__
+from orishell.io.all_formats import FORMATS
+from orishell.studio.api import (
+    Advance,
+    Info,
+    NamedDesign,
+    Refusal,
+    RefusalError,
+    Result,
+    make_refusal,
+)
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families
-from orishell.studio.tasks import MAX_VERTICES
-from orishell.studio.workers import (
-    BusyError,
-    FaultError,
-    OutOfTimeError,
-    Pool,
-    RefusalError,
-)
-from orishell.units import MILLIMETRES
+from orishell.studio.tasks import MAX_VERTICES, answer
+from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 
 PAGES = Path(__file__).parent / "static"
 """Where the front end is, once it is built."""
@@ -36,7 +38,7 @@ PAGES = Path(__file__).parent / "static"
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What the studio takes.
+    """The largest request that the studio accepts, and how long one may take.
 
     Parameters
     ----------
@@ -59,28 +61,30 @@ class Limits:
 
 LIMITS = Limits()
 CLIENT_CLOSED = 499
+FAILURES = (RefusalError, OutOfTimeError, BusyError, FaultError)
+"""Errors with which a task may end."""
 DEEPEST = 16
-"""Tables and lists within each other in a request, at most; a design has five."""
+"""Depth of nested tables and lists in a request, at most; a design needs five."""
 
 
 def make_app(
     hosts: Collection[str] | None = None,
     limits: Limits = LIMITS,
-    start: dict[str, Any] | None = None,
+    start: NamedDesign | None = None,
 ) -> Guard:
-    """The server.
+    """The web server of the studio, as an ASGI application.
 
     Parameters
     ----------
     hosts
         Host headers that are taken; None takes all.
     limits
-        What it takes.
+        The largest request, and how long one may take.
     start
         Name and tables of the design to begin with.
     """
-    quick = Pool(limits.processes, limits.quick)
-    slow = Pool(limits.processes, limits.slow)
+    quick = Pool(answer, limits.processes, limits.quick)
+    slow = Pool(answer, limits.processes, limits.slow)
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
@@ -91,8 +95,8 @@ def make_app(
     app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
     _handle_errors(app)
 
-    @app.get("/api/info")
-    def info() -> dict[str, Any]:
+    @app.get("/api/info", response_model=None)
+    def info() -> Info:
         return {
             "version": __version__,
             "units": list(MILLIMETRES),
@@ -131,12 +135,12 @@ def make_app(
 
 def _add_task(app: FastAPI, task: str, pool: Pool) -> None:
     @app.post(f"/api/{task}")
-    async def answer(request: Request) -> Any:
+    async def answered(request: Request) -> Any:
         return await _run(pool, task, request)
 
 
 async def _run(pool: Pool, task: str, request: Request) -> Any:
-    """The result of a task, which is stopped if nobody waits for it any longer.
+    """The result of a task, which is stopped if the client goes away.
 
     Raises
     ------
@@ -148,7 +152,7 @@ async def _run(pool: Pool, task: str, request: Request) -> Any:
     try:
         await asyncio.wait({work, gone}, return_when=asyncio.FIRST_COMPLETED)
         if not work.done():
-            raise HTTPException(CLIENT_CLOSED, "nobody waits for it")
+            raise HTTPException(CLIENT_CLOSED, "the client went away")
         return await work
     finally:
         work.cancel()
@@ -166,7 +170,7 @@ async def _payload(request: Request) -> dict[str, Any]:
 
 
 def _parsed(body: bytes) -> dict[str, Any]:
-    """The object in a body: strict JSON (finite numbers, sound Unicode), not too deep."""
+    """The object in a request's body: strict JSON (finite numbers, valid Unicode), not too deep."""
     import orjson
 
     try:
@@ -185,54 +189,59 @@ def _parsed(body: bytes) -> dict[str, Any]:
         ]
         if not level:
             return payload
-    raise RequestValidationError([f"more than {DEEPEST} tables or lists within each other"])
+    raise RequestValidationError([f"more than {DEEPEST} levels of nested tables or lists"])
 
 
-async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterator[str]:
-    """Progress, then the result or what is wrong, a line of JSON each."""
+async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterator[bytes]:
+    """Lines of JSON: the progress, then the result or the error."""
     try:
         # Closed with the response, so that its process stops when the page is gone.
         async with aclosing(pool.stream(task, payload)) as stream:
             async for kind, value in stream:
                 if kind == "progress":
                     share, what = value
-                    yield json.dumps({"progress": share, "what": what}) + "\n"
+                    yield _line({"progress": share, "what": what})
                 else:
-                    yield json.dumps({"result": value}) + "\n"
-    except (RefusalError, OutOfTimeError, BusyError, FaultError) as error:
-        yield json.dumps(_describe(error)[1]) + "\n"
+                    yield _line({"result": value})
+    except FAILURES as error:
+        yield _line(_describe(error)[1])
 
 
-def _describe(error: Exception) -> tuple[int, dict[str, Any]]:
+def _line(message: Advance | Result | Refusal) -> bytes:
+    import orjson
+
+    return orjson.dumps(message, option=orjson.OPT_APPEND_NEWLINE)
+
+
+def _describe(error: Exception) -> tuple[int, Refusal]:
     """Status and body of the answer to a request that failed."""
     match error:
         case RefusalError():
-            return 422, error.error
+            return 422, error.body
         case OutOfTimeError():
-            return 504, _body(
+            return 504, make_refusal(
                 "time",
                 f"this takes longer than the {error} s that the studio waits: "
                 "try fewer panels, or the command line",
             )
         case BusyError():
-            return 503, _body("limit", "too many requests are waiting: try again in a moment")
+            return 503, make_refusal(
+                "limit", "too many requests are waiting: try again in a moment"
+            )
         case RequestValidationError():
-            return 400, _body("input", f"the request is not JSON as expected: {error.errors()[0]}")
+            return 400, make_refusal(
+                "input", f"the request is not JSON as expected: {error.errors()[0]}"
+            )
         case HTTPException():
-            return error.status_code, _body("input", f"this is not served: {error.detail}")
+            return error.status_code, make_refusal("input", f"this is not served: {error.detail}")
         case _:
-            return 500, _body("fault", f"a fault of the program, please report it: {error}")
-
-
-def _body(kind: str, message: str) -> dict[str, Any]:
-    return {"error": {"kind": kind, "what": message, "message": message}}
+            return 500, make_refusal("fault", f"a fault of the program, please report it: {error}")
 
 
 def _handle_errors(app: FastAPI) -> None:
-    async def answer(_: Request, error: Exception) -> JSONResponse:
+    async def explain(_: Request, error: Exception) -> JSONResponse:
         status, body = _describe(error)
         return JSONResponse(body, status)
 
-    known = (RefusalError, OutOfTimeError, BusyError, FaultError)
-    for kind in (*known, RequestValidationError, HTTPException):
-        app.add_exception_handler(kind, answer)
+    for kind in (*FAILURES, RequestValidationError, HTTPException):
+        app.add_exception_handler(kind, explain)

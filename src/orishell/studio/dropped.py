@@ -7,15 +7,13 @@ import contextlib
 import re
 import tempfile
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.curves import Curve, read_dxf, read_points, read_svg, trace_curve
 from orishell.errors import InputError
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
+from orishell.studio.api import DroppedCurve
 
 CONTROLS = 41
 """Points of a spline through a smooth drawing."""
@@ -29,7 +27,7 @@ CORNER = 1e-3
 """A turn of the tangent at one point that counts as a corner (radians)."""
 
 
-def read_dropped(name: str, content: str, unit: str) -> dict[str, Any]:
+def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
     """Points, whether a spline goes through them, and a note on what was made of the file.
 
     Parameters
@@ -53,7 +51,7 @@ def read_dropped(name: str, content: str, unit: str) -> dict[str, Any]:
     ending = Path(name).suffix.lower()
     if ending not in {".csv", ".txt", ".svg", ".dxf"}:
         raise InputError(
-            "this is no file of a curve", where=name, got=ending, expected=".csv, .svg or .dxf"
+            "this is not a file of a curve", where=name, got=ending, expected=".csv, .svg or .dxf"
         )
     with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
         path = Path(directory) / f"curve{ending}"
@@ -76,7 +74,7 @@ def read_dropped(name: str, content: str, unit: str) -> dict[str, Any]:
 
 
 def _read_drawing(path: Path, ending: str, unit: str) -> tuple[Curve, str]:
-    """The curve of a drawing and which part of it that is; of several, the longest.
+    """The longest curve of a drawing, and the name of the path or layer that it is from.
 
     Raises
     ------

@@ -1,12 +1,15 @@
-"""What a request must satisfy before anything looks at it: host, origin, size."""
+"""What is checked of a request before it is read: host, origin, size."""
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 from collections.abc import Awaitable, Callable, Collection, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
+
+from orishell.studio.api import make_refusal
 
 Message = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[Message]]
@@ -14,7 +17,9 @@ Send = Callable[[Message], Awaitable[None]]
 App = Callable[[Message, Receive, Send], Awaitable[None]]
 
 VALUES = 200_000
-"""Commas of a body, at most: to read more of them would hold up everybody else."""
+"""Commas in a body, at most: a longer list would keep other requests waiting."""
+DISCARDED, GRACE = 20_000_000, 1.0
+"""Of a refused body so much is read and thrown away at most, for so long (bytes, seconds)."""
 HEADERS = (
     (
         b"content-security-policy",
@@ -29,7 +34,7 @@ HEADERS = (
 
 
 class Guard:
-    """Lets requests through that this machine's own pages may make.
+    """Refuses requests that do not come from the studio's own pages, or are too large.
 
     Parameters
     ----------
@@ -58,6 +63,7 @@ class Guard:
         headers = {name.lower(): value for name, value in scope["headers"]}
         refusal = self._refusal(scope["method"], headers)
         if refusal is not None:
+            await _discard(receive)
             await _answer(send, *refusal)
             return
         try:
@@ -105,22 +111,24 @@ class Guard:
                 raise ConnectionError
             body += message.get("body", b"")
             if len(body) > self.most:
+                if message.get("more_body"):
+                    await _discard(receive)
                 return None
             if not message.get("more_body"):
                 return bytes(body)
 
     def _refusal(self, method: str, headers: dict[bytes, bytes]) -> tuple[int, str] | None:
-        """Status and reason, if a request is not taken."""
+        """HTTP status and reason for refusing a request; None if it is accepted."""
         host = headers.get(b"host", b"").decode("latin-1").lower()
         if self.hosts is not None and host not in self.hosts:
             return 403, "this host is not served: open the address that the studio printed"
         origin = headers.get(b"origin")
         if origin is not None and _place(origin) != host:
-            return 403, "pages from elsewhere are not answered"
+            return 403, "requests from other websites are not answered"
         if method == "POST" and not headers.get(b"content-type", b"").startswith(
             b"application/json"
         ):
-            return 415, "the body of a request is JSON (application/json)"
+            return 415, "the body of a request must be JSON (application/json)"
         length = headers.get(b"content-length", b"0")
         if not length.isdigit() or len(length) > 15 or int(length) > self.most:
             return 413, f"the request is larger than {self.most} bytes"
@@ -128,15 +136,27 @@ class Guard:
 
 
 def _place(origin: bytes) -> str | None:
-    """Host and port of an origin; None if it is none."""
+    """Host and port of an ``Origin`` header; None if it cannot be read."""
     try:
         return urlsplit(origin.decode("latin-1")).netloc.lower()
     except ValueError:
         return None
 
 
+async def _discard(receive: Receive) -> None:
+    """Read what is left of a body: a client whose sending is cut off may not see the answer."""
+    left = DISCARDED
+    with contextlib.suppress(TimeoutError):
+        async with asyncio.timeout(GRACE):
+            while left > 0:
+                message = await receive()
+                if not message.get("more_body"):  # its end, or the client went away
+                    return
+                left -= len(message["body"])
+
+
 async def _answer(send: Send, status: int, message: str) -> None:
-    body = json.dumps({"error": {"kind": "limit", "what": message, "message": message}}).encode()
+    body = json.dumps(make_refusal("limit", message)).encode()
     head = [
         (b"content-type", b"application/json"),
         (b"content-length", str(len(body)).encode()),

@@ -1,4 +1,4 @@
-"""HTTP as uvicorn speaks it, with an end to waiting for the head of a request."""
+"""uvicorn's HTTP protocol, with a time limit for the head of a request."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TOO_LATE = b"HTTP/1.1 408 Request Timeout\r\nConnection: close\r\nContent-Length
 
 
 class ImpatientProtocol(H11Protocol):
-    """A connection that is closed when the head of a request does not come in, in time."""
+    """A connection that is closed when the head of a request takes too long to arrive."""
 
     seconds = LIMITS.receiving
     """Time that a head may take, from the first moment of a connection or its first byte."""
@@ -23,25 +23,14 @@ class ImpatientProtocol(H11Protocol):
         super().__init__(*arguments, **named)
         self._waiting: asyncio.TimerHandle | None = None
 
+    # uvicorn narrows the transport that asyncio declares, and so must we.
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Begin to wait.
-
-        Parameters
-        ----------
-        transport
-            The connection.
-        """
+        """Start the timer for the first head."""
         super().connection_made(transport)
         self._wait()
 
     def data_received(self, data: bytes) -> None:
-        """Wait for the rest of a head; a body has its own time.
-
-        Parameters
-        ----------
-        data
-            What came in.
-        """
+        """Stop the timer when a head is complete, start it when the next begins."""
         super().data_received(data)
         if self.conn.their_state is not h11.IDLE:
             self._stop_waiting()
@@ -49,13 +38,7 @@ class ImpatientProtocol(H11Protocol):
             self._wait()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait no longer.
-
-        Parameters
-        ----------
-        exc
-            Why, if it was not closed on purpose.
-        """
+        """Stop the timer."""
         self._stop_waiting()
         super().connection_lost(exc)
 

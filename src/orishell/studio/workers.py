@@ -1,4 +1,4 @@
-"""Processes that do the studio's work, each request within its time, none in another's way."""
+"""A pool of processes that answer the studio's requests, each within a time limit."""
 
 from __future__ import annotations
 
@@ -14,12 +14,15 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from typing import Any, Literal
 
-from orishell.stopping import cleaning_up
+from orishell.conventions.progress import Progress
+from orishell.conventions.stopping import cleaning_up
+from orishell.errors import OrishellError
+from orishell.studio.api import RefusalError, describe_error
 
 Payload = dict[str, Any]
-Progress = Callable[[float, str], None]
-Task = Callable[[Payload, Progress], Any]
-"""Takes a payload and a function to report progress with; raises OrishellError for bad input."""
+Work = Callable[[str, Payload, Progress], Any]
+"""Does a task by its name, given a payload and whom to tell how far it is; raises OrishellError
+for bad input. A function of a module, so that every process finds it."""
 
 Kind = Literal["progress", "result", "refusal", "fault"]
 STEP = 0.01
@@ -31,24 +34,16 @@ class OutOfTimeError(Exception):
 
 
 class BusyError(Exception):
-    """Too many requests wait already."""
+    """Too many requests are waiting already."""
 
 
 class FaultError(Exception):
-    """A task failed in a way that is a fault of the program."""
-
-
-class RefusalError(Exception):
-    """A task refused its payload; ``error`` says why, field by field."""
-
-    def __init__(self, error: dict[str, Any]) -> None:
-        super().__init__(error.get("message", ""))
-        self.error = error
+    """A task failed through a fault of the program."""
 
 
 @dataclass(slots=True)
 class _Worker:
-    """One process and the pipe to it; its life is ended with its files."""
+    """One process, the pipe to it, and what ends it and removes its files."""
 
     process: SpawnProcess
     pipe: Connection
@@ -60,10 +55,12 @@ class _Worker:
 
 @dataclass(slots=True)
 class Pool:
-    """A few processes; a request takes one, and the others wait in a line.
+    """A few processes; a request occupies one, further requests wait in a queue.
 
     Parameters
     ----------
+    work
+        What the processes do.
     size
         Number of processes.
     seconds
@@ -72,6 +69,7 @@ class Pool:
         Requests that may wait for a process.
     """
 
+    work: Work
     size: int
     seconds: float
     waiting: int = 200
@@ -99,7 +97,7 @@ class Pool:
         raise FaultError("a task ended without a result")
 
     async def stream(self, name: str, payload: Payload) -> AsyncGenerator[tuple[Kind, Any]]:
-        """Progress, as (share, what), and at last the result of a task.
+        """Progress as ("progress", (share, what)), then the result of a task as ("result", value).
 
         The task is found by its ``name`` and given its ``payload``. A task whose stream is closed
         before its end is stopped.
@@ -145,7 +143,7 @@ class Pool:
         finally:
             self._in_line -= 1
         if worker is None or not worker.process.is_alive():
-            starting = asyncio.create_task(asyncio.to_thread(_start))
+            starting = asyncio.create_task(asyncio.to_thread(_start, self.work))
             try:
                 worker = await asyncio.shield(starting)
             except BaseException:
@@ -163,11 +161,11 @@ class Pool:
         self._idle.put_nowait(None)
 
 
-def _start() -> _Worker:
+def _start(work: Work) -> _Worker:
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()
     files = tempfile.mkdtemp(prefix="orishell-")
-    process = context.Process(target=_serve, args=(theirs, files), daemon=True)
+    process = context.Process(target=_serve, args=(work, theirs, files), daemon=True)
 
     def end() -> None:
         if process.pid is not None:
@@ -206,13 +204,10 @@ async def _readable(pipe: Connection, end: float) -> None:
         loop.remove_reader(pipe.fileno())
 
 
-def _serve(pipe: Connection, files: str) -> None:
+def _serve(work: Work, pipe: Connection, files: str) -> None:
     """Work through requests until the pipe closes: the life of a process."""
     import signal
     import warnings
-
-    from orishell.errors import OrishellError
-    from orishell.studio.tasks import TASKS, describe_error
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server says when it is over
     tempfile.tempdir = files  # the server removes what a process leaves that it stops
@@ -232,7 +227,7 @@ def _serve(pipe: Connection, files: str) -> None:
                 pipe.send(("progress", (share, what)))
 
         try:
-            answer: tuple[Kind, Any] = ("result", TASKS[name](payload, advanced))
+            answer: tuple[Kind, Any] = ("result", work(name, payload, advanced))
         except OrishellError as error:
             answer = ("refusal", describe_error(error))
         except Exception as error:

@@ -1,22 +1,18 @@
-"""A trace cut at its corners: each piece is smooth, and is left along its end tangents."""
+"""A trace cut at its corners into smooth pieces, each going on straight beyond its ends."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves import Trace
 from orishell.curves.trace import SMALLEST_CELL
-from orishell.quoting import in_one_line
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Integers = NDArray[np.intp]
+from orishell.numerics.arrays import Array, Booleans, Complex, Integers
 
 EVEN = 1e-6
-"""Stations that nothing asks for are spread evenly: so many along the whole curve."""
+"""Need for stations along the whole curve that spreads them evenly where nothing else asks."""
 ROUNDING = 1e-9
 """A count may exceed a whole number by this share of itself."""
 FEW = 64
@@ -66,8 +62,8 @@ class Path:
         return np.asarray(np.diff(self.trace.arc[self.nodes]))
 
     @property
-    def straight(self) -> NDArray[np.bool_]:
-        """Whether each piece (K,) does not turn."""
+    def straight(self) -> Booleans:
+        """Which of the pieces (K,) are straight."""
         turn = np.abs(self.trace.arriving[1:] - self.trace.heading[:-1])
         return np.asarray(np.add.reduceat(turn, self.nodes[:-1]) < 1e-9)
 
@@ -134,7 +130,7 @@ class Path:
         return np.concatenate([*found, [float(len(self))]])
 
     def bulge(self, places: Array, reach: Array) -> float:
-        """How far the path, and curves beside it, leave chords between places (A,) at most.
+        """Bound of the distance of the path, and of curves beside it, from chords between places.
 
         Parameters
         ----------
@@ -158,7 +154,7 @@ class Path:
         # half of its own length.
         return float((0.5 * lengths * np.tan(0.5 * np.minimum(turns, 0.5 * np.pi))).max())
 
-    def _kept(self, progress: Array, sagitta: float, reach: Array) -> NDArray[np.bool_]:
+    def _kept(self, progress: Array, sagitta: float, reach: Array) -> Booleans:
         """Which pieces (K,) begin with a station, others being so short that they need none.
 
         A corner counts as if its turn were spread over the pieces beside it.

@@ -2,58 +2,70 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.quoting import in_one_line
-from orishell.surface.path import Complex, Integers, Path
-
-Array = NDArray[np.float64]
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Complex, Integers
+from orishell.surface.path import Path
 
 NEWTON_STEPS = 8
 MET = 1e-9
 """Curves beside g meet when they come this near, relative to g's length."""
 
 
-class Rail(Protocol):
+@dataclass(frozen=True, slots=True, eq=False)
+class Rail(ABC):
     """Carries points x of f's horizontal axis along g.
 
     A place along g is a number u: the count of corners of g before it plus its share of the
     stretch between two corners.
+
+    Parameters
+    ----------
+    path
+        g.
     """
+
+    path: Path
+
+    __repr__ = in_one_line
 
     @property
     def stop(self) -> float:
-        """Where u ends; it begins at 0."""
-        ...
+        """The largest u; the smallest is 0."""
+        return float(len(self.path))
 
+    @abstractmethod
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
-        """Where x (...) is at u (...), and there the directions along g and of f's axis.
+        """Return where x (...) is at u (...), and the directions along g and of f's axis there.
 
         Returns
         -------
         tuple
             Points, tangents along g and the axis with its stretch, (..., 3) each.
         """
-        ...
+
+    @abstractmethod
+    def beside(self, reach: tuple[float, float]) -> Array:
+        """Return how far from each piece of g (K,) curves run that turn with it, x in ``reach``."""
 
     def stations(self, step: float, sagitta: float, reach: tuple[float, float]) -> Array:
-        """Places u (A,) from 0 to ``stop``, corners included.
+        """Return places u (A,) from 0 to ``stop``, corners included.
 
         ``step`` and ``sagitta`` are those of :meth:`Path.stations`, for x in the range ``reach``.
         """
-        ...
+        return self.path.stations(step, sagitta, self.beside(reach))
 
     def bulge(self, u: Array, reach: tuple[float, float]) -> float:
-        """How far chords between places u (A,) are left, for x in the range ``reach``."""
-        ...
+        """Return how far curves at x in ``reach`` leave chords between places u (A,), at most."""
+        return self.path.bulge(u, self.beside(reach))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Sliding:
+class Sliding(Rail):
     """f slides along g and stays parallel to itself.
 
     Parameters
@@ -66,16 +78,10 @@ class Sliding:
         Angle by which g's plane rises along the axis from g's first point (radians).
     """
 
-    path: Path
     axis: complex
     tilt: float = 0.0
 
     __repr__ = in_one_line
-
-    @property
-    def stop(self) -> float:
-        """Where u ends."""
-        return float(len(self.path))
 
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
         """Where x (...) is at u (...), the tangent along g and the axis, (..., 3) each."""
@@ -88,13 +94,9 @@ class Sliding:
         points = place + x[..., None] * axis
         return points, np.broadcast_to(along, points.shape), np.broadcast_to(axis, points.shape)
 
-    def stations(self, step: float, sagitta: float, reach: tuple[float, float]) -> Array:
-        """Places u (A,), corners included."""
-        return self.path.stations(step, sagitta, np.zeros(len(self.path)))
-
-    def bulge(self, u: Array, reach: tuple[float, float]) -> float:
-        """How far chords between places u (A,) are left."""
-        return self.path.bulge(u, np.zeros(len(self.path)))
+    def beside(self, reach: tuple[float, float]) -> Array:
+        """Zeros (K,): the curves of all points of f are copies of g."""
+        return np.zeros(len(self.path))
 
     def _tilted(self, step: Complex) -> Array:
         """Steps (...) in g's plane as vectors (..., 3)."""
@@ -105,7 +107,7 @@ class Sliding:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Turning:
+class Turning(Rail):
     """f turns with g: its axis is g's tangent turned clockwise by ``plane``.
 
     At a corner of g what is carried along either side goes on straight until the two meet, as
@@ -122,16 +124,10 @@ class Turning:
         g, 1 at its beginning, so that f's points are carried parallel to g; otherwise f is rigid.
     """
 
-    path: Path
     plane: float
     affine: bool = False
 
     __repr__ = in_one_line
-
-    @property
-    def stop(self) -> float:
-        """Where u ends."""
-        return float(len(self.path))
 
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
         """Where x (...) is at u (...), the tangent along g and the axis, (..., 3) each."""
@@ -146,20 +142,12 @@ class Turning:
         along, axis = np.broadcast_arrays(along, axis, point)[:2]
         return _in_space(point), _in_space(along), _in_space(axis)
 
-    def stations(self, step: float, sagitta: float, reach: tuple[float, float]) -> Array:
-        """Places u (A,), corners included."""
-        return self.path.stations(step, sagitta, self._wide(reach))
-
-    def bulge(self, u: Array, reach: tuple[float, float]) -> float:
-        """How far chords between places u (A,) are left."""
-        return self.path.bulge(u, self._wide(reach))
-
-    def _wide(self, reach: tuple[float, float]) -> Array:
+    def beside(self, reach: tuple[float, float]) -> Array:
         """How far from each piece (K,) f reaches."""
         return np.asarray(max(abs(x) for x in reach) * self.scales().max(axis=-1))
 
     def scales(self) -> Array:
-        """lambda at the beginning and the end of every piece (K, 2)."""
+        """The stretch lambda at the beginning and the end of every piece (K, 2)."""
         trace, nodes = self.path.trace, self.path.nodes
         turn = trace.arriving[nodes[1:]] - trace.heading[nodes[:-1]]
         if not self.affine:
@@ -171,7 +159,7 @@ class Turning:
         return np.stack([begin, begin * grown], axis=-1)
 
     def scale_range(self) -> tuple[float, float]:
-        """Smallest and largest lambda at any place."""
+        """The smallest and the largest stretch lambda along g."""
         trace, nodes = self.path.trace, self.path.nodes
         piece = np.repeat(np.arange(len(self.path)), np.diff(nodes))
         turned = trace.heading[:-1] - trace.heading[nodes[piece]]
@@ -193,7 +181,7 @@ class Turning:
         return point + x * axis, direction + x * bend * growth, axis
 
     def _ends(self, piece: Integers, x: Array) -> tuple[Array, Array]:
-        """How far (...) what is carried along a piece begins after, and ends after, the piece."""
+        """How far (...) a carried curve begins after its piece begins, and ends after it ends."""
         first, last = piece == 0, piece == len(self.path) - 1
         begin = self._meeting(np.maximum(piece - 1, 0), x)[1]
         end = self._meeting(np.minimum(piece, len(self.path) - 2), x)[0]
@@ -229,7 +217,7 @@ class Turning:
     def _polished(
         self, corner: Integers, x: Array, before: Array, after: Array
     ) -> tuple[Array, Array]:
-        """Newton's method for the meeting of curves (N,) beside g, from that of their tangents."""
+        """Where curves (N,) beside g meet: by Newton's method, from where their tangents meet."""
         arcs = np.stack([before, after])
         length = self.path.lengths[corner]
         for _ in range(NEWTON_STEPS):

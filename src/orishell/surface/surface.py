@@ -7,23 +7,20 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves import Trace
-from orishell.panels import area_vectors, lengths
-from orishell.quoting import in_one_line
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.quads import area_vectors, lengths
 from orishell.surface.path import Path
 from orishell.surface.rails import Rail
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 LOOSE = 20.0
 """A lattice leaves the surface by about its step over this, if nothing else is asked for."""
 FIRST_LATTICE = 48
-"""Steps along the longer side of the first lattice, that tells how large a surface is."""
+"""Steps along the longer side of the first lattice, which tells how large a surface is."""
 FIRST_CELLS = 20_000
-"""Its cells at most."""
+"""The most cells that the first lattice may have."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -122,7 +119,7 @@ class Surface:
         *,
         most: int | None = None,
     ) -> Lattice:
-        """Points close enough together, corners of f and g among them unless these are many.
+        """A lattice of points as close as asked for, with the corners of f and g unless too many.
 
         Parameters
         ----------
@@ -182,7 +179,7 @@ class Surface:
 
 
 def _left_out(places: Array, at: Callable[[Array], Array]) -> float:
-    """How far points at whole numbers are from the chords between places (A,), at most."""
+    """Largest distance of corners, at whole numbers, from the chords between places (A,)."""
     missing = np.setdiff1d(np.arange(places[-1] + 1), places)
     if not len(missing):
         return 0.0

@@ -6,20 +6,18 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
 from orishell.workshop.drawing import Drawing, Layer, Line, Text
 from orishell.workshop.joints import LETTER_WIDTH, Joint
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.part import Part
+from orishell.workshop.placing import shifted
 from orishell.workshop.settings import Workshop
 
 if TYPE_CHECKING:
     from shapely import Polygon
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 TRIED = 8
 """Panels of a part, the largest, where room is looked for."""
@@ -66,7 +64,7 @@ def draw_map(
     workshop: Workshop,
     sheets: int,
 ) -> Drawing:
-    """The whole sheet with its parts outlined and numbered and its joints named, not to be cut.
+    """The assembly map: the sheet with its parts numbered and its joints named, not to be cut.
 
     Creases are drawn short, tabs where they lie under the neighbouring panels.
     """
@@ -94,11 +92,7 @@ def draw_map(
     names = [mark for joint in joints for mark in joint.marks()[:1]]
     numbered = [part for part in parts if part.number]
     texts = [*names, *(number_text(document, part, names) for part in numbered)]
-    x, y = shift.tolist()
-    placed = [
-        Text(text.layer, text.x + x, text.y + y, text.height, text.words, text.angle)
-        for text in texts
-    ]
+    placed = [*shifted(((), (), tuple(texts)), *shift.tolist())[2]]
     stock = workshop.stock or (0.0, 0.0)
     words = [
         f"Assembly map, not to be cut: {len(numbered)} parts, {len(joints)} joints",

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.numerics.arrays import Integers
 from orishell.workshop.fitting import CutSheet
-
-Integers = NDArray[np.int64]
 
 
 def bisect_sheet(sheet: CutSheet, pieces: Integers) -> list[Integers]:
-    """Connected sets of panels that fit the stock, as few as joining neighbours leaves.
+    """Connected parts that fit the stock, made few by joining neighbours.
 
     Parameters
     ----------

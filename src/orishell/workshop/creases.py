@@ -7,17 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.formatting import inside
 from orishell.document import Document
 from orishell.errors import InputError
-from orishell.quoting import inside
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.drawing import Circle, Layer, Line
 from orishell.workshop.outline import STRAIGHT
 from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Booleans = NDArray[np.bool_]
 Names = NDArray[np.str_]
 
 KEPT = 0.1
@@ -109,7 +107,7 @@ def _holed(document: Document, part: Part, workshop: Workshop) -> Booleans:
 
 
 def _between_rims(document: Document, part: Part, radius: Array) -> _Creases:
-    """The part's creases without what holes of radius (V,) take of them."""
+    """The part's creases, shortened by the holes of radius (V,) at their ends."""
     flat = document.require_flat()
     letters = np.array([document.assignment[edge] for edge in part.creases.tolist()], dtype="<U1")
     layers = np.full(len(letters), "", dtype="<U8")
@@ -170,7 +168,7 @@ def _require_room(document: Document, part: Part, holed: Booleans, diameter: flo
     largest = float(limits.min(initial=np.inf))
     if diameter > largest:
         raise InputError(
-            f"the holes leave too little of the creases and panels (they keep {KEPT:.0%})",
+            f"the holes leave too little of the creases and panels ({KEPT:.0%} must remain)",
             where="[workshop] relief_hole",
             got=f"{diameter:g} {document.unit}",
             expected=f"at most {inside(largest, 0.0):.4g} {document.unit}",
@@ -188,7 +186,7 @@ def _distances(points: Array, starts: Array, ends: Array) -> Array:
 def _cuts(
     document: Document, lengths: Array, gap: float, workshop: Workshop, folded: Booleans
 ) -> tuple[Integers, Array, Array, Array]:
-    """Number of cuts (C,), where the first one begins, from one to the next, their length."""
+    """Number of cuts (C,), start of the first, distance from one to the next, and their length."""
     continuous = ~folded | (workshop.creases == "score")
     perforation = workshop.creases == "perforation"
     per_panel = CUTS_PER_PANEL if perforation else DASHES_PER_PANEL

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
 from orishell.errors import InputError
-from orishell.units import MILLIMETRES
 from orishell.workshop.creases import crease_lines, relief_holes
-from orishell.workshop.drawing import Circle, Drawing, Line, Text
+from orishell.workshop.drawing import Drawing, Line, Text
 from orishell.workshop.labels import part_labels
 from orishell.workshop.outline import signed_areas, without_straight
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.part import Part
+from orishell.workshop.placing import Content, shifted
 from orishell.workshop.settings import Workshop
 from orishell.workshop.title_block import draw_title_block, letter_height
-
-Array = NDArray[np.float64]
-Content = tuple[tuple[Line, ...], tuple[Circle, ...], tuple[Text, ...]]
 
 NOTHING = 1e-12
 """A panel is a line if its area is below this share of the sheet's size squared."""
@@ -30,12 +24,7 @@ MARGIN = 3.0
 
 
 def require_drawable(document: Document) -> None:
-    """Refuse a document that no workshop can make: to be asked once, before its parts are drawn.
-
-    Parameters
-    ----------
-    document
-        The sheet.
+    """Refuse a document that no workshop can make. Call it once, before parts are drawn.
 
     Raises
     ------
@@ -43,13 +32,7 @@ def require_drawable(document: Document) -> None:
         If there is no flat sheet or no unit, a panel of it is a line, or an edge between panels
         is called border, so that it would neither be scored nor cut.
     """
-    if document.unit not in MILLIMETRES:
-        raise InputError(
-            "a drawing for the workshop needs a unit of length",
-            got=f'"{document.unit}"',
-            expected=", ".join(MILLIMETRES),
-            remedy="say what it is with --unit",
-        )
+    document.require_unit()
     _require_areas(document)
     _require_borders(document)
 
@@ -63,8 +46,6 @@ def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
         The sheet, which :func:`require_drawable` has nothing against.
     part
         The part of it.
-    workshop
-        How creases are made and what is labelled.
 
     Returns
     -------
@@ -105,12 +86,8 @@ def draw_part(
 
     Parameters
     ----------
-    document
-        The sheet.
     part
         The part of it.
-    workshop
-        How it is drawn.
     title
         What the title block says; the document's title if empty.
     title_block
@@ -135,10 +112,11 @@ def draw_part(
         wide, high = size.tolist()
         drawn = Drawing(title or document.title, document.unit, wide, high, lines, circles)
         made = draw_title_block(document, part, workshop, drawn=drawn, letter=letter)
-        block = moved(made.lines, (), made.texts, (margin, margin))
+        block = shifted((made.lines, (), made.texts), margin, margin)
         width, below = max(width, made.width), made.height + margin
     left = margin + 0.5 * (width - float(size[0]))
-    sheet = moved(lines, circles, texts, (left - float(low[0]), margin + below - float(low[1])))
+    up = margin + below - float(low[1])
+    sheet = shifted((lines, circles, texts), left - float(low[0]), up)
     return Drawing(
         title or document.title,
         document.unit,
@@ -173,26 +151,3 @@ def _require_borders(document: Document) -> None:
             got='the assignment "B"',
             expected="M, V, F, U or J for a crease, C for a cut",
         )
-
-
-def moved(
-    lines: tuple[Line, ...],
-    circles: tuple[Circle, ...],
-    texts: tuple[Text, ...],
-    shift: tuple[float, float],
-) -> Content:
-    """The same at another place.
-
-    Parameters
-    ----------
-    lines, circles, texts
-        What is drawn.
-    shift
-        By how much it moves along x and y.
-    """
-    x, y = shift
-    return (
-        tuple(replace(line, points=line.points + np.array(shift)) for line in lines),
-        tuple(replace(circle, x=circle.x + x, y=circle.y + y) for circle in circles),
-        tuple(replace(text, x=text.x + x, y=text.y + y) for text in texts),
-    )

@@ -1,4 +1,4 @@
-"""A drawing for a machine: what is cut, scored, engraved and only said, in layers.
+"""A drawing for a machine, in layers: cuts, creases, engravings, and words beside the work.
 
 Every format for the workshop draws the same :class:`Drawing`.
 """
@@ -8,12 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
-from orishell.quoting import in_one_line
-
-Array = NDArray[np.float64]
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array
 
 Layer = Literal["CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL"]
 LAYERS: tuple[Layer, ...] = ("CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL")

@@ -6,14 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.tabs import find_owners, tab_shapes
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 SLACK = 1e-9
 """A part fits if it is no larger than the stock by more than this share of it."""
@@ -72,7 +69,7 @@ def _fitting(hull: Array, angles: Array, width: float, height: float) -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CutSheet:
-    """Panels, what hangs on them if they are cut off from their neighbours, and the stock.
+    """The panels, the tabs that they get where they are cut apart, and the size of the stock.
 
     Parameters
     ----------
@@ -176,6 +173,6 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
 
 
 def _above(length: float) -> str:
-    """Four digits, rounded up."""
+    """A length in four digits, rounded up."""
     unit = 10.0 ** (math.floor(math.log10(length)) - 3)
     return f"{math.ceil(length / unit) * unit:.4g}"

@@ -11,17 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.drawing import Text
 from orishell.workshop.outline import find_outlines
 from orishell.workshop.part import Part
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.tabs import find_owners, tab_shapes
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 NAME_AT, NAME_SHARE = 0.42, 0.46
 """Where a joint's name stands between the crease and the far side of its tab; its height."""
@@ -63,8 +60,6 @@ def make_parts(
 
     Parameters
     ----------
-    document
-        The sheet.
     split
         Numbers of the panels of every part.
     kind
@@ -126,7 +121,7 @@ def _name_joints(
 
 
 def _letters(count: int) -> str:
-    """1 is a, 26 z, 27 aa: as columns of a table are counted."""
+    """Letters for a number, as in spreadsheets: 1 is a, 26 is z, 27 is aa."""
     letters = ""
     while count:
         count, last = divmod(count - 1, 26)
@@ -153,7 +148,7 @@ def _strip(joint: Joint) -> Part:
 
 
 def _outlines(document: Document, panels: Integers, rooted: Sequence[Joint]) -> tuple[Array, ...]:
-    """The rims of panels, with tabs: the part lies to the left, so a tab's root is run backwards.
+    """The outlines of a part with its tabs; the part lies to the left of them.
 
     A tab's corners are a, b, far b, far a around the panel that it is glued to; the rim comes
     from b, goes around the tab, and on to a.

@@ -5,17 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.drawing import Text
 from orishell.workshop.outline import signed_areas
 from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 CHARACTER = 1.0
 """Width kept for a character, in heights of capitals: that of CAD programs' stroke fonts."""
@@ -47,7 +44,7 @@ class _Labels:
     directions: Array
     heights: Array
 
-    def of(self, chosen: NDArray[np.bool_]) -> tuple[Text, ...]:
+    def of(self, chosen: Booleans) -> tuple[Text, ...]:
         angles = np.arctan2(self.directions[:, 1], self.directions[:, 0])
         rows = zip(self.words, self.middles.tolist(), self.heights, angles, chosen, strict=True)
         return tuple(
@@ -79,8 +76,6 @@ def _panel_labels(document: Document, taken: Array) -> _Labels:
 
     Parameters
     ----------
-    document
-        The sheet.
     taken
         Width (F,) of what other labels take along the panel's edges.
     """

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array
 from orishell.workshop.fitting import find_turns
+from orishell.workshop.placing import Placement, turned
 
 if TYPE_CHECKING:
     from shapely import Polygon
 
-Array = NDArray[np.float64]
 
 CLEARANCE = 1e-9
 """Rounding, relative to the stock: four times as much is added to the spacing."""
@@ -23,29 +23,6 @@ MOST = 120
 """So many parts, the largest, are laid where there is room for them; others are laid in rows."""
 SLIDES = 16
 """Steps in which a part is moved on into the hollows of others."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Placement:
-    """Where a part lies: turned about the origin, then shifted.
-
-    Parameters
-    ----------
-    sheet
-        Number of the sheet of stock, from 0.
-    angle
-        Turn (radians, counter-clockwise).
-    shift
-        Shift (2,).
-    """
-
-    sheet: int
-    angle: float
-    shift: Array
-
-    def move(self, points: Array) -> Array:
-        """Points (k, 2) where the part lies."""
-        return _turn(points, self.angle) + self.shift
 
 
 def nest_parts(
@@ -106,11 +83,11 @@ def nest_parts(
 def _lay_rows(
     outlines: Sequence[Array], order: Sequence[int], width: float, height: float, clear: float
 ) -> dict[int, Placement]:
-    """Lay parts lying in rows from the left to the right, the highest first."""
+    """Lay parts, each turned to be lowest, in rows from left to right, the highest first."""
     lying = {}
     for k in order:
         turns = _choose_turns(outlines[k], width, height)
-        sizes = np.array([np.ptp(_turn(outlines[k], angle), axis=0) for angle in turns])
+        sizes = np.array([np.ptp(turned(outlines[k], angle), axis=0) for angle in turns])
         best = int(np.argmin(np.round(sizes[:, 1] / height, 9)))
         lying[k] = (float(turns[best]), sizes[best])
     placements = {}
@@ -121,14 +98,14 @@ def _lay_rows(
             place, row = np.array([0.0, place[1] + row + clear]), 0.0
         if place[1] + size[1] > height * (1 + CLEARANCE):
             place, row, sheet = np.zeros(2), 0.0, sheet + 1
-        corner = _turn(outlines[k], angle).min(axis=0)
+        corner = turned(outlines[k], angle).min(axis=0)
         placements[k] = Placement(sheet, angle, place - corner)
         place, row = place + np.array([size[0] + clear, 0.0]), max(row, float(size[1]))
     return placements
 
 
 def _choose_turns(outline: Array, width: float, height: float) -> Array:
-    """No turn, the four turns with the smallest bounding boxes, and their halves round."""
+    """Angles to try: 0 if that fits, and up to four with the smallest bounding boxes."""
     turns = find_turns(outline, width, height)
     if not len(turns):
         raise InputError(
@@ -161,12 +138,12 @@ class _Stock:
         along = int(np.argmax(self.size))
         best: tuple[tuple[float, float], float, Array] | None = None
         for angle in turns.tolist():
-            turned = _turn(outline, angle)
-            corner = turned.min(axis=0)
-            places = self._free_places(turned - corner)
+            lying = turned(outline, angle)
+            corner = lying.min(axis=0)
+            places = self._free_places(lying - corner)
             if not len(places):
                 continue
-            ends = np.round((places + np.ptp(turned, axis=0)) / self.size, 9)
+            ends = np.round((places + np.ptp(lying, axis=0)) / self.size, 9)
             first = int(np.lexsort((ends[:, 1 - along], ends[:, along]))[0])
             key = (float(ends[first, along]), float(ends[first, 1 - along]))
             if best is None or key < best[0]:
@@ -174,8 +151,8 @@ class _Stock:
         if best is None:
             return None
         _, angle, shift = best
-        shape = self._slid(shapely.Polygon(_turn(outline, angle) + shift), along)
-        shift = shapely.get_coordinates(shape)[0] - _turn(outline, angle)[0]
+        shape = self._slid(shapely.Polygon(turned(outline, angle) + shift), along)
+        shift = shapely.get_coordinates(shape)[0] - turned(outline, angle)[0]
         self.left -= area
         self.shapes.append(shape)
         self.hulls.append(_hull(shapely.get_coordinates(shape)))
@@ -224,8 +201,3 @@ def _hull(points: Array) -> Array:
     import shapely
 
     return shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(points)))
-
-
-def _turn(points: Array, angle: float) -> Array:
-    cosine, sine = np.cos(angle), np.sin(angle)
-    return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]]))

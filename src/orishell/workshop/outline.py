@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.part import Part
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 STRAIGHT = 1e-9
 """Directions that differ by less (radians) are the same."""

@@ -1,4 +1,4 @@
-"""Palettes: how a shop's machine is told by colour what to do. They are data: ``palettes.toml``."""
+"""Palettes: the colour and width of each layer's lines, by which machines tell layers apart."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from orishell.colours import LIGHT
+from orishell.conventions.colours import LIGHT
+from orishell.conventions.toml_file import parse_toml, read_toml
 from orishell.errors import InputError
-from orishell.toml_file import parse_toml, read_toml
 from orishell.workshop.drawing import LAYERS, Layer
 
 _KEYS = {"colour", "aci", "width_mm"}
@@ -40,7 +40,7 @@ class Pen:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Palette:
-    """The pens of a shop.
+    """The pens of all layers, as one shop or machine expects them.
 
     Parameters
     ----------

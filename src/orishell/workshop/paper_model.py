@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.units import conversion
 from orishell.document import Document
-from orishell.units import conversion
+from orishell.numerics.arrays import Array
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.drawing import Layer, Line, Text
 from orishell.workshop.outline import whole_sheet
@@ -16,8 +16,6 @@ from orishell.workshop.palettes import load_palette
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import Tiling, tile_sheet
 from orishell.workshop.title_block import round_length
-
-Array = NDArray[np.float64]
 
 BAR_MM = 62.0
 """Length of the scale bar at most (mm on paper)."""
@@ -64,7 +62,7 @@ class PaperModel:
 
     @property
     def bar_says(self) -> str:
-        """What the scale bar is long."""
+        """The length of the scale bar, in words: in the unit, and in mm on paper."""
         return f"{self.bar:g} {self.unit} = {self.bar_mm:.4g} mm on paper"
 
 

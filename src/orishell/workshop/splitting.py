@@ -1,4 +1,4 @@
-"""A sheet larger than the machine's, split along creases into as few parts as reasonable."""
+"""Splitting a sheet larger than the stock along creases, into few parts."""
 
 from __future__ import annotations
 
@@ -7,13 +7,11 @@ from functools import cache
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.numerics.arrays import Integers
 from orishell.workshop.bisecting import bisect_sheet
 from orishell.workshop.fitting import CutSheet, require_panels_fit
-
-Integers = NDArray[np.int64]
 
 LINES = 24
 """Grids with more lines are cut along about so many of them, and more where panels are large."""
@@ -25,7 +23,7 @@ Cost = tuple[int, float]
 def split_sheet(
     document: Document, stock_width: float, stock_height: float, allowance: float
 ) -> tuple[Integers, ...]:
-    """Split the flat sheet along creases into parts that fit the stock, turned as they need be.
+    """Split the flat sheet along creases into parts that fit the stock, at any angle.
 
     A grid is cut into bands along whole lines, rows or columns, and every band across, with the
     fewest parts that this allows, of areas as even as can be. Other sheets are cut in two
@@ -33,8 +31,6 @@ def split_sheet(
 
     Parameters
     ----------
-    document
-        The sheet.
     stock_width, stock_height
         What can be used of the sheets that are cut.
     allowance
@@ -92,7 +88,7 @@ def _spread(count: int) -> list[int]:
 def _split_bands(
     sheet: CutSheet, number: Integers, rows: list[int], columns: list[int]
 ) -> list[Integers] | None:
-    """The fewest blocks with bands one way and pieces of bands the other; None if none fit."""
+    """The fewest blocks that fit, from bands cut across; None if there are none."""
 
     def block(i: int, k: int, j: int, m: int) -> Integers:
         return number[rows[i] : rows[k], columns[j] : columns[m]].ravel()

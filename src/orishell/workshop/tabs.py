@@ -8,14 +8,11 @@ the panels of their own part.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.outline import signed_areas
 from orishell.workshop.settings import Workshop
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 AUTO_SHARE = 0.25
 """Width of joints that follow the panels, as a share of the median height of panels."""
@@ -24,7 +21,7 @@ SLANT = np.pi / 4
 TOP_SHARE = 1 / 3
 """The far side of a tab is at least this share of its root."""
 REACH = 0.9
-"""How far a tab may come towards where it would be as near to the opposite side."""
+"""Largest width of a tab, relative to that at which it is midway to the opposite side."""
 
 
 def choose_joint_width(document: Document, workshop: Workshop) -> float:
@@ -46,8 +43,6 @@ def tab_shapes(document: Document, width: float) -> Array:
 
     Parameters
     ----------
-    document
-        The sheet.
     width
         Their width; less where a panel has no room for it.
 
@@ -76,7 +71,7 @@ def tab_shapes(document: Document, width: float) -> Array:
 
 
 def find_owners(document: Document) -> tuple[Integers, Integers]:
-    """Panels (E,) whose part gets the tab of an edge, and those (E,) that it is glued to.
+    """For every edge, the panel (E,) whose part has the tab and the panel (E,) it is glued to.
 
     -1 at edges that are no creases.
     """
@@ -121,7 +116,7 @@ def _tabs_of_height(corners: Array, height: Array) -> Array:
 
 
 def _room(corners: Array) -> Array:
-    """Height (...) at which a tab is too short at its far side or comes near the side opposite."""
+    """Largest height (...) of a tab: its far side stays long enough, and off the opposite side."""
     along, square, lean_a, lean_b = _slopes(corners)
     length = np.linalg.norm(corners[..., 1, :] - corners[..., 0, :], axis=-1)
     room = (1 - TOP_SHARE) * length / (lean_a + lean_b)
@@ -143,7 +138,7 @@ def _cross(p: Array, q: Array) -> Array:
     return np.asarray(p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0])
 
 
-def _outside(tabs: Array, corners: Array) -> NDArray[np.bool_]:
+def _outside(tabs: Array, corners: Array) -> Booleans:
     """Which tabs (...) leave their panel: only possible where a corner points inwards."""
     import shapely
 

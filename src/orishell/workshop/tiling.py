@@ -6,15 +6,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array
 from orishell.workshop.settings import Paper
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-Array = NDArray[np.float64]
 Auto = Literal["auto"]
 
 PAPERS_MM: dict[Paper, tuple[float, float]] = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
@@ -24,7 +23,7 @@ BORDER_MM = 10.0
 FOOT_MM = 12.0
 """Height of the words below the sheet."""
 OVERLAP_MM = 10.0
-"""How far neighbouring pages show the same."""
+"""Width of the strip that neighbouring pages share."""
 LONGEST = 3
 """Pages along the longer side of the model, if the scale is chosen."""
 MOST = 400

@@ -1,4 +1,4 @@
-"""What stands below a drawing: what it is, to what scale, and which layer means what."""
+"""The title block below a drawing: title, scale, and a legend of layers."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from orishell._version import __version__
+from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.version import __version__
 from orishell.document import Document
 from orishell.errors import printable
-from orishell.units import MILLIMETRES
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
 from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text
 from orishell.workshop.palettes import Palette, load_palette
@@ -92,7 +92,7 @@ def round_length(most: float) -> float:
 
 @dataclass(slots=True)
 class _Cell:
-    """Draws in the layer LABEL, from a cell's lower left corner, with letters' height as unit."""
+    """A cell of the title block; draws from its lower left corner, in heights of letters."""
 
     letter: float
     x: float

@@ -16,9 +16,9 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.families.longitudinal_linear_repeating.section import Section
 from orishell.families.longitudinal_linear_repeating.target import Profile
-from orishell.locking import unexamined_lock
-from orishell.metrics import measure_residuals
+from orishell.locking import lock_without_clash
 from orishell.motion import FoldingMotion
+from orishell.verification.residuals import measure_residuals
 from strategies import graph, pair
 
 ARC = pair("cos(t)", "sin(t)", 0.3, 2.8416)
@@ -57,7 +57,7 @@ def require_rigid(made: Design) -> None:
     assert residuals.planarity <= 1e-12
     assert residuals.fold_angle_rad <= 1e-9
     assert assignment.constant
-    assert assignment.three_to_one
+    assert assignment.maekawa
 
 
 @pytest.mark.parametrize(
@@ -179,10 +179,10 @@ def test_sector_angles_auto() -> None:
 
 def test_lock() -> None:
     made = design()
-    assert unexamined_lock(made).cause == "crease"
-    assert made.lock_drive == pytest.approx(np.deg2rad(119.747), abs=1e-4)
-    assert made.lock_drive is not None
-    assert made.mechanism.lock_drive < made.lock_drive
+    assert lock_without_clash(made).cause == "crease"
+    assert made.beyond_target is not None
+    assert made.beyond_target.lock_drive == pytest.approx(np.deg2rad(119.747), abs=1e-4)
+    assert made.mechanism.lock_drive < made.beyond_target.lock_drive
 
 
 def test_without_the_period() -> None:
@@ -234,7 +234,7 @@ def test_length_of_g_out_of_reach(length: float) -> None:
         if "target.g.scale" in each.changes
     ]
     # The limit of the lengths comes first, where another condition may still fail.
-    assert "positive" in refusal(g=line(length * scales[0] ** (1 / 1.01))).condition
+    assert "zero or negative length" in refusal(g=line(length * scales[0] ** (1 / 1.01))).condition
     assert any(made(g=line(length * scale)) for scale in scales)
 
 

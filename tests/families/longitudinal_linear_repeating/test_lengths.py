@@ -9,25 +9,25 @@ from orishell.families.longitudinal_linear_repeating import (
     describe_solutions,
     find_solutions,
 )
-from orishell.families.longitudinal_linear_repeating.even_lengths import (
+from orishell.families.longitudinal_linear_repeating.sheet import (
+    require_size,
+    sheet_exists,
+    with_fitting_border,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
+    Columns,
+    Directions,
+    continue_columns,
+    repeat_columns,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
     LARGEST_RATIO,
     InnerLengths,
     advance_range,
     find_even_lengths,
     largest_square,
 )
-from orishell.families.longitudinal_linear_repeating.program import Wanted
-from orishell.families.longitudinal_linear_repeating.sheet import (
-    require_size,
-    sheet_exists,
-    with_fitting_border,
-)
-from orishell.families.longitudinal_linear_repeating.tessellation import (
-    Columns,
-    Directions,
-    continue_columns,
-    repeat_columns,
-)
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 
 SOLUTION = find_solutions(Sectors.from_degrees([85, 80, 95, 100]))[0]
 

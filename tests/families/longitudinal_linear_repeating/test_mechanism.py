@@ -11,20 +11,20 @@ from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     find_solutions,
 )
-from orishell.families.longitudinal_linear_repeating.even_lengths import (
-    InnerLengths,
-    find_even_lengths,
-)
-from orishell.families.longitudinal_linear_repeating.measures import departures_from_plane
-from orishell.families.longitudinal_linear_repeating.program import Wanted
+from orishell.families.longitudinal_linear_repeating.motion.measures import departures_from_plane
 from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
-from orishell.families.longitudinal_linear_repeating.tessellation import (
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Directions,
     repeat_columns,
     sector_table,
 )
-from orishell.metrics import measure_residuals
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    InnerLengths,
+    find_even_lengths,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
+from orishell.verification.residuals import measure_residuals
 
 PAPER = (85.0, 80.0, 95.0, 100.0)
 NEAR = (89.95, 89.9, 90.05, 90.1)
@@ -59,7 +59,7 @@ def require_rigid(mechanism: LongitudinalLinearRepeating, frames: int = 9) -> No
     assert residuals.fold_angle_rad <= 1e-9
     assert residuals.sector_sum_rad <= 1e-9
     assert assignment.constant
-    assert assignment.three_to_one
+    assert assignment.maekawa
 
 
 @pytest.mark.parametrize("first_row", ["F", "S"])

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from orishell.families.longitudinal_linear_repeating import RowKind, Sectors, find_solutions
-from orishell.families.longitudinal_linear_repeating.mechanism import crease_end
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end
 from orishell.families.longitudinal_linear_repeating.section import Section, turnings
-from orishell.families.longitudinal_linear_repeating.tessellation import repeat_columns
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import repeat_columns
 
 
 @pytest.mark.parametrize("rows", range(1, 8))

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from orishell.errors import DesignError, InputError, Remedy
 from orishell.families.longitudinal_linear_repeating import Sectors, Solution, find_solutions
-from orishell.families.longitudinal_linear_repeating.choice import choose_solution
+from orishell.families.longitudinal_linear_repeating.equation.choice import choose_solution
 
 PAPER = Sectors.from_degrees([85, 80, 95, 100])
 

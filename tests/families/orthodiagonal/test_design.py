@@ -104,7 +104,7 @@ def test_g_that_turns_too_far() -> None:
 def test_depth_beyond_the_radius_of_curvature() -> None:
     what = request(depth=0.6)
     error = what.refusal()
-    assert "offsets do not exist" in error.condition
+    assert "that distance from f have cusps" in error.condition
     assert "0.5" in error.size
     mended = what.candidates(error)[0]
     assert 0.49 < mended.options["depth"] < 0.5

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.orthodiagonal.design import headings_of
-from orishell.families.orthodiagonal.headings import Headings, SideChoice, holds
+from orishell.families.orthodiagonal.headings import HeadingConditions, SideChoice, holds
 from orishell.polylines import Zigzag
 from strategies import numbers
 
@@ -23,7 +23,7 @@ def figure_2() -> tuple[Zigzag, np.ndarray]:
     return Zigzag(vertices, feet, -1, 0.12), g
 
 
-def folded(zigzag: Zigzag, headings: Headings, heading: float) -> Orthodiagonal:
+def folded(zigzag: Zigzag, headings: HeadingConditions, heading: float) -> Orthodiagonal:
     return Orthodiagonal(
         zigzag.lengths, zigzag.angles, -1, 0.0, headings.points, heading, (0.01, 0.01)
     )
@@ -76,7 +76,7 @@ def test_intervals_are_where_all_conditions_hold(
     flap: float | None,
     sides: tuple[SideChoice, SideChoice],
 ) -> None:
-    headings = Headings(g * np.exp(1j * turn), 0.7, limits, flap, sides)
+    headings = HeadingConditions(g * np.exp(1j * turn), 0.7, limits, flap, sides)
     intervals = headings.intervals()
     low, high = limits
     for heading in np.linspace(0.0005, np.pi - 0.0005, 400):

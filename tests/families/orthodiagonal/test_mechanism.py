@@ -9,8 +9,14 @@ from hypothesis import strategies as st
 
 from orishell.design import Design
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
-from orishell.metrics import diagonal, measure_residuals
-from orishell.motion import FoldedState, FoldingMotion, find_assignment, measure_fold_angles
+from orishell.motion import (
+    FoldedState,
+    FoldingMotion,
+    diagonal,
+    find_assignment,
+    measure_fold_angles,
+)
+from orishell.verification.residuals import measure_residuals
 from strategies import Request, graph, orthodiagonal_requests
 
 PARABOLA, WAVE = graph("-x**2", -1, 1), graph("0.25*sin(pi*x/2)", 0, 4)
@@ -53,7 +59,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     assert residuals.panel_length < 1e-12
     assert residuals.planarity < 1e-12
     assert assignment.constant
-    assert assignment.three_to_one
+    assert assignment.maekawa
     # Angles lose what the rounding of coordinates takes from the shortest edge or panel.
     flat = mechanism.positions(0.0)
     _, n = column_directions(mechanism)
@@ -195,7 +201,7 @@ def test_straight_g_leaves_the_inner_columns_unfolded() -> None:
             FoldingMotion(mechanism, 9), FoldedState.of(mechanism, 0.0)
         )
         assert residuals.panel_length < 1e-14
-        assert assignment.three_to_one
+        assert assignment.maekawa
 
 
 def test_flat_sheet_is_the_mechanism_at_drive_0() -> None:
@@ -298,4 +304,4 @@ def test_large_sheets_keep_twelve_digits(rows: int, columns: int, g: str, spacin
         assert residuals.fold_angle_rad <= 1e-9
         assert residuals.sector_sum_rad <= 1e-9
         assert assignment.constant
-        assert assignment.three_to_one
+        assert assignment.maekawa

@@ -8,9 +8,15 @@ from hypothesis import strategies as st
 from orishell.curves import trace_curve
 from orishell.design import Design
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
-from orishell.metrics import diagonal, measure_residuals
-from orishell.motion import FoldedState, FoldingMotion, find_assignment, measure_fold_angles
+from orishell.motion import (
+    FoldedState,
+    FoldingMotion,
+    diagonal,
+    find_assignment,
+    measure_fold_angles,
+)
 from orishell.polylines import fit_staircase
+from orishell.verification.residuals import measure_residuals
 from strategies import Request, graph, requests
 
 
@@ -41,7 +47,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     assert residuals.panel_length < 1e-12
     assert residuals.planarity < 1e-12
     assert assignment.constant
-    assert assignment.three_to_one
+    assert assignment.maekawa
     # Angles lose what the rounding of coordinates takes from the shortest panel.
     flat = mechanism.positions(0.0)
     shortest = min(
@@ -282,4 +288,4 @@ def test_large_sheets_keep_twelve_digits(rows: int, columns: int, g: str, spacin
     assert residuals.fold_angle_rad <= 1e-9
     assert residuals.sector_sum_rad <= 1e-9
     assert assignment.constant
-    assert assignment.three_to_one
+    assert assignment.maekawa

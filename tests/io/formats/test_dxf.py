@@ -14,11 +14,11 @@ from ezdxf.entities.text import Text
 from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 from documents import FAMILIES, demo_document
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.formats.dxf import write_dxf
 from orishell.io.settings import Settings
-from orishell.units import MILLIMETRES
 from orishell.workshop import DEFAULT, LAYERS, Workshop
 from orishell.workshop.outline import signed_areas
 from orishell.workshop.palettes import load_palette
@@ -140,7 +140,7 @@ def test_a_sheet_larger_than_the_stock_is_a_map_and_numbered_sheets(tmp_path: Pa
 
 
 def test_a_document_without_a_unit_is_refused_and_no_file_is_left(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="--unit"):
+    with pytest.raises(InputError, match="needs a unit of length"):
         write_dxf(tmp_path / "a.dxf", replace(demo_document(), unit="unit"), Settings())
     assert not list(tmp_path.iterdir())
 

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document, DocumentState
 from orishell.errors import InputError
 from orishell.io.formats.gltf import SECONDS, write_gltf
 from orishell.io.settings import Settings
-from orishell.mesh import build_mesh
-from orishell.units import MILLIMETRES
+from orishell.sheet.mesh import build_mesh
 
 Array = NDArray[np.float64]
 
@@ -198,7 +198,7 @@ def test_states_alone(tmp_path: Path) -> None:
 
 
 def test_unit_must_be_known(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"names no unit.*--unit mm"):
+    with pytest.raises(InputError, match="this needs a unit of length"):
         read(tmp_path, replace(DEMO, unit="unit"))
     assert not list(tmp_path.iterdir())
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
-from orishell.colours import rgb
+from orishell.conventions.colours import rgb
 from orishell.errors import InputError
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html

@@ -7,7 +7,8 @@ import sys
 from pathlib import Path
 
 from documents import FAMILIES
-from orishell.io.registry import ALL, find_formats
+from orishell.io.all_formats import find_formats
+from orishell.io.registry import ALL
 
 TESTS = Path(__file__).parents[2]
 DRAWINGS = ["dxf", "svg", "origami-simulator"]
@@ -17,7 +18,8 @@ from pathlib import Path
 sys.path.insert(0, {str(TESTS)!r})
 from documents import FAMILIES, demo_document
 from orishell.io import Settings
-from orishell.io.registry import ALL, find_formats
+from orishell.io.registry import ALL
+from orishell.io.all_formats import find_formats
 from orishell.workshop import Workshop
 
 out = Path(sys.argv[1])

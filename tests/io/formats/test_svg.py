@@ -9,11 +9,11 @@ from svgelements import SVG, Circle, Group, Shape, SimpleLine
 from svgelements import Path as SvgPath
 
 from documents import FAMILIES, demo_document
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.formats.svg import write_svg
 from orishell.io.settings import Settings
-from orishell.units import MILLIMETRES
 from orishell.workshop import DEFAULT, Workshop
 from orishell.workshop.outline import signed_areas
 from orishell.workshop.palettes import load_palette
@@ -159,6 +159,6 @@ def test_a_sheet_larger_than_the_stock_is_a_map_and_numbered_sheets(tmp_path: Pa
 
 
 def test_a_document_without_a_unit_is_refused_and_no_file_is_left(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="--unit"):
+    with pytest.raises(InputError, match="needs a unit of length"):
         write_svg(tmp_path / "a.svg", replace(demo_document(), unit="unit"), Settings())
     assert not list(tmp_path.iterdir())

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from orishell.curves.jets import Array
 from orishell.curves.pieces import Affine, Arc, Piece, bulge_arc, circular_arc, nurbs, polyline
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array
 
 if TYPE_CHECKING:
     from ezdxf.entities.dxfentity import DXFEntity
@@ -29,7 +29,7 @@ SPLINE_FRAME = 16
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Drawn:
-    """What an entity draws.
+    """The pieces that an entity draws, and at what heights.
 
     Parameters
     ----------

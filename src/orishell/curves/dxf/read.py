@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from orishell.conventions.units import MILLIMETRES
 from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
+from orishell.curves.files import read_source
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES
-from orishell.curves.sources import read_source
 from orishell.errors import InputError
-from orishell.units import MILLIMETRES
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -99,7 +99,7 @@ def read_dxf(
 
 
 def _require_end(content: bytes) -> None:
-    """Refuse what ezdxf might read half of: a file that is cut off."""
+    """Refuse a file that is cut off, of which ezdxf might read the first half."""
     if not content.rstrip(b"\0\x1a \t\r\n").endswith(b"EOF"):
         raise InputError(
             "this is not DXF, or it is cut off", got="no EOF at the end", remedy="save it again"

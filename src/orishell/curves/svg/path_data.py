@@ -1,4 +1,4 @@
-"""The attribute ``d`` of a path: every command of SVG, and a refusal of what is none."""
+"""The attribute ``d`` of a path: all commands of SVG are read, anything else is refused."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from typing import Final
 
 import numpy as np
 
-from orishell.curves.jets import Array
 from orishell.curves.pieces import MAX_PIECES, Arc, Piece, bezier
 from orishell.curves.svg.values import VALUE
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array
 
 _COMMAND = re.compile(r"\s*([MmZzLlHhVvCcSsQqTtAa])")
 _FLAG = re.compile(r"\s*(?:,\s*)?([01])")

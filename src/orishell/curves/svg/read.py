@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from orishell.curves.jets import Array
+from orishell.conventions.units import conversion
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Affine, Piece
 from orishell.curves.svg.shapes import SHAPES, draw_shape, length_of
@@ -24,7 +24,7 @@ from orishell.curves.svg.values import (
     parse_view_box,
 )
 from orishell.errors import InputError
-from orishell.units import conversion
+from orishell.numerics.arrays import Array
 
 UPWARDS = Affine.of(1, 0, 0, -1, 0, 0)
 MAX_USES = 20
@@ -67,8 +67,6 @@ def read_svg(path: Path, *, into: str, id: str | None = None, unit: str | None =
 
     Parameters
     ----------
-    path
-        The file.
     into
         Unit of length of the result.
     id
@@ -158,7 +156,7 @@ class _Reader:
             self._children(element, inside)
 
     def _placed(self, element: Element, context: _Context) -> _Context:
-        """The context inside of an element that moves what it holds."""
+        """The context inside an element that moves or scales its content."""
         if element.style("transform") != element.attributes.get("transform", "").strip():
             raise InputError(
                 "transform in a style is not read", remedy="write it as an attribute of its own"

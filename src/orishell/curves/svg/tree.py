@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from orishell.curves.sources import read_source
+from orishell.curves.files import read_source
 from orishell.errors import InputError
 
 MAX_ELEMENTS = 200_000

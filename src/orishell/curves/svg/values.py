@@ -60,7 +60,7 @@ class View:
     height: float
 
     def along(self, axis: str) -> float:
-        """The length that 100 % is, along "x", "y", or neither."""
+        """The length that 100 % stands for, along "x", "y", or neither."""
         if axis == "x":
             return self.width
         if axis == "y":

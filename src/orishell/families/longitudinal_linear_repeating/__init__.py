@@ -6,16 +6,19 @@ Derived in docs/theory/longitudinal-linear-repeating.md.
 from orishell.families.longitudinal_linear_repeating.design import (
     design_longitudinal_linear_repeating,
 )
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.solutions import (
+    Solution,
+    find_solutions,
+)
 from orishell.families.longitudinal_linear_repeating.listing import (
     SEARCHED,
     describe_solutions,
 )
-from orishell.families.longitudinal_linear_repeating.mechanism import (
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
-from orishell.families.longitudinal_linear_repeating.sectors import Sectors
-from orishell.families.longitudinal_linear_repeating.solutions import Solution, find_solutions
-from orishell.families.longitudinal_linear_repeating.tessellation import Coupling, RowKind
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
 
 __all__ = [
     "SEARCHED",

@@ -5,80 +5,115 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
+from typing import Annotated, Any, Final
 
 import numpy as np
+from pydantic import Field
+from pydantic_core import PydanticCustomError
 
+from orishell.conventions.arguments import checked
+from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
 from orishell.errors import DesignError, InputError, Remedy
-from orishell.families.candidates import bisect, fewer, sizes
-from orishell.families.longitudinal_linear_repeating.choice import (
+from orishell.families.candidates import fewer, sizes
+from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
     choose_auto,
     choose_solution,
 )
-from orishell.families.longitudinal_linear_repeating.even_lengths import (
-    InnerLengths,
-    advance_range,
-    find_even_lengths,
-)
-from orishell.families.longitudinal_linear_repeating.mechanism import (
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
-    Pose,
 )
 from orishell.families.longitudinal_linear_repeating.placement import place
-from orishell.families.longitudinal_linear_repeating.program import Wanted
-from orishell.families.longitudinal_linear_repeating.request import (
-    Auto,
-    Periodic,
-    SheetRequest,
-    given_lengths,
-)
-from orishell.families.longitudinal_linear_repeating.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.request import Periodic, SheetRequest
 from orishell.families.longitudinal_linear_repeating.sheet import (
     require_flat_sheet,
     with_fitting_border,
 )
-from orishell.families.longitudinal_linear_repeating.solutions import Solution
-from orishell.families.longitudinal_linear_repeating.stage import Stage, find_stage
 from orishell.families.longitudinal_linear_repeating.target import Line, Profile
-from orishell.families.longitudinal_linear_repeating.tessellation import (
+from orishell.families.longitudinal_linear_repeating.target_state import (
+    TargetState,
+    find_target_state,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Columns,
     Coupling,
     Directions,
     RowKind,
 )
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    InnerLengths,
+    advance_range,
+    find_even_lengths,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
+from orishell.families.parameters import Auto, ColumnCount, Length, Limits, RowCount, radians
 from orishell.motion import require_resolution
+from orishell.numerics.bisection import bisect
+
+STAGE: Final[Limits] = {"gt": 0, "le": 180}
+"""Limits of the drive (degrees)."""
+Drive = Annotated[Number, Field(**radians(STAGE))]
+SolutionNumber = Annotated[int, Field(ge=0)]
 
 
+def require_entries(asked: Any) -> None:
+    """Refuse lists that are not as long as the sheet needs.
+
+    Parameters
+    ----------
+    asked
+        RowCount, columns, couplings and lengths: the table [pattern], or a function's arguments.
+
+    Raises
+    ------
+    PydanticCustomError
+        Naming the first list that does not fit.
+    """
+    for key, count in (
+        ("row_lengths", asked.columns - 1),
+        ("column_lengths", asked.rows + 1),
+        ("couplings", asked.columns - 1),
+    ):
+        entries = getattr(asked, key)
+        if not isinstance(entries, str) and len(entries) != count:
+            raise PydanticCustomError(
+                "entries", "{count} entries", {"count": count, "key": key, "got": len(entries)}
+            )
+
+
+@checked(require_entries)
 def design_longitudinal_linear_repeating(
     f: Curve | None = None,
     g: Curve | None = None,
     *,
-    rows: int,
-    columns: int,
+    rows: RowCount,
+    columns: ColumnCount,
     sectors: Sectors | Auto,
-    solution: int = 0,
+    solution: SolutionNumber = 0,
     couplings: Sequence[Coupling] | Periodic = "periodic",
     first_row: RowKind = "F",
-    row_lengths: Sequence[float] | Auto = "auto",
-    column_lengths: Sequence[float] | Auto = "auto",
-    stage: float | Auto = "auto",
-    flap: float | Auto = "auto",
+    row_lengths: Sequence[Length] | Auto = "auto",
+    column_lengths: Sequence[Length] | Auto = "auto",
+    stage: Drive | Auto = "auto",
+    flap: Length | Auto = "auto",
 ) -> Design:
     """Design a shell whose column 1 follows a convex f, swept along a straight g (section 4).
 
-    Without f and g, what the sector angles and the lengths of a row and a column fold: the question
-    that the paper asks. Then any solution will do, lengths are lengths, and the design has no
-    surface to be compared with.
+    Without f and g, the sector angles and the lengths of a row and a column determine the sheet, as
+    in the paper. Then every solution may be taken, ``row_lengths`` and ``column_lengths`` are true
+    lengths, not ratios, and the design has no surface to be compared with.
 
     Parameters
     ----------
     f
         The swept curve: convex, run through in the direction of its x axis, upright on g.
     g
-        The line that it is swept along; the middle row advances by its length at the stage.
+        The line that it is swept along; the middle row advances by its length at the target state.
     rows, columns
         Inner vertices m and n.
     sectors
@@ -109,7 +144,8 @@ def design_longitudinal_linear_repeating(
     CurveError
         If f or g is not a usable curve.
     InputError
-        If couplings or lengths are not as many as the sheet needs, or only one of f and g is given.
+        If an argument has no meaning, couplings or lengths are not as many as the sheet needs, or
+        only one of f and g is given.
     DesignError
         If the family cannot reach the target, or there is no such sheet: the condition, where, by
         how much, what works.
@@ -130,8 +166,8 @@ def design_longitudinal_linear_repeating(
         columns=columns,
         first_row=first_row,
         couplings=couplings,
-        row_lengths=given_lengths("row_lengths", row_lengths, columns - 1),
-        column_lengths=given_lengths("column_lengths", column_lengths, rows + 1),
+        row_lengths=None if row_lengths == "auto" else np.array(row_lengths),
+        column_lengths=None if column_lengths == "auto" else np.array(column_lengths),
         stage=None if stage == "auto" else stage,
         flap=flap,
     )
@@ -139,7 +175,10 @@ def design_longitudinal_linear_repeating(
         return design_without_target(request, sectors, solution)
     if f is None or g is None:
         raise InputError(
-            "f and g belong together", got="one of them", expected="both, or none for no target"
+            "f and g belong together",
+            where="design_longitudinal_linear_repeating: f, g",
+            got="one of them",
+            expected="both, or none for no target",
         )
     f_trace, g_trace = trace_curve(f, "f").in_own_frame(), trace_curve(g, "g").in_own_frame()
     target = _Target(Profile.of(f_trace), Line.along(g_trace), request)
@@ -149,18 +188,12 @@ def design_longitudinal_linear_repeating(
         chosen = choose_solution(sectors, solution)
         made = target.build(chosen)
     found, mechanism = made
-    placed = place(mechanism, target.profile, target.line, found)
-    return Design(
-        mechanism=placed.mechanism,
-        parameters={**request.describe(chosen, placed.mechanism), **placed.measures},
-        targets=placed.targets,
-        closeness=placed.closeness,
-        swept=placed.surface,
-        approached=placed.approached,
-        origin=np.append(g_trace.origin, 0.0),
-        warnings=(),
-        lock_drive=mechanism.crease_end,
-        at_rest=replace(placed.mechanism, pose=Pose()),
+    return place(
+        mechanism,
+        target.profile,
+        target.line,
+        found,
+        lambda placed: request.describe(chosen, placed),
     )
 
 
@@ -172,8 +205,8 @@ class _Target:
     line: Line
     request: SheetRequest
 
-    def build(self, solution: Solution) -> tuple[Stage, LongitudinalLinearRepeating]:
-        """The stage and the sheet that a solution of (4) gives."""
+    def build(self, solution: Solution) -> tuple[TargetState, LongitudinalLinearRepeating]:
+        """The target state and the sheet that a solution of (4) gives."""
         request = self.request
         if solution.version == "sine":
             raise DesignError(
@@ -182,7 +215,7 @@ class _Target:
                 candidates=[Remedy({"pattern.solution": 0}), AUTO_SECTORS],
             )
         columns = request.coupled(solution)
-        stage = find_stage(
+        state = find_target_state(
             self.profile,
             columns,
             request.rows,
@@ -190,32 +223,32 @@ class _Target:
             drive=request.stage,
             lengths=request.column_lengths,
         )
-        inner = self._lengths(columns, stage)
+        inner = self._lengths(columns, state)
         mechanism = with_fitting_border(
             columns,
             request.first_row,
             inner,
-            (float(stage.lengths[0]), float(stage.lengths[-1])),
+            (float(state.lengths[0]), float(state.lengths[-1])),
             request.flap,
-            side=stage.side,
+            side=state.side,
         )
         require_flat_sheet(mechanism)
         require_resolution(
             mechanism, chain(fewer("rows", request.rows), fewer("columns", request.columns))
         )
-        return stage, mechanism
+        return state, mechanism
 
-    def _lengths(self, columns: Columns, stage: Stage) -> InnerLengths:
+    def _lengths(self, columns: Columns, state: TargetState) -> InnerLengths:
         """Lengths of the inner creases: column 1 follows f, the middle row is as long as g."""
         request = self.request
         directions = Directions.of(columns, request.rows, request.first_row)
-        row, column = request.row_lengths, stage.lengths[1:-1]
-        weights = stage.section.advance
+        row, column = request.row_lengths, state.lengths[1:-1]
+        weights = state.section.advance
         if request.rows == 1:
             row = np.ones(request.columns - 1) if row is None else row
             scale = self.line.length / float(weights @ row)
             return InnerLengths.marched(directions, scale * row, column)
-        ends = (float(stage.lengths[0]), float(stage.lengths[-1]))
+        ends = (float(state.lengths[0]), float(state.lengths[-1]))
         free = Wanted(row=row, column=column, ends=ends)
         found = find_even_lengths(directions, replace(free, advance=(weights, self.line.length)))
         if found is not None:
@@ -224,7 +257,7 @@ class _Target:
         if limits is None:
             given = "these row_lengths" if row is not None else "column 1 following f"
             raise DesignError(
-                f"no lengths keep all creases of the sheet positive with {given}",
+                f"a sheet with {given} would have creases of zero or negative length",
                 candidates=[Remedy({"pattern.row_lengths": "auto"})]
                 if row is not None
                 else chain(
@@ -242,13 +275,13 @@ class _Target:
             # The range is that of sheets in proportion; others are made, too.
             start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
             if start is not None:
-                length = bisect(start, self.line.length, works)
+                length = bisect(works, start, self.line.length)
                 yield from sizes("g", self.line.trace.curve, length / self.line.length)
             yield AUTO_SECTORS
 
         raise DesignError(
-            "no lengths keep all creases of the sheet positive with a middle row as long as g",
-            size=f"g is {self.line.length:.6g} long, and with column 1 following f the row may "
-            f"be {low:.6g} to {high:.6g}",
+            "a sheet with a middle row as long as g would have creases of zero or negative length",
+            size=f"g is {self.line.length:.6g} long, and with column 1 following f the middle row "
+            f"may be {low:.6g} to {high:.6g} long",
             candidates=candidates(),
         )

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from itertools import islice
 from typing import Any
 
-from orishell.families.longitudinal_linear_repeating.choice import no_solution
-from orishell.families.longitudinal_linear_repeating.even_lengths import largest_square
-from orishell.families.longitudinal_linear_repeating.mechanism import crease_end
-from orishell.families.longitudinal_linear_repeating.sectors import Sectors
-from orishell.families.longitudinal_linear_repeating.solutions import find_solutions
-from orishell.families.longitudinal_linear_repeating.tessellation import repeat_columns
-from orishell.quoting import tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
+from orishell.families.longitudinal_linear_repeating.equation.choice import no_solution
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.solutions import find_solutions
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import repeat_columns
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import largest_square
 
 SEARCHED = 60
 """Square sheets are looked for up to this size."""

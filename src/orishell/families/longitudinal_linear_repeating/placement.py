@@ -1,87 +1,68 @@
-"""The sheet in world coordinates at its stage, and how well it meets the target there."""
+"""The sheet in world coordinates at its target state, and how well it meets the target there."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.design import Approached, Parameter
-from orishell.families.longitudinal_linear_repeating.measures import (
+from orishell.design import Approached, Design, Parameter
+from orishell.families.longitudinal_linear_repeating.motion.measures import (
     describe_radii,
     measure_departures,
     section_radii,
 )
-from orishell.families.longitudinal_linear_repeating.mechanism import (
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
     Pose,
 )
-from orishell.families.longitudinal_linear_repeating.stage import Stage
 from orishell.families.longitudinal_linear_repeating.target import Line, Profile
+from orishell.families.longitudinal_linear_repeating.target_state import TargetState
+from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness, measure_closeness
 from orishell.surface import Path, Sliding, Surface
 
-Array = NDArray[np.float64]
 
+def place(
+    mechanism: LongitudinalLinearRepeating,
+    profile: Profile,
+    line: Line,
+    state: TargetState,
+    describe: Callable[[LongitudinalLinearRepeating], Mapping[str, Parameter]],
+) -> Design:
+    """Put the sheet so that at its target state column 1 lies on f, upright on g's start.
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Placed:
-    """A sheet that stands where the target is.
+    The middle vertex of column 1's polygon, seen along g, is on g. In other states the middle
+    row's centroid is where it is there, and the middle panel's turn grows with the drive.
 
     Parameters
     ----------
-    mechanism
-        The sheet, its motion ending at the stage.
-    targets
-        f and g in world coordinates (N, 3).
-    closeness
-        Distances seen along g ("f": column 1) and from g ("g": the middle row).
-    surface
-        f swept along the line.
-    approached
-        What the shell approaches instead.
-    measures
-        What the report says of its shape.
-    """
-
-    mechanism: LongitudinalLinearRepeating
-    targets: Mapping[str, Array]
-    closeness: Mapping[str, Closeness]
-    surface: Surface
-    approached: Approached | None
-    measures: Mapping[str, Parameter]
-
-
-def place(
-    mechanism: LongitudinalLinearRepeating, profile: Profile, line: Line, stage: Stage
-) -> Placed:
-    """Put the sheet so that at the stage column 1 lies on f, upright on g's start.
-
-    The middle vertex of column 1's polygon, seen along g, is on g. In other states the middle
-    row's centroid is where it is at the stage, and the middle panel's turn grows with the drive.
+    mechanism, profile, line, state
+        The sheet, f and g, and where column 1 follows f.
+    describe
+        Says what was used and found, of the placed sheet.
     """
     forward = np.array([*line.direction, 0.0])
     right = np.array([line.direction[1], -line.direction[0], 0.0])
     up = np.array([0.0, 0.0, 1.0])
-    first = stage.polygon[1] - stage.polygon[0]
+    first = state.polygon[1] - state.polygon[0]
     first = first / np.hypot(*first)
     # Rotation that takes the section's axis to g, and column 1's first crease to its direction.
-    section = stage.section
+    section = state.section
     here = np.stack([section.axis, section.heading, np.cross(section.axis, section.heading)])
     heading = first[0] * right + first[1] * up
     there = np.stack([forward, heading, np.cross(forward, heading)])
     rotation = there.T @ here
 
-    free = replace(mechanism, stop=stage.drive, pose=Pose())
-    sheet = free.positions(stage.drive) @ rotation.T
+    free = replace(mechanism, stop=state.drive, pose=Pose())
+    sheet = free.positions(state.drive) @ rotation.T
     middle = sheet.shape[0] // 2
     column = sheet[:, 1]
     seen = np.stack([column @ right, column @ up], axis=-1)
     start = np.array([*line.start, 0.0])
     # The two polygons differ by a translation only; along g, column 1 is at its start.
-    goal = stage.polygon - stage.polygon[middle]
+    goal = state.polygon - state.polygon[middle]
     offset = (goal - seen).mean(axis=0)
     shift = (
         offset[0] * right
@@ -93,38 +74,42 @@ def place(
     pose = pose_of(centroid, rotation)
     placed = replace(free, pose=pose)
 
-    final = placed.positions(stage.drive)
+    final = placed.positions(state.drive)
     relative = final - start
     seen = np.stack([relative @ right, relative @ up], axis=-1)
     trace = profile.trace
     along_row = (relative[middle, 1:-1] @ forward)[:, None]
-    ideal = trace.points - stage.polygon[middle]
+    ideal = trace.points - state.polygon[middle]
     distance = np.hypot(*np.moveaxis(seen[middle, 1:-1], -1, 0))
     radii = section_radii(seen)
-    return Placed(
+    return Design(
         mechanism=placed,
+        parameters={
+            **describe(placed),
+            **describe_radii(radii),
+            "row_span": [float(along_row.min()), float(along_row.max())],
+            "column_1_depth": float(np.ptp(relative[:, 1] @ forward)),
+            **measure_departures(placed),
+        },
         targets={
             "f": start + ideal[:, :1] * right + ideal[:, 1:] * up,
             "g": np.stack([start, start + line.length * forward]),
         },
         closeness={
-            "f": measure_closeness(trace, seen[:, 1] + stage.polygon[middle]),
+            "f": measure_closeness(trace, seen[:, 1] + state.polygon[middle]),
             "g": Closeness(float(distance.max()), float(np.sqrt((distance**2).mean()))),
         },
-        surface=Surface(
-            trace, stage.polygon[middle], Sliding(Path.of(line.trace), complex(*right[:2]))
+        swept=Surface(
+            trace, state.polygon[middle], Sliding(Path.of(line.trace), complex(*right[:2]))
         ),
         approached=Approached(
             f"the rows are not parallel: the radius of the sections goes from {radii[0]:.4g} at "
             f"column 1 to {radii[1]:.4g} at the last",
             None,
         ),
-        measures={
-            **describe_radii(radii),
-            "row_span": [float(along_row.min()), float(along_row.max())],
-            "column_1_depth": float(np.ptp(relative[:, 1] @ forward)),
-            **measure_departures(placed),
-        },
+        origin=np.append(line.trace.origin, 0.0),
+        warnings=(),
+        beyond_target=placed.whole,
     )
 
 

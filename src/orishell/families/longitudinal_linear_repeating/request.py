@@ -7,31 +7,31 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import tidy_degrees
 from orishell.design import Parameter
-from orishell.errors import InputError
-from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
-from orishell.families.longitudinal_linear_repeating.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
+    LongitudinalLinearRepeating,
+)
 from orishell.families.longitudinal_linear_repeating.sheet import require_size
-from orishell.families.longitudinal_linear_repeating.solutions import Solution
-from orishell.families.longitudinal_linear_repeating.tessellation import (
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Columns,
     Coupling,
     RowKind,
     continue_columns,
     repeat_columns,
 )
-from orishell.quoting import tidy_degrees
+from orishell.families.parameters import Auto
+from orishell.numerics.arrays import Array
 
-Array = NDArray[np.float64]
-Auto = Literal["auto"]
 Periodic = Literal["periodic"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SheetRequest:
-    """What was asked for, but for the sector angles and the target.
+    """What was asked for, apart from the sector angles and the target.
 
     Parameters
     ----------
@@ -63,19 +63,11 @@ class SheetRequest:
 
         Raises
         ------
-        InputError
-            If couplings are not as many as the sheet needs.
         DesignError
             If no lengths make a sheet of this size of them.
         """
         if self.couplings == "periodic":
             columns = repeat_columns(solution, self.columns)
-        elif len(self.couplings) != self.columns - 1:
-            raise InputError(
-                "couplings do not fit",
-                got=f"{len(self.couplings)} entries",
-                expected=f'{self.columns - 1}, one fewer than columns, or "periodic"',
-            )
         else:
             columns = continue_columns(solution, self.couplings)
         require_size(columns, self.rows, self.first_row)
@@ -84,7 +76,7 @@ class SheetRequest:
     def describe(
         self, solution: Solution, mechanism: LongitudinalLinearRepeating
     ) -> dict[str, Parameter]:
-        """What was used and found, as the report says it."""
+        """The parameters that were given or found, by their names in the report."""
         lengths = mechanism.lengths
         return {
             "sector_deg": _tidy(solution.first),
@@ -102,26 +94,6 @@ class SheetRequest:
             "column_lengths": lengths.column[:, 0].tolist(),
             "flap": float(lengths.row[0, 0]),
         }
-
-
-def given_lengths(name: str, lengths: Sequence[float] | Auto, count: int) -> Array | None:
-    """Given lengths as an array, or None for "auto".
-
-    Raises
-    ------
-    InputError
-        If they are not so many, or one is not positive.
-    """
-    if lengths == "auto":
-        return None
-    array = np.asarray(lengths, dtype=np.float64)
-    if array.shape != (count,) or not (array > 0).all():
-        raise InputError(
-            f"{name} does not fit",
-            got=f"{array.size} entries",
-            expected=f"{count} positive lengths",
-        )
-    return array
 
 
 def _tidy(sectors: Sectors) -> list[float]:

@@ -11,19 +11,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.families.longitudinal_linear_repeating.lengths import EdgeLengths
-from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
-from orishell.families.longitudinal_linear_repeating.rotations import Rotations
-from orishell.families.longitudinal_linear_repeating.tessellation import (
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
+    LongitudinalLinearRepeating,
+)
+from orishell.families.longitudinal_linear_repeating.motion.rotations import Rotations
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Columns,
     Directions,
     RowKind,
 )
-from orishell.panels import dots, lengths
-
-Array = NDArray[np.float64]
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import EdgeLengths
+from orishell.numerics.arrays import Array
+from orishell.sheet.quads import dots, lengths
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,7 +55,7 @@ class Section:
 
     @property
     def turning(self) -> float:
-        """Turning of column 1, half a row more at either end."""
+        """How much column 1 turns, half a row beyond either end included (radians)."""
         return float(self.turns.sum() + 0.5 * sum(self.beyond))
 
     @classmethod
@@ -97,7 +97,7 @@ class Section:
 
 
 def turnings(columns: Columns, rows: int, first_row: RowKind, drives: Array, side: int) -> Array:
-    """How much column 1 of m rows turns at drives (D,), without a sign: :attr:`Section.turning`.
+    """The absolute :attr:`Section.turning` (D,) of m rows at drives (D,).
 
     The turns of three rows are enough, because all others repeat them: this is for many drives.
     """
@@ -119,7 +119,7 @@ def turnings(columns: Columns, rows: int, first_row: RowKind, drives: Array, sid
 
 
 def _axis(panels: Rotations, directions: Directions) -> Array:
-    """Along the line that panels (..., m+1, n+1) roll about: vectors (..., 3) of any length."""
+    """Vectors (..., 3), of any length, along the line that panels (..., m+1, n+1) roll about."""
     # Frames that lie alike on their row: the rows' own turn in the flat sheet goes with them.
     fan = Rotations.of_vector(np.array([0.0, 0.0, directions.row[2, 1] - directions.row[0, 1]]))
     turn = panels[..., 2, 1] @ fan @ panels[..., 0, 1].inverse()

@@ -1,36 +1,38 @@
-"""What a sheet must satisfy to be made: positive creases, convex panels, no overlap."""
+"""What a sheet must satisfy to be made: positive lengths, convex panels, no overlap."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import chain
-from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer, values
-from orishell.families.longitudinal_linear_repeating.choice import AUTO_SECTORS, nearer_to_90
-from orishell.families.longitudinal_linear_repeating.even_lengths import (
+from orishell.families.longitudinal_linear_repeating.equation.choice import (
+    AUTO_SECTORS,
+    nearer_to_90,
+)
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
+    LongitudinalLinearRepeating,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
+    Columns,
+    Directions,
+    RowKind,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
     PROGRAM_PANELS,
     InnerLengths,
     find_even_lengths,
     largest_size,
 )
-from orishell.families.longitudinal_linear_repeating.lengths import with_border
-from orishell.families.longitudinal_linear_repeating.mechanism import LongitudinalLinearRepeating
-from orishell.families.longitudinal_linear_repeating.program import Wanted
-from orishell.families.longitudinal_linear_repeating.tessellation import (
-    Columns,
-    Directions,
-    RowKind,
-)
-from orishell.geometry import is_simple_polygon
-
-Array = NDArray[np.float64]
-Auto = Literal["auto"]
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import with_border
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.parameters import Auto
+from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import largest_below
+from orishell.polylines.plane import is_simple_polygon
 
 SMALLEST_SHARE = 1e-30
 """No smaller share of a given flap is looked for."""
@@ -68,10 +70,10 @@ def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
             choices.append(Remedy({"pattern.columns": fewer_columns}))
     condition = (
         f"no sheet of {rows} x {n} inner vertices exists for these sector angles: rows and columns "
-        "converge, and no lengths keep all creases positive"
+        "converge, so that creases would have zero or negative length"
         if (rows - 1) * (n - 1) <= PROGRAM_PANELS
-        else f"no sheet of {rows} x {n} inner vertices was found for these sector angles: equal "
-        "lengths do not keep all creases positive, and for others it is too large"
+        else f"no sheet of {rows} x {n} inner vertices was found for these sector angles: with "
+        "equal lengths creases would have zero or negative length, and others were not tried"
     )
     raise DesignError(
         condition,
@@ -100,12 +102,12 @@ def with_fitting_border(
         Lengths of column 1's first and last crease.
     flap
         Length of the row creases at the left and right border; "auto" takes the mean of column 1,
-        or as much of it as leaves the panels convex.
+        or half of what leaves the panels convex if that is less.
 
     Raises
     ------
     DesignError
-        If the border's panels would not be convex, or the flat sheet would overlap itself.
+        If the border's panels would not be convex.
     """
     given = float(np.mean([*inner.column[:, 0], *ends])) if flap == "auto" else flap
     directions = Directions.of(columns, len(inner.row), first_row)
@@ -116,10 +118,11 @@ def with_fitting_border(
         return _is_convex_at_sides(_with_flap(mechanism, share * given))
 
     if not works(1.0):
-        share = _largest_share(works)
+        share = largest_below(works, 1.0, smallest=SMALLEST_SHARE) or SMALLEST_SHARE
         if flap != "auto":
             raise DesignError(
                 "the flap panels are not convex: their row creases meet",
+                keys=("pattern.flap",),
                 size=f"flap = {given:.4g} is too wide",
                 candidates=values("flap", 0.0, share * given, given),
             )
@@ -146,7 +149,7 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
         raise DesignError(
             "a panel is so slender that rounding would bend it",
             place=f"panel {panel}",
-            size=f"the sine of a corner is {turns.min():.1g} and may be {SLENDER:g}",
+            size=f"the sine of a corner is {turns.min():.1g} and must be at least {SLENDER:g}",
             candidates=[*(Remedy({"pattern.solution": other}) for other in (0, 1)), AUTO_SECTORS],
         )
     flat = mechanism.positions(0.0)[..., :2]
@@ -180,15 +183,3 @@ def _corner_turns(mechanism: LongitudinalLinearRepeating) -> Array:
     turned = edges * np.roll(edges, 1, axis=-1).conj()
     sines: Array = turned.imag / np.abs(turned)
     return sines
-
-
-def _largest_share(works: Callable[[float], bool]) -> float:
-    """The largest share in (0, 1) that works, to a thousandth of itself."""
-    bad = 1.0
-    good = 0.5
-    while not works(good) and good > SMALLEST_SHARE:
-        good, bad = 0.5 * good, good
-    while bad - good > 1e-3 * good:
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if works(middle) else (good, middle)
-    return good

@@ -5,18 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.curves import Trace, run_along_axis
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import part
-from orishell.geometry import rise
-from orishell.quoting import in_degrees, inside, rounded
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
+from orishell.polylines.plane import extent_across
 
 STRAIGHT = 1e-6
-"""g may leave its chord by this share of its length."""
+"""A g that leaves a line by no more than this share of its length is straight."""
 TURNING_BACK = 1e-6
 """f's tangent may turn back by this much (radians)."""
 
@@ -32,7 +30,7 @@ class Line:
 
     @classmethod
     def along(cls, trace: Trace) -> Line:
-        """The line that g is.
+        """The straight line g, from its trace.
 
         Raises
         ------
@@ -41,14 +39,14 @@ class Line:
         """
         chord = trace.points[-1] - trace.points[0]
         length = float(np.hypot(*chord))
-        leaves = rise(trace.points)
+        leaves = extent_across(trace.points)
         if leaves > STRAIGHT * trace.length or length < (1 - STRAIGHT) * trace.length:
             normal = np.array([-chord[1], chord[0]])
             worst = int(np.argmax(np.abs((trace.points - trace.points[0]) @ normal)))
             raise DesignError(
                 "g is not straight, and this family sweeps along a straight line only",
                 place=f"at parameter {trace.curve.as_drawn(trace.t[worst]):.6g} of g",
-                size=f"g leaves a line by {leaves:.4g}, its length being {trace.length:.4g}",
+                size=f"g leaves a straight line by {leaves:.4g}; it is {trace.length:.4g} long",
                 candidates=[_straight(trace)],
             )
         return cls(trace, trace.points[0], chord / length, length)
@@ -82,7 +80,7 @@ class Profile:
         turned = float(trace.heading[-1] - trace.heading[0])
         if abs(turned) < TURNING_BACK:
             raise DesignError(
-                "f is straight, and the rows of this family turn all the same way",
+                "f is straight, but the rows of this family all turn the same way",
             )
         side = -1 if turned > 0 else 1
         back = -side * np.stack([trace.arriving, trace.heading]).T.ravel()
@@ -132,7 +130,7 @@ class Profile:
 
 
 def _not_convex(trace: Trace) -> DesignError:
-    """Name the first inflection and the longer part of f beside it."""
+    """The error for an f that is not convex: its first inflection, its longest convex part."""
     steps = np.sign(np.where(np.abs(np.diff(trace.heading)) > 1e-9, np.diff(trace.heading), 0.0))
     turning = np.flatnonzero(steps)
     change = turning[np.flatnonzero(np.diff(steps[turning]))]
@@ -143,7 +141,7 @@ def _not_convex(trace: Trace) -> DesignError:
     low, high = (inside(float(end), middle) for end in (low, high))
     spread = trace.heading.max() - trace.heading.min()
     return DesignError(
-        "f is not convex: the rows of this family turn all the same way",
+        "f is not convex, but the rows of this family all turn the same way",
         place=f"at parameter {trace.curve.as_drawn(places[1]):.6g} of f",
         size=f"f turns the other way from there, its tangents spreading over {in_degrees(spread)} "
         "degrees",
@@ -152,7 +150,7 @@ def _not_convex(trace: Trace) -> DesignError:
 
 
 def _straight(trace: Trace) -> Remedy:
-    """A line as long as a curve."""
+    """The change that replaces g by a straight line of its length."""
     length = rounded(trace.length / trace.curve.scale, 6)
     return Remedy({"target.g.formula": "0*x", "target.g.range": [0.0, length]})
 

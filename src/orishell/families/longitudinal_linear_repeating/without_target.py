@@ -1,4 +1,4 @@
-"""What sector angles and the lengths of a row and a column fold, with no target to meet."""
+"""A sheet from sector angles and the lengths of a row and a column, with no target to meet."""
 
 from __future__ import annotations
 
@@ -7,44 +7,48 @@ from dataclasses import replace
 from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import rounded
 from orishell.design import Design, Parameter
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer
-from orishell.families.longitudinal_linear_repeating.choice import choose_auto, choose_solution
-from orishell.families.longitudinal_linear_repeating.even_lengths import (
-    InnerLengths,
-    advance_range,
-    find_even_lengths,
+from orishell.families.longitudinal_linear_repeating.equation.choice import (
+    choose_auto,
+    choose_solution,
 )
-from orishell.families.longitudinal_linear_repeating.lengths import END_SHARE, end_limits
-from orishell.families.longitudinal_linear_repeating.measures import (
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.motion.measures import (
     describe_radii,
     measure_departures,
     section_radii,
 )
-from orishell.families.longitudinal_linear_repeating.mechanism import (
+from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
     Pose,
 )
 from orishell.families.longitudinal_linear_repeating.placement import pose_of
-from orishell.families.longitudinal_linear_repeating.program import Wanted
-from orishell.families.longitudinal_linear_repeating.request import Auto, SheetRequest
+from orishell.families.longitudinal_linear_repeating.request import SheetRequest
 from orishell.families.longitudinal_linear_repeating.section import Section
-from orishell.families.longitudinal_linear_repeating.sectors import Sectors
 from orishell.families.longitudinal_linear_repeating.sheet import (
     require_flat_sheet,
     with_fitting_border,
 )
-from orishell.families.longitudinal_linear_repeating.solutions import Solution
-from orishell.families.longitudinal_linear_repeating.stage import require_before_end
-from orishell.families.longitudinal_linear_repeating.tessellation import Columns, Directions
+from orishell.families.longitudinal_linear_repeating.target_state import require_before_end
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, Directions
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    InnerLengths,
+    advance_range,
+    find_even_lengths,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import (
+    END_SHARE,
+    end_limits,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.parameters import Auto
 from orishell.motion import require_resolution
-from orishell.pattern import UNFOLDED
-from orishell.quoting import rounded
-
-Array = NDArray[np.float64]
+from orishell.sheet.grid import UNFOLDED
 
 LEVEL = 1e-9
 """Rows beside the middle one are level with it below this share of the sheet's size."""
@@ -88,9 +92,8 @@ def design_without_target(
             closeness={},
             swept=None,
             warnings=(),
-            lock_drive=sheet.crease_end,
-            at_rest=replace(placed, pose=Pose()),
-            stopped=stopped if request.stage is None else None,
+            beyond_target=placed.whole,
+            ending_at=stopped if request.stage is None else None,
         )
 
     if request.stage is None:
@@ -124,7 +127,7 @@ def _with_border(
 
 
 def _inner_lengths(request: SheetRequest, columns: Columns) -> InnerLengths | None:
-    """As given, perhaps not all positive, or the most even ones, or None if there are none."""
+    """Lengths from those given, perhaps not all positive, or the most even; None if none exist."""
     row, column = request.row_lengths, request.column_lengths
     directions = Directions.of(columns, request.rows, request.first_row)
     if request.rows == 1 and row is None:
@@ -152,7 +155,7 @@ def _ends(
 
 
 def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None) -> DesignError:
-    """Why lengths that were given make no sheet."""
+    """The error for given lengths that make no sheet."""
     row, column = request.row_lengths, request.column_lengths
     both = row is not None and column is not None
     which = "column_lengths" if row is None else "row_lengths"
@@ -183,13 +186,17 @@ def _candidates(request: SheetRequest, columns: Columns) -> Iterator[Remedy]:
 
 
 def _require_folded(sheet: LongitudinalLinearRepeating, stage: float) -> None:
-    """Refuse a stage at which a crease still counts as unfolded: small fold angles go with it."""
+    """Refuse a stage at which a crease still counts as unfolded.
+
+    Near the flat sheet all fold angles are in proportion to the drive.
+    """
     angles = sheet.fold_angles(UNFOLDED)
     share = min(float(np.abs(angles.row).min()), float(np.abs(angles.column).min())) / UNFOLDED
     if stage * share <= UNFOLDED:
         raise DesignError(
             f"stage_deg = {np.rad2deg(stage):.4g} leaves creases unfolded",
-            size=f"one folds by {stage * share:.1g} rad, and less than {UNFOLDED:g} is none",
+            keys=("pattern.stage_deg",),
+            size=f"one folds by {stage * share:.1g} rad, and must fold by {UNFOLDED:g} rad or more",
             candidates=[
                 Remedy({"pattern.stage_deg": rounded(np.rad2deg(more * UNFOLDED / share))})
                 for more in (1.01, 2.0)
@@ -222,7 +229,7 @@ def _level(sheet: LongitudinalLinearRepeating, drive: float) -> LongitudinalLine
 
 
 def _measures(mechanism: LongitudinalLinearRepeating) -> dict[str, Parameter]:
-    """What the report says of the shape: radii of sections where they are convex, planes."""
+    """The shape in numbers, for the report: radii of convex sections, departures from planes."""
     measures: dict[str, Parameter] = {**measure_departures(mechanism)}
     if mechanism.columns.version == "sine":
         return measures

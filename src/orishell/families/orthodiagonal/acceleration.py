@@ -1,4 +1,4 @@
-"""How fast the edges of an orthodiagonal sheet can swing: what proves the path between states.
+"""Bounds of the accelerations of edges, which prove that nothing touches between states.
 
 Edges of columns are rigid and turn in f's plane; edges of rows are k_j a_i + N_j n, two
 perpendicular parts, the first in f's plane (see the mechanism's text). In axes along the edge
@@ -9,11 +9,9 @@ middle row outwards.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.intervals import Enclosure, spinning_acceleration
-
-Array = NDArray[np.float64]
+from orishell.numerics import Enclosure, spinning_acceleration
+from orishell.numerics.arrays import Array
 
 
 def bound_edges(

@@ -1,30 +1,28 @@
-"""What the columns of an orthodiagonal sheet take along f's plane and along their normal."""
+"""The steps from column to column of an orthodiagonal sheet, along f's plane and across it."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from orishell.numerics.arrays import Array, Complex
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Columns:
-    """Panel columns, flaps at both ends (n+1,)."""
+    """Steps over the panel columns (n+1,), flaps at both ends."""
 
     k: Array  # along K
     locked: Array  # along n at lock: l sin eps
 
     @property
     def step(self) -> Array:
-        """Distance of the columns in the flat sheet."""
+        """Distances (n+1,) between neighbouring columns in the flat sheet."""
         return np.hypot(self.locked, self.k)
 
     def advance(self, q: Array) -> Array:
-        """N (..., n+1), distance of the column planes at q = cos(rho/2) (...)."""
+        """Distances N (..., n+1) of neighbouring column planes at q = cos(rho/2) (...)."""
         return np.hypot(self.locked, q[..., None] * self.k)
 
 
@@ -35,6 +33,6 @@ def running(steps: Array) -> Array:
 
 
 def product(turns: Complex) -> Complex:
-    """Running products (..., K+1) of unit numbers (..., K), beginning with 1."""
+    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
     ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
     return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import Literal
+from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import NDArray
+from pydantic import Field
 
+from orishell.conventions.arguments import checked
+from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
 from orishell.families.candidates import fewer
-from orishell.families.orthodiagonal.flaps import cut_flaps, sunk
+from orishell.families.orthodiagonal.flap_cuts import cut_flaps, depth_below_feet
 from orishell.families.orthodiagonal.headings import (
-    Headings,
+    HeadingConditions,
     SideChoice,
     nearest_interval,
     union,
@@ -24,7 +27,17 @@ from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
 from orishell.families.orthodiagonal.refusal import refuse
 from orishell.families.orthodiagonal.target import approach, sweep
+from orishell.families.parameters import (
+    Auto,
+    ColumnCount,
+    Length,
+    Limits,
+    OddRowCount,
+    Width,
+    radians,
+)
 from orishell.motion import require_resolution
+from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import (
     Placement,
     Spacing,
@@ -34,10 +47,12 @@ from orishell.polylines import (
     place_chords,
     warn_of_coarse_row,
 )
-from orishell.quoting import tidy_degrees
 
-Array = NDArray[np.float64]
-Auto = Literal["auto"]
+HEADING: Final[Limits] = {"ge": 0, "le": 180}
+"""Limits of the angle (degrees)."""
+Heading = Annotated[Number, Field(**radians(HEADING))]
+ChosenSides = Annotated[Sequence[FlapSide | Auto], Field(min_length=2, max_length=2)]
+"""Where the left and the right flap fold to, chosen if "auto"."""
 
 FLAP_SHARE = 0.5
 """An "auto" flap takes at most this share of the width that there is room for."""
@@ -47,16 +62,17 @@ LEVEL = 1e-12
 """A middle row that rises by less than this is level (radians)."""
 
 
+@checked()
 def design_orthodiagonal(
     f: Curve,
     g: Curve,
     *,
-    rows: int,
-    columns: int,
-    depth: float | Auto = "auto",
-    heading: float | Auto = np.pi / 2,
-    flap: float | Auto = "auto",
-    flap_sides: tuple[FlapSide | Auto, FlapSide | Auto] = ("auto", "auto"),
+    rows: OddRowCount,
+    columns: ColumnCount,
+    depth: Length | Auto = "auto",
+    heading: Heading | Auto = np.pi / 2,
+    flap: Width | Auto = "auto",
+    flap_sides: ChosenSides = ("auto", "auto"),
     spacing: Spacing = "curvature",
     placement: Placement = "inscribed",
 ) -> Design:
@@ -90,6 +106,8 @@ def design_orthodiagonal(
 
     Raises
     ------
+    InputError
+        If an argument has no meaning.
     CurveError
         If f or g is not a usable curve.
     DesignError
@@ -175,14 +193,14 @@ def headings_of(
     vertices: Array,
     flap: float | None = None,
     sides: tuple[SideChoice, SideChoice] = (None, None),
-) -> Headings:
-    """What a zigzag and the vertices (n, 2) of g's polyline ask of the heading."""
+) -> HeadingConditions:
+    """The conditions on the heading that a zigzag and g's polyline (n, 2) set."""
     points = vertices @ np.array([1, 1j])
-    return Headings(points, 1.0, (-np.inf, np.inf), flap, sides).of(zigzag)
+    return HeadingConditions(points, 1.0, (-np.inf, np.inf), flap, sides).of(zigzag)
 
 
-def _choose_heading(demands: Sequence[Headings]) -> float:
-    """A right angle, or the middle of the widest interval."""
+def _choose_heading(demands: Sequence[HeadingConditions]) -> float:
+    """A right angle if it is admissible, else the middle of the widest admissible interval."""
     right = float(np.pi / 2)
     intervals = np.concatenate([headings.intervals() for headings in demands])
     if not len(intervals) or any(headings.admit(right) for headings in demands):
@@ -191,11 +209,11 @@ def _choose_heading(demands: Sequence[Headings]) -> float:
 
 
 def _assemble(
-    f: Trace, zigzag: Zigzag, headings: Headings, heading: float, flap: float | None
-) -> tuple[Zigzag, Headings, Orthodiagonal, list[End]]:
+    f: Trace, zigzag: Zigzag, headings: HeadingConditions, heading: float, flap: float | None
+) -> tuple[Zigzag, HeadingConditions, Orthodiagonal, list[End]]:
     """The mechanism of one zigzag, and the planes in which it ends.
 
-    Where it is left open to which side flaps fold, it is one on which they stay above the feet,
+    Where the side to which flaps fold is left open, it is one on which they stay above the feet,
     unless they would have to be much narrower there.
     """
     found: list[tuple[Orthodiagonal, list[End]]] = []
@@ -205,15 +223,15 @@ def _assemble(
         if found and not (width < room and width >= MUCH_NARROWER * found[0][0].flaps[0]):
             continue
         found.append(_with_flaps(f, zigzag, headings.points, heading, width=width, sides=sides))
-        if not sunk(found[-1][0]):
+        if not depth_below_feet(found[-1][0]):
             break
-    return zigzag, headings, *min(found, key=lambda each: sunk(each[0]))
+    return zigzag, headings, *min(found, key=lambda each: depth_below_feet(each[0]))
 
 
 def _with_flaps(
     f: Trace,
     zigzag: Zigzag,
-    points: NDArray[np.complex128],
+    points: Complex,
     heading: float,
     *,
     width: float,
@@ -221,8 +239,8 @@ def _with_flaps(
 ) -> tuple[Orthodiagonal, list[End]]:
     """The mechanism with its ends trimmed, and its flaps cut off there.
 
-    Where flaps cannot be cut, or would reach less far below the feet if the ends were trimmed so
-    that they need no cut, that is done.
+    Where flaps cannot be cut, or would reach less far below the feet without a cut, the ends are
+    trimmed so that flaps need none.
     """
     tilt = zigzag.axis
     whole = Orthodiagonal(
@@ -238,20 +256,24 @@ def _with_flaps(
     shifts = whole.shifts()
     ends, trims, planes = trim_ends(f, zigzag, shifts[whole.inner_columns])
     cut = cut_flaps(replace(whole, trims=trims), planes)
-    if cut is not None and not sunk(cut):
+    if cut is not None and not depth_below_feet(cut):
         return cut, ends
     others, trims, _ = trim_ends(f, zigzag, shifts)
     uncut = replace(whole, trims=trims)
-    return (uncut, others) if cut is None or sunk(uncut) < sunk(cut) else (cut, ends)
+    return (
+        (uncut, others)
+        if cut is None or depth_below_feet(uncut) < depth_below_feet(cut)
+        else (cut, ends)
+    )
 
 
 def _footing(mechanism: Orthodiagonal, ends: list[End]) -> float:
-    """How well a shell stands: on level ground, or at least on straight ends, not on its flaps."""
+    """A score of how well a shell stands: on level ends, on straight ones, not on its flaps."""
     value = {"level": 1.0, "square": 0.6, "untrimmed": 0.0}
-    return sum(value[end] for end in ends) - (1.0 if sunk(mechanism) else 0.0)
+    return sum(value[end] for end in ends) - (1.0 if depth_below_feet(mechanism) else 0.0)
 
 
-def _alpha_0(headings: Headings, zigzag: Zigzag, heading: float) -> float:
+def _alpha_0(headings: HeadingConditions, zigzag: Zigzag, heading: float) -> float:
     """The paper's alpha_0 (step 3): cos alpha_0 = sin(beta_mid/2) cos eps_1."""
     eps = headings.eps(heading)[0]
     return float(np.arccos(np.sin(zigzag.angles[len(zigzag.angles) // 2] / 2) * np.cos(eps)))

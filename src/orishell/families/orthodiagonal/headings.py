@@ -12,22 +12,21 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.design import FlapSide
+from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import Zigzag
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 SMALLEST_EPS = 1e-6
 """Segments of g keep this angle from f's plane (radians)."""
+NARROWEST = 1e-6
+"""Narrower intervals of headings hold none that can be typed (radians)."""
 
 SideChoice = FlapSide | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Headings:
+class HeadingConditions:
     """The conditions that a heading must satisfy.
 
     Parameters
@@ -50,13 +49,13 @@ class Headings:
     flap: float | None
     sides: tuple[SideChoice, SideChoice]
 
-    def of(self, zigzag: Zigzag) -> Headings:
-        """The same with another zigzag."""
+    def of(self, zigzag: Zigzag) -> HeadingConditions:
+        """The same conditions with another zigzag."""
         gain = float(np.cos(zigzag.angles[len(zigzag.angles) // 2] / 2))
         return replace(self, gain=gain, limits=zigzag.shift_limits())
 
-    def scaled(self, factor: float) -> Headings:
-        """The same with g enlarged."""
+    def scaled(self, factor: float) -> HeadingConditions:
+        """The same conditions with g enlarged."""
         return replace(self, points=self.points * factor)
 
     def eps(self, heading: float) -> Array:
@@ -65,7 +64,7 @@ class Headings:
         return np.asarray(np.mod(turned + np.pi / 2, 2 * np.pi) - np.pi / 2)
 
     def shifts(self, heading: float) -> Array:
-        """K (n,) of the columns, flaps left out."""
+        """Shifts K (n,) of columns 1 ... n."""
         along = ((self.points - self.points[0]) * np.exp(1j * heading)).real
         return np.asarray(self.gain * along)
 
@@ -76,7 +75,7 @@ class Headings:
         return (-low, high), (last - low, high - last)
 
     def flap_sides(self, heading: float) -> tuple[FlapSide, FlapSide]:
-        """The sides asked for, or those with more room."""
+        """The end of f to which each flap folds: as asked for, or where there is more room."""
 
         def choose(side: SideChoice, room: tuple[float, float]) -> FlapSide:
             if side is not None:
@@ -87,7 +86,7 @@ class Headings:
         return choose(self.sides[0], left), choose(self.sides[1], right)
 
     def side_choices(self, heading: float) -> list[tuple[FlapSide, FlapSide]]:
-        """What :meth:`flap_sides` says, and other sides where these are not asked for."""
+        """The sides of :meth:`flap_sides` first, then all others that the request leaves open."""
         chosen = self.flap_sides(heading)
         others: dict[FlapSide, FlapSide] = {"start": "end", "end": "start"}
         left, right = (
@@ -145,7 +144,7 @@ class Headings:
         return _arcs(phase, _share(high - width, radius), _share(low + width, radius))
 
     def _polar(self) -> tuple[Array, Array]:
-        """K of column j is radius cos(heading + phase)."""
+        """Phases and radii of columns 2 ... n: K of a column is radius cos(heading + phase)."""
         from_first = self.gain * (self.points[1:] - self.points[0])
         return np.angle(from_first), np.abs(from_first)
 
@@ -162,11 +161,16 @@ def union(intervals: Array) -> Array:
 
 
 def nearest_interval(intervals: Array, heading: float) -> tuple[float, float] | None:
-    """The interval (of k, 2) that holds a heading or is nearest to it; None if there is none."""
-    if not len(intervals):
-        return None
+    """The interval (of k, 2) that holds a heading or is nearest to it; None if there is none.
+
+    Intervals in which nobody can type a heading do not count, unless they hold this one.
+    """
     away = np.maximum(intervals[:, 0] - heading, heading - intervals[:, 1])
-    low, high = intervals[int(away.argmin())]
+    usable = intervals[(away <= 0) | (np.diff(intervals)[:, 0] > NARROWEST)]
+    if not len(usable):
+        return None
+    away = np.maximum(usable[:, 0] - heading, heading - usable[:, 1])
+    low, high = usable[int(away.argmin())]
     return float(low), float(high)
 
 
@@ -210,7 +214,7 @@ def _arcs(phase: Array, low: Array, high: Array) -> Array:
 
 
 def _complement(excluded: Array) -> Array:
-    """What closed intervals (k, 2) leave of [0, pi]: open intervals (k', 2)."""
+    """The open intervals (k', 2) of [0, pi] outside closed intervals (k, 2)."""
     order = excluded[np.argsort(excluded[:, 0])]
     reached = np.maximum.accumulate(np.concatenate([[0.0], order[:, 1]]))
     begin, end = reached, np.concatenate([order[:, 0], [np.pi]])

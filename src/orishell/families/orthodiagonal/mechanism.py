@@ -28,22 +28,21 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from orishell.design import FlapSide
+from orishell.families.flap_sheet import FlapSheet
 from orishell.families.orthodiagonal.acceleration import bound_edges
 from orishell.families.orthodiagonal.columns import Columns, product, running
+from orishell.families.vertex import half_turns, row_fold_angle
 from orishell.motion import mechanism_in_one_line
-from orishell.pattern import CreaseValues, Grid
+from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import alternating
-from orishell.vertex import half_turns, row_fold_angle
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from orishell.sheet.grid import CreaseValues
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Orthodiagonal:
+class Orthodiagonal(FlapSheet):
     """A folding sheet of the orthodiagonal type.
 
     Points and directions in g's plane are complex numbers x + iy.
@@ -87,30 +86,11 @@ class Orthodiagonal:
     __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
-        for name in ("lengths", "angles", "points", "kept"):
-            array = np.array(getattr(self, name))
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
-
-    @property
-    def grid(self) -> Grid:
-        """The grid of vertices, flap columns included."""
-        return Grid(len(self.lengths) + 1, len(self.points) + sum(map(bool, self.flaps)))
-
-    @property
-    def inner_columns(self) -> slice:
-        """Where columns 1 ... n are in the grid."""
-        start = int(self.flaps[0] != 0)
-        return slice(start, start + len(self.points))
-
-    @property
-    def lock_drive(self) -> float:
-        """The flaps clash when their creases reach pi; without flaps the target is met there."""
-        return float(np.pi)
+        self._freeze("lengths", "angles", "points", "kept")
 
     def shifts(self) -> Array:
-        """K (n+2,) of every column, 0 at column 1; (n,) without flaps."""
-        return running(self._columns().k)[self._there]
+        """Shifts K (n+2,) of every column, 0 at column 1; (n,) without flaps."""
+        return running(self._columns().k)[self._existing]
 
     def column_lengths(self) -> Array:
         """Lengths (m+1, columns of the grid) of all columns' edges: they never change.
@@ -127,7 +107,7 @@ class Orthodiagonal:
     def sector_angles(self) -> Array:
         """The paper's alpha_{i,1} ... alpha_{i,4n} (m, n, 4), equation (3) (radians).
 
-        In the paper's order RU, LU, LD, RD. Those beside a flap are there without it, too.
+        In the paper's order RU, LU, LD, RD. Those at a flap are given even if it is left out.
         """
         columns = self._columns()
         right = np.arctan2(columns.step, columns.k * self._tangents()[:, None])  # RD of every panel
@@ -147,7 +127,7 @@ class Orthodiagonal:
         kappa, q = half_turns(drive)
         level = np.exp(1j * self.tilt * (drive / np.pi))
         columns = self._columns()
-        row = self._middle_row(columns, kappa, q, level)[..., self._there, :]
+        row = self._middle_row(columns, kappa, q, level)[..., self._existing, :]
         column, spread = self._column_and_spread(kappa)
 
         # Real numbers of f's plane go along t, imaginary ones upwards.
@@ -158,7 +138,7 @@ class Orthodiagonal:
             (spread.real * t.imag, column.real * t.imag),
             (spread.imag, column.imag),
         )
-        shift = running(columns.k)[self._there]
+        shift = running(columns.k)[self._existing]
         shape = (*drive.shape, self.grid.rows, self.grid.columns)
         out, plane = np.empty((*shape, 3)), np.empty(shape)
         for axis, (growth, start) in enumerate(factors):
@@ -183,7 +163,7 @@ class Orthodiagonal:
         column = -self.first * np.diff(lean, axis=-1)
         turning = -self.first * alternating(len(c))
         side = alternating(len(self.lengths))
-        row, column = row[..., self._there], column[..., None, self._there]
+        row, column = row[..., self._existing], column[..., None, self._existing]
         return CreaseValues(row=turning[:, None] * row, column=side[:, None] * column)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
@@ -196,21 +176,16 @@ class Orthodiagonal:
             trims=self.trims,
             tilt=self.tilt,
             lengths=np.abs(self._whole_lengths()).max(axis=-1),
-            along=columns.k[self._there],
-            locked=columns.locked[self._there],
+            along=columns.k[self._existing],
+            locked=columns.locked[self._existing],
         )
         # An edge of a cut flap is a mean of the edges beside it and, as much as it is cut more at
         # one end than at the other, a part of the row's.
         slanted = [np.abs(np.diff(kept)) * along[:, edge, None] for kept, edge, _ in self._cuts()]
         return along, down + np.max(slanted, axis=0) if slanted else down
 
-    @property
-    def _there(self) -> slice:
-        """Those of n+2 columns, n+1 panel columns or n creases that no missing flap takes away."""
-        return slice(int(self.flaps[0] == 0), None if self.flaps[1] else -1)
-
     def _cuts(self) -> list[tuple[Array, int, int]]:
-        """Of each flap that is cut what it keeps (m+2,), its column and the one beside it."""
+        """For each flap that is cut: the shares (m+2,) it keeps, its column, the one beside it."""
         flaps = ((self.flaps[0], 0, 1), (self.flaps[1], -1, -2))
         return [
             (kept, edge, near)
@@ -228,7 +203,7 @@ class Orthodiagonal:
         return np.asarray(np.tan(self.angles / 2))
 
     def _columns(self) -> Columns:
-        """What every panel column takes along K and n."""
+        """The steps of every panel column along K and along n."""
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
         inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)

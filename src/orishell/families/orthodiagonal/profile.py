@@ -7,11 +7,14 @@ from collections.abc import Iterator, Sequence
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_degrees
 from orishell.curves import Trace
 from orishell.errors import DesignError, Remedy
-from orishell.families.candidates import bisect, values
+from orishell.families.candidates import values
+from orishell.families.parameters import Auto
+from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import bisect, bisect_integers
 from orishell.polylines import (
     Zigzag,
     alternating,
@@ -20,10 +23,7 @@ from orishell.polylines import (
     place_zigzags,
     smallest_radius,
 )
-from orishell.quoting import in_degrees
 
-Array = NDArray[np.float64]
-Auto = Literal["auto"]
 End = Literal["level", "square", "untrimmed"]
 
 MOST_ROWS = 4097
@@ -37,7 +37,7 @@ TRIM_RANGE = (0.2, 3.0)
 
 
 def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag]:
-    """Zigzags of f: they must turn left and right alternately, and their offsets must exist."""
+    """Zigzags of f that turn left and right alternately; refuse a depth that has none."""
     h = choose_depth(trace, rows) if depth == "auto" else depth
     zigzags = sound_zigzags(trace, rows, h)
     if zigzags:
@@ -49,7 +49,8 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
     radius, place = smallest_radius(trace)
     if h >= radius:
         raise DesignError(
-            f"{what} is too large for f: its offsets do not exist",
+            f"{what} is too large for f: the curves at that distance from f have cusps",
+            keys=("pattern.depth",),
             place=f"at parameter {trace.curve.as_drawn(place):.6g} of f",
             size=f"the depth must stay below f's radius of curvature, which is {radius:.4g} there",
             candidates=candidates,
@@ -57,8 +58,9 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
     angles = place_zigzag(trace, rows, h).angles
     row = int(angles.argmax()) + 1
     raise DesignError(
-        f"{what} is too {'small' if h <= best else 'large'} for f: its polyline does not turn left "
+        f"{what} is too {'small' if h <= best else 'large'} for f: the zigzag does not turn left "
         "and right alternately",
+        keys=("pattern.depth",),
         place=f"at row {row}",
         size=f"its angle there, measured from the alternating sides, is "
         f"{in_degrees(angles[row - 1])} degrees and must be below 180",
@@ -67,31 +69,31 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
 
 
 def sound_zigzags(trace: Trace, rows: int, depth: float) -> list[Zigzag]:
-    """Zigzags that turn alternately and whose offsets exist, that of the widest reach first."""
+    """Zigzags that turn alternately, no deeper than f's smallest radius, the widest reach first."""
     return place_zigzags(trace, rows, depth) if depth < smallest_radius(trace)[0] else []
 
 
 def _candidates(trace: Trace, rows: int, depth: float | None) -> Iterator[Remedy]:
-    """Depths, or rows with the depth that "auto" takes."""
+    """Depths to try, or numbers of rows with the depth that "auto" takes."""
 
     def works(rows: int, depth: float) -> bool:
         return bool(sound_zigzags(trace, rows, depth))
 
     best = choose_depth(trace, rows)
     if depth is not None and works(rows, best):
-        limit = bisect(best, depth, lambda trial: works(rows, trial))
+        limit = bisect(lambda trial: works(rows, trial), best, depth)
         yield from values("depth", min(limit, best), max(limit, best), depth)
         yield Remedy({"pattern.depth": "auto"})
     more = rows
     while more < MOST_ROWS:
         more = 2 * more + 1
         if works(more, choose_depth(trace, more)):
-            low, high = (rows - 1) // 2, (more - 1) // 2
-            while high - low > 1:
-                middle = (low + high) // 2
-                good = works(2 * middle + 1, choose_depth(trace, 2 * middle + 1))
-                low, high = (low, middle) if good else (middle, high)
-            for count in (high, *(math.ceil(share * high) for share in MORE_ROWS)):
+            fewest = bisect_integers(
+                lambda half: works(2 * half + 1, choose_depth(trace, 2 * half + 1)),
+                (more - 1) // 2,
+                (rows - 1) // 2,
+            )
+            for count in (fewest, *(math.ceil(share * fewest) for share in MORE_ROWS)):
                 yield Remedy({"pattern.rows": 2 * count + 1, "pattern.depth": "auto"})
             return
 
@@ -103,10 +105,6 @@ def trim_ends(
 
     Parameters
     ----------
-    trace
-        f: its y axis is upright.
-    zigzag
-        Its zigzag.
     shifts
         K of the columns that are to end there.
 
@@ -154,7 +152,7 @@ def _trim(
     shifts: Array,
     planes: Sequence[tuple[End, complex]],
 ) -> tuple[End, float]:
-    """The first plane, given by its normal, for which all lengths are in range."""
+    """The first plane that leaves all end edges' lengths in range, and their growth by K."""
     sign = np.sign(length)
     for end, normal in planes:
         across = (direction * normal.conjugate()).real

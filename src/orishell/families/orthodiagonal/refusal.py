@@ -8,20 +8,21 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.formatting import as_typed, in_degrees, rounded, tidy_degrees
 from orishell.curves import Curve, Trace
-from orishell.curves.jets import Array
 from orishell.errors import DesignError, Remedy
-from orishell.families.candidates import FARTHER, angles, bisect, part, sizes, values
+from orishell.families.candidates import FARTHER, angles, part, sizes, values
 from orishell.families.orthodiagonal.headings import (
     SMALLEST_EPS,
-    Headings,
+    HeadingConditions,
     holds,
     nearest_interval,
     union,
 )
 from orishell.families.orthodiagonal.profile import sound_zigzags
+from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import bisect
 from orishell.polylines import Zigzag, choose_depth
-from orishell.quoting import as_typed, in_degrees, rounded, tidy_degrees
 
 DEPTHS = 40
 """Depths tried in either direction in search of one that works."""
@@ -35,14 +36,16 @@ NARROWER = Remedy({"pattern.flap": "auto"})
 
 
 def refuse(
-    f: Trace, g: Trace, zigzags: Sequence[Zigzag], demands: Sequence[Headings], heading: float
+    f: Trace,
+    g: Trace,
+    zigzags: Sequence[Zigzag],
+    demands: Sequence[HeadingConditions],
+    heading: float,
 ) -> DesignError:
-    """The first condition that fails at a heading.
+    """The error that names the first condition that fails at a heading, and what would work.
 
     Parameters
     ----------
-    f, g
-        The target curves.
     zigzags, demands
         Zigzags of f, that of the widest reach first, and what they ask of a heading.
     heading
@@ -86,16 +89,16 @@ def refuse(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Search:
-    """Changes to a request that its rows admit, nearest first."""
+    """The search for changes to a request that make it feasible, the nearest first."""
 
     f: Trace
     g: Curve
     zigzag: Zigzag
-    headings: Headings
+    headings: HeadingConditions
     heading: float
 
     def run(self, admissible: Array) -> Iterator[Remedy]:
-        """Other headings, a smaller g, another depth; whatever is left if none of these helps."""
+        """Other headings, a smaller g, another depth; if none of these helps, two at once."""
         found = False
         for remedy in chain(self.headings_of(admissible), self.scales(), self.depths()):
             found = True
@@ -105,7 +108,7 @@ class _Search:
             yield from self.smaller_at_the_best_depth()
 
     def without_flaps(self) -> _Search:
-        """The same for flaps as wide as there is room for."""
+        """The same search for flaps as wide as there is room for."""
         return replace(self, headings=replace(self.headings, flap=None))
 
     def headings_of(self, admissible: Array) -> Iterator[Remedy]:
@@ -121,7 +124,7 @@ class _Search:
             return self.headings.scaled(scale).admit(self.heading)
 
         if works(SMALLEST_SCALE):
-            yield from sizes("g", self.g, bisect(SMALLEST_SCALE, 1.0, works))
+            yield from sizes("g", self.g, bisect(works, SMALLEST_SCALE, 1.0))
 
     def depths(self) -> Iterator[Remedy]:
         """Depths from the nearest that the rows admit, if one is found."""
@@ -138,7 +141,7 @@ class _Search:
             before = asked
             for trial in np.geomspace(asked, end * asked, DEPTHS)[1:]:
                 if works(float(trial)):
-                    found.append((bisect(float(trial), before, works), end))
+                    found.append((bisect(works, float(trial), before), end))
                     break
                 before = float(trial)
         for nearest, end in sorted(found, key=lambda each: abs(np.log(each[0] / asked))):
@@ -186,14 +189,14 @@ def _limits(interval: tuple[float, float] | None) -> str:
     return f"; heading_deg must lie between {low} and {high}"
 
 
-def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
+def _turns_too_far(g: Trace, headings: HeadingConditions) -> DesignError:
     direction = np.unwrap(np.angle(np.diff(headings.points)))
     both = np.stack([g.heading, g.arriving])
     so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
     start = float(g.t[0])
     last = float(g.t[np.flatnonzero(so_far < np.pi - 2 * SMALLEST_EPS)[-1]])
     return DesignError(
-        "g turns too far: no plane of f crosses all its chords",
+        "g turns too far: f's plane cannot cross all its chords, whatever its direction",
         size=f"its chords spread over {in_degrees(np.ptp(direction))} degrees and may spread over "
         "less than 180",
         candidates=(
@@ -205,7 +208,7 @@ def _turns_too_far(g: Trace, headings: Headings) -> DesignError:
 
 
 def _does_not_cross(
-    headings: Headings, heading: float, limits: str, candidates: Iterable[Remedy]
+    headings: HeadingConditions, heading: float, limits: str, candidates: Iterable[Remedy]
 ) -> DesignError:
     eps = headings.eps(heading)
     worst = int(np.argmax(np.maximum(-eps, eps - np.pi)))
@@ -220,7 +223,7 @@ def _does_not_cross(
 
 def _rows_meet(
     zigzag: Zigzag,
-    headings: Headings,
+    headings: HeadingConditions,
     heading: float,
     limits: str,
     candidates: Iterable[Remedy],
@@ -232,6 +235,7 @@ def _rows_meet(
     return DesignError(
         f"neighbouring rows meet inside the sheet: at heading_deg = {in_degrees(heading)} g runs "
         "too far along f's plane",
+        keys=("pattern.heading_deg",),
         place=f"between rows {row + 1} and {row + 2} in column {column + 1}",
         size=f"the crease there would be {share[row, column] * length[row, 0]:.4g} long, "
         f"in column 1 it is {length[row, 0]:.4g}{limits}",
@@ -239,9 +243,12 @@ def _rows_meet(
     )
 
 
-def _flap_too_wide(headings: Headings, room: float, candidates: Iterable[Remedy]) -> DesignError:
+def _flap_too_wide(
+    headings: HeadingConditions, room: float, candidates: Iterable[Remedy]
+) -> DesignError:
     return DesignError(
         "the flaps are too wide: neighbouring rows meet inside them",
+        keys=("pattern.flap",),
         size=f"they are {headings.flap:.4g} wide, and there is room for {room:.4g}",
         candidates=candidates,
     )

@@ -1,4 +1,4 @@
-"""The surfaces that a shell of this type is for: f slid along g, and what it approaches."""
+"""The target surface, f slid along g, and the surface that finer and finer shells approach."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def sweep(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Surfa
 def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Approached | None:
     """What the shell approaches: the cylinder over f along the common normal of its columns.
 
-    Rows shift along f, alternately to and fro, by what g leaves the normal. The edges of the
-    zigzag limit that: the finer it is, the less can g leave the normal.
+    Rows shift along f, alternately to and fro, by as much as g departs from the normal. The edges
+    of the zigzag limit that: the finer it is, the less can g depart.
     """
     t = np.exp(-1j * mechanism.heading)
     normal = 1j * t
@@ -40,8 +40,8 @@ def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Ap
     line = curve_from_points(np.stack([ends.real, ends.imag], axis=-1), smooth=False)
     rail = Sliding(Path.of(trace_curve(line)), complex(t))
     return Approached(
-        f"rows shift along f to and fro by what g leaves the columns' normal, {leaves:.4g}, and "
-        "the shell keeps to the cylinder over f along that normal",
+        f"rows shift to and fro along f by as much as g departs from the columns' normal, "
+        f"{leaves:.4g}, and the shell keeps to the cylinder over f along that normal",
         Surface(f, _origin(zigzag), rail),
     )
 

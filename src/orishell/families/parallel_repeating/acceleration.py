@@ -1,4 +1,4 @@
-"""How fast the edges of a parallel repeating sheet can swing: what proves the path between states.
+"""Bounds of the accelerations of edges, which prove that nothing touches between states.
 
 Edges between rows are combinations of one vector per column and the vertical, edges along rows
 are rigid and level; their directions are sums of the angles eps of the mechanism's text.
@@ -7,12 +7,10 @@ are rigid and level; their directions are sums of the angles eps of the mechanis
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.families.parallel_repeating.columns import Columns
-from orishell.intervals import Enclosure, spinning_acceleration, turning_acceleration
-
-Array = NDArray[np.float64]
+from orishell.numerics import Enclosure, spinning_acceleration, turning_acceleration
+from orishell.numerics.arrays import Array
 
 
 def bound_edges(

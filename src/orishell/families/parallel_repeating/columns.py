@@ -1,18 +1,15 @@
-"""Equation (2): what every column of a parallel repeating sheet carries."""
+"""Equation (2): the quantities of every column of a parallel repeating sheet."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Columns:
-    """Locked quantities of equation (2), n columns and n-1 segments, flaps at both ends."""
+    """The quantities of equation (2) at lock, for n columns, n-1 segments and both flaps."""
 
     tau: Array  # tan(xi_j/2), (n,)
     cos_left: Array  # cosine of the angle between t and the crease to the left, (n,)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import NDArray
+from pydantic import Field
 
+from orishell.conventions.arguments import checked
+from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
-from orishell.errors import InputError
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.parallel_repeating.profile import fit_profile
 from orishell.families.parallel_repeating.row import Row
@@ -21,6 +23,16 @@ from orishell.families.parallel_repeating.sheet import (
     warn_of_unbalanced_staircase,
 )
 from orishell.families.parallel_repeating.target import approach, sweep
+from orishell.families.parameters import (
+    Auto,
+    ColumnCount,
+    FlapSides,
+    Limits,
+    OddRowCount,
+    Width,
+    radians,
+)
+from orishell.numerics.arrays import Array
 from orishell.polylines import (
     Placement,
     Spacing,
@@ -31,23 +43,28 @@ from orishell.polylines import (
     warn_of_coarse_row,
     xi_limit,
 )
-from orishell.quoting import tidy_degrees
 
-Array = NDArray[np.float64]
-Auto = Literal["auto"]
+XI: Final[Limits] = {"ge": 0.1, "le": 179.9}
+THETA: Final[Limits] = {"ge": -360, "le": 360}
+PLANE: Final[Limits] = {"gt": 0, "lt": 180}
+"""Limits of the angles (degrees)."""
+Xi = Annotated[Number, Field(**radians(XI))]
+Theta = Annotated[Number, Field(**radians(THETA))]
+Plane = Annotated[Number, Field(**radians(PLANE))]
 
 
+@checked()
 def design_parallel_repeating(
     f: Curve,
     g: Curve,
     *,
-    rows: int,
-    columns: int,
-    flap: float | Auto = "auto",
-    xi: float | Auto = "auto",
-    theta: float | Auto = 0.0,
-    plane: float = np.pi / 2,
-    flap_sides: tuple[FlapSide, FlapSide] = ("end", "end"),
+    rows: OddRowCount,
+    columns: ColumnCount,
+    flap: Width | Auto = "auto",
+    xi: Xi | Auto = "auto",
+    theta: Theta | Auto = 0.0,
+    plane: Plane = np.pi / 2,
+    flap_sides: FlapSides = ("end", "end"),
     spacing: Spacing = "curvature",
     placement: Placement = "inscribed",
 ) -> Design:
@@ -80,7 +97,7 @@ def design_parallel_repeating(
     Raises
     ------
     InputError
-        If a parameter has no meaning.
+        If an argument has no meaning.
     CurveError
         If f or g is not a usable curve.
     DesignError
@@ -95,17 +112,6 @@ def design_parallel_repeating(
     >>> design.mechanism.positions(np.pi).shape
     (11, 13, 3)
     """
-    _check_request(
-        rows=rows,
-        columns=columns,
-        flap=flap,
-        xi=xi,
-        theta=theta,
-        plane=plane,
-        flap_sides=flap_sides,
-        spacing=spacing,
-        placement=placement,
-    )
     profile = fit_profile(f, rows + 1, xi, theta)
     f_trace, theta = profile.trace, profile.theta
     staircase, xi = profile.staircase, profile.staircase.xi
@@ -114,7 +120,8 @@ def design_parallel_repeating(
     row = Row.on(g_trace, columns, plane, spacing, placement)
     row.require_crossing(g_trace, spacing, placement)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
-    mechanism = _assemble(staircase, row, flap_sides).with_flaps(width)
+    sides = flap_sides[0], flap_sides[1]
+    mechanism = _assemble(staircase, row, sides).with_flaps(width)
     require_row_edges(mechanism, f, g)
     require_resolution(mechanism, width)
     require_flat_sheet(
@@ -154,47 +161,6 @@ def design_parallel_repeating(
             *warn_of_no_lock(width),
         ),
     )
-
-
-def _check_request(
-    *,
-    rows: int,
-    columns: int,
-    flap: float | Auto,
-    xi: float | Auto,
-    theta: float | Auto,
-    plane: float,
-    flap_sides: tuple[FlapSide, FlapSide],
-    spacing: Spacing,
-    placement: Placement,
-) -> None:
-    """Refuse what has no meaning, once and at the door."""
-    checks = (
-        ("rows", rows, rows >= 1 and rows % 2 == 1, "an odd number of at least 1"),
-        ("columns", columns, columns >= 2, "at least 2"),
-        ("flap", flap, flap == "auto" or 0 <= flap < np.inf, 'a length, 0 or "auto"'),
-        ("xi", xi, xi == "auto" or 0 < xi < np.pi, 'an angle in (0, pi) or "auto"'),
-        ("theta", theta, theta == "auto" or np.isfinite(theta), 'a finite angle or "auto"'),
-        ("plane", plane, 0 < plane < np.pi, "an angle in (0, pi)"),
-        (
-            "flap_sides",
-            flap_sides,
-            len(flap_sides) == 2 and set(flap_sides) <= {"start", "end"},
-            '"start" or "end", for each flap',
-        ),
-        ("spacing", spacing, spacing in ("curvature", "equal"), '"curvature" or "equal"'),
-        (
-            "placement",
-            placement,
-            placement in ("inscribed", "balanced"),
-            '"inscribed" or "balanced"',
-        ),
-    )
-    for name, value, good, expected in checks:
-        if not good:
-            raise InputError(
-                "this value does not fit", where=name, got=repr(value), expected=expected
-            )
 
 
 def _assemble(

@@ -23,21 +23,20 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from orishell.design import FlapSide
+from orishell.families.flap_sheet import FlapSheet
 from orishell.families.parallel_repeating.acceleration import bound_edges
 from orishell.families.parallel_repeating.columns import Columns
+from orishell.families.vertex import column_fold_angle, half_turns, row_fold_angle
 from orishell.motion import mechanism_in_one_line
-from orishell.pattern import CreaseValues, Grid
-from orishell.vertex import column_fold_angle, half_turns, row_fold_angle
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+from orishell.numerics.arrays import Array, Complex
+from orishell.sheet.grid import CreaseValues
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ParallelRepeating:
+class ParallelRepeating(FlapSheet):
     """A folding sheet of the parallel repeating type.
 
     Directions and points in the horizontal plane are complex numbers x + iy.
@@ -72,13 +71,10 @@ class ParallelRepeating:
     __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
-        for name in ("lengths", "points", "axes"):
-            array = np.array(getattr(self, name))
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+        self._freeze("lengths", "points", "axes")
 
     def with_flaps(self, width: float) -> ParallelRepeating:
-        """The sheet with flaps of this width (in its unit), square to their column when flat.
+        """The sheet with flaps of this width (in its unit), measured square to their column.
 
         A flap's crease leaves its column at the sector angle alpha_3 or alpha_4n. With 0 there are
         none: columns 1 and n are the border.
@@ -86,22 +82,6 @@ class ParallelRepeating:
         sectors = self.sector_angles()
         left, right = width / np.sin(sectors[0, 2]), width / np.sin(sectors[-1, 3])
         return replace(self, flaps=(float(left), float(right)))
-
-    @property
-    def grid(self) -> Grid:
-        """The grid of vertices, flap columns included."""
-        return Grid(len(self.lengths) + 1, len(self.points) + sum(map(bool, self.flaps)))
-
-    @property
-    def inner_columns(self) -> slice:
-        """Where columns 1 ... n are in the grid."""
-        start = int(self.flaps[0] != 0)
-        return slice(start, start + len(self.points))
-
-    @property
-    def lock_drive(self) -> float:
-        """The flaps clash when their creases reach pi; without flaps the target is met there."""
-        return float(np.pi)
 
     def column_arcs(self) -> Array:
         """Arc length (m+2,) along the first column from its middle vertex."""
@@ -114,8 +94,8 @@ class ParallelRepeating:
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).
 
-        In the paper's order RU, LU, LD, RD; every row has the same. Those beside a flap are there
-        without it, too.
+        In the paper's order RU, LU, LD, RD; every row has the same. Those at a flap are given even
+        if it is left out.
         """
         columns = self._columns()
         w = np.hypot(columns.slope, 1.0)
@@ -124,7 +104,7 @@ class ParallelRepeating:
         return np.stack([np.pi - right, np.pi - left, left, right], axis=-1)
 
     def column_scales(self) -> Array:
-        """Size (n,) of every column's image of f along its t, column 1's being 1 (at lock)."""
+        """How many times (n,) as long as in column 1 f is along each column's t, at lock."""
         tau = self._columns().tau
         return np.asarray(tau / tau[0])
 
@@ -176,7 +156,7 @@ class ParallelRepeating:
             columns.tau * columns.cos_right,
             w[..., 1:],
         )
-        rising, there = self._rising(), self._there
+        rising, there = self._rising(), self._existing
         return CreaseValues(
             row=-rising[:-1, None] * row[..., None, there],
             column=-rising[:, None] * column[..., None, there],
@@ -193,12 +173,7 @@ class ParallelRepeating:
             self.lengths * np.cos(self.xi / 2),
             (start, stop),
         )
-        return along[..., self._there], down
-
-    @property
-    def _there(self) -> slice:
-        """Those of n+2 columns, n+1 panel columns or n creases that no missing flap takes away."""
-        return slice(int(self.flaps[0] == 0), None if self.flaps[1] else -1)
+        return along[..., self._existing], down
 
     def _rising(self) -> Array:
         """+1 for edges of the first column that rise at lock, -1 for those that fall (m+1,)."""
@@ -269,7 +244,7 @@ class ParallelRepeating:
             axis=-1,
         )
         spread = np.concatenate([spread[..., :1], spread, spread[..., -1:]], axis=-1)
-        return row[..., self._there], spread[..., self._there]
+        return row[..., self._existing], spread[..., self._existing]
 
 
 def _turn(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import chain
-from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.formatting import in_degrees
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, part
+from orishell.families.parameters import Auto
 from orishell.polylines import (
     Closeness,
     Staircase,
@@ -21,9 +22,6 @@ from orishell.polylines import (
     theta_interval,
     xi_limit,
 )
-from orishell.quoting import in_degrees
-
-Auto = Literal["auto"]
 
 NARROWEST_XI = np.deg2rad(0.1)
 """Angles below this are not offered: the corrugation would be deeper than the shell is wide."""
@@ -107,6 +105,7 @@ def require_staircase(trace: Trace, xi: float | None, theta: float) -> None:
     if limit > NARROWEST_XI and xi is not None:
         raise DesignError(
             f"xi_deg = {in_degrees(xi)} is too large for f",
+            keys=("pattern.xi_deg",),
             place=_steepest_place(trace, theta),
             size=f"{reached} and may reach only {in_degrees((np.pi - xi) / 2)}; xi_deg must stay "
             f"below {in_degrees(limit)}",
@@ -118,6 +117,7 @@ def require_staircase(trace: Trace, xi: float | None, theta: float) -> None:
         raise _too_much_turning(trace, high - low, xi)
     raise DesignError(
         f"f has no staircase for theta_deg = {in_degrees(theta)}, whatever xi_deg is",
+        keys=("pattern.theta_deg",),
         place=_steepest_place(trace, theta),
         size=f"{reached} and must stay below 90; theta_deg must lie between "
         f"{in_degrees(begin)} and {in_degrees(end)}",

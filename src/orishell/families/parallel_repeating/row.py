@@ -7,15 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.curves import Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
+from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import bisect_integers
 from orishell.polylines import Chords, Placement, Spacing, place_chords
-from orishell.quoting import in_degrees, rounded, tidy_degrees
-
-Array = NDArray[np.float64]
 
 MORE_COLUMNS = (1.25, 1.6, 2.5)
 """Shares of the fewest columns that are enough, where these are not."""
@@ -66,7 +65,7 @@ class Row:
         return wrapped
 
     def require_crossing(self, trace: Trace, spacing: Spacing, placement: Placement) -> None:
-        """Every chord must leave both its column planes to the same side (0 < delta < pi)."""
+        """Refuse chords that do not run from one column plane to the next (0 < delta < pi)."""
         delta = self.turns() + self.plane
         outside = np.maximum(-delta, delta - np.pi)
         worst = np.unravel_index(int(outside.argmax()), outside.shape)
@@ -82,8 +81,8 @@ class Row:
         raise DesignError(
             "f's plane does not cross the chord of g",
             place=f"between columns {column} and {column + 1}",
-            size=f"delta is {in_degrees(delta[worst])} degrees, and must lie between 0 and 180"
-            + limits,
+            size=f"the angle between them is {in_degrees(delta[worst])} degrees, and must lie "
+            "between 0 and 180" + limits,
             candidates=angles("plane_deg", low, high, self.plane)
             if low < high
             else self._enough_columns(trace, spacing, placement),
@@ -101,15 +100,12 @@ class Row:
         columns = 2 ** len(self.vertices).bit_length()
         for _ in range(8):
             if works(columns):
-                low, high = columns // 2, columns
-                while high - low > 1:
-                    middle = (low + high) // 2
-                    low, high = (low, middle) if works(middle) else (middle, high)
-                if high > len(self.vertices):
+                fewest = bisect_integers(works, columns, columns // 2)
+                if fewest > len(self.vertices):
                     # More columns than are just enough leave more room for the panels.
                     yield from (
                         Remedy({"pattern.columns": count})
-                        for count in (high, *(math.ceil(more * high) for more in MORE_COLUMNS))
+                        for count in (fewest, *(math.ceil(more * fewest) for more in MORE_COLUMNS))
                     )
                     return
             columns *= 2

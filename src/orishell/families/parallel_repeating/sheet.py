@@ -7,34 +7,29 @@ from dataclasses import replace
 from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.curves import Curve
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, fewer, part, sizes, values
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
-from orishell.geometry import is_simple_polygon
 from orishell.motion import RESOLUTION
+from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import largest_below
 from orishell.polylines import Staircase
-
-Array = NDArray[np.float64]
+from orishell.polylines.plane import is_simple_polygon
 
 STRETCH = 0.1
 """Logarithm of the stretch of f along g that draws a warning where f's plane is perpendicular."""
 PARTS = (1.0, 0.8, 0.5)
 """Shares tried of the part of g that just fits."""
+SMALLEST_SHARE = 1e-6
+"""No smaller share of flaps, or of xi, is looked for."""
 SHORTEST_EDGE = 1e-6
 """A row edge must keep this share of the length it has in the middle row."""
 
 
 def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
-    """Row edges are affine in the distance from the middle row: look at the outermost rows.
-
-    Parameters
-    ----------
-    f, g
-        The target curves.
-    """
+    """Refuse row edges that lose their length; it is affine in the row: the outermost decide."""
     middle = np.abs(np.diff(mechanism.points))
     rows = (0, len(mechanism.lengths))
     share = np.stack([mechanism.row_lengths(row) for row in rows]) / middle
@@ -54,7 +49,7 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
 
 
 def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
-    """Panels so small that the rounding of coordinates would bend them are refused.
+    """Refuse panels so small that the rounding of coordinates would bend them.
 
     Parameters
     ----------
@@ -68,7 +63,7 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
         limits = (RESOLUTION * size / min(mechanism.with_flaps(1.0).flaps), size)
         if not limits[0] <= flap <= limits[1]:
             raise DesignError(
-                "the flaps are no flaps for this sheet",
+                "the flaps are too narrow or too wide for this sheet",
                 size=f"they are {flap:.4g} wide, and may be {limits[0]:.4g} to {limits[1]:.4g}",
                 candidates=values("flap", limits[0], limits[1], flap),
             )
@@ -85,8 +80,8 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
             raise DesignError(
                 "a panel is so small that the rounding of coordinates would bend it",
                 place=f"at the shortest {name}",
-                size=f"it is {shortest:.4g} long, and must be {RESOLUTION:g} of the sheet's "
-                f"diagonal, which is {size:.4g}",
+                size=f"it is {shortest:.4g} long, and must be at least {RESOLUTION:g} of "
+                f"the sheet's diagonal, which is {size:.4g}",
                 candidates=fewer(key, count),
             )
 
@@ -98,7 +93,7 @@ def require_flat_sheet(
     staircase: Callable[[float], Staircase],
     g: Curve,
 ) -> None:
-    """The flat sheet must not overlap itself; all panels are convex, so its border decides.
+    """Refuse a flat sheet that overlaps itself; all panels are convex, so its border decides.
 
     Parameters
     ----------
@@ -108,15 +103,14 @@ def require_flat_sheet(
         Parameters of g's vertices.
     staircase
         The staircase of f for another xi.
-    g
-        The target curve.
     """
     if _is_flat_sheet(mechanism):
         return
     if _is_flat_sheet(mechanism, flaps=False):
-        share = _bisect_down(
-            1.0,
+        share = largest_below(
             lambda share: _is_flat_sheet(mechanism.with_flaps(share * flap)),
+            1.0,
+            smallest=SMALLEST_SHARE,
         )
         raise DesignError(
             "the flaps overlap in the flat sheet",
@@ -136,7 +130,7 @@ def require_flat_sheet(
     columns = next(c for c in range(3, len(parameters) + 1) if not fits(c)) - 1
 
     def candidates() -> Iterator[Remedy]:
-        xi = _bisect_down(mechanism.xi, works)
+        xi = largest_below(works, mechanism.xi, smallest=SMALLEST_SHARE)
         if xi:
             yield from angles("xi_deg", 0.0, xi, mechanism.xi)
         # Shorter by a column, for the vertices will stand elsewhere on the part.
@@ -175,18 +169,5 @@ def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
 
 
 def _is_simple(flat: Array) -> bool:
-    """Whether the border of the sheet crosses itself; columns are straight, their ends suffice."""
+    """Whether the border of the sheet never crosses itself; columns are straight: ends suffice."""
     return is_simple_polygon(np.concatenate([flat[0, :, :2], flat[-1, ::-1, :2]]))
-
-
-def _bisect_down(bad: float, works: Callable[[float], bool]) -> float | None:
-    """The largest value below ``bad`` that works, or None if not even a millionth of it does."""
-    smallest, good = 1e-6 * bad, 0.5 * bad
-    while not works(good):
-        good, bad = 0.5 * good, good
-        if good < smallest:
-            return None
-    while bad - good > 1e-3 * good:
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if works(middle) else (good, middle)
-    return good

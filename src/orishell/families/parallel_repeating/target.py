@@ -1,4 +1,4 @@
-"""The surfaces that a shell of this type is for: f swept rigidly, and what it approaches."""
+"""The target surface, f swept rigidly, and the surface that finer and finer shells approach."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from orishell.polylines import Staircase
 from orishell.surface import Path, Surface, Turning
 
 STRETCHED = 1e-9
-"""Stretches nearer to 1 than this are none."""
+"""A stretch that differs from 1 by less than this counts as none."""
 
 
 def sweep(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Surface:
@@ -22,7 +22,7 @@ def sweep(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Surface:
 
 
 def approach(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Approached | None:
-    """What the shell approaches: every column is an affine image of f unless ``plane`` is right.
+    """What finer shells approach where ``plane`` is no right angle: f stretched along its plane.
 
     None where that is f swept rigidly, or where g has corners that f's plane does not cross.
     """

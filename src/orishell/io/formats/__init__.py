@@ -1,1 +1,1 @@
-"""Formats: one file each, none of which knows another."""
+"""File formats, one module each."""

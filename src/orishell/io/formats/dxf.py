@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.units import MILLIMETRES
 from orishell.workshop.drawing import LAYERS, ORDER, Circle, Drawing, Line, Text
 from orishell.workshop.palettes import Palette, load_palette
-from orishell.workshop.sheets import name_sheets
+from orishell.workshop.sheets import draw_sheet_files
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as DxfDocument
@@ -40,34 +41,21 @@ _LINEWEIGHTS = (0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90,
 def write_dxf(path: Path, document: Document, settings: Settings) -> None:
     """Write the flat sheet; where it is split, the assembly map, and ``-1``, ``-2``, ... beside it.
 
-    Parameters
-    ----------
-    path
-        The file.
-    document
-        What is written.
-    settings
-        How it is drawn and cut.
-
     Raises
     ------
     InputError
         If there is no flat sheet or unit, or the sheet cannot be drawn as asked.
     """
     palette = load_palette(settings.workshop.palette)
-    for place, drawing in name_sheets(path, document, settings.workshop):
+    for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_dxf(place, drawing, palette)
 
 
 def dump_dxf(path: Path, drawing: Drawing, palette: Palette) -> None:
-    """Write one drawing. Layers that the palette leaves out are there, and empty.
+    """Write one drawing. Layers that the palette leaves out are present but empty.
 
     Parameters
     ----------
-    path
-        The file.
-    drawing
-        What is drawn.
     palette
         Colours and line widths of the layers; what is on layers without a pen is left out.
     """
@@ -121,7 +109,7 @@ def _declare(file: DxfDocument, drawing: Drawing) -> None:
 
 
 def _entities(file: DxfDocument, drawing: Drawing, palette: Palette) -> Iterator[str]:
-    """Entities in the order of work: what is only said first, the outer cut last.
+    """Entities in the order of work: words first, the outer cut last.
 
     They are what ezdxf would write, to the byte: its own entities take a minute for a million.
     """
@@ -181,3 +169,6 @@ def _plain(words: str) -> str:
         else "?"
         for letter in known
     )
+
+
+FORMAT = Format("dxf", "pattern.dxf", (".dxf",), "flat pattern for the workshop", write_dxf)

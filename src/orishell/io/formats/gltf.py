@@ -10,16 +10,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.colours import MEANINGS, linear_rgb
+from orishell.conventions.colours import MEANINGS, linear_rgb
+from orishell.conventions.units import conversion
 from orishell.document import Document
-from orishell.errors import InputError
+from orishell.io.format import Format
 from orishell.io.poses import find_frames, longer_diagonals, quaternions
 from orishell.io.settings import Settings
 from orishell.io.triangles import TRIANGLES, find_splits
-from orishell.units import MILLIMETRES, conversion
+from orishell.numerics.arrays import Array, Integers
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Singles = NDArray[np.float32]
 
 SECONDS: Final = 4.0
@@ -43,8 +42,8 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     from one state to the next: some thousandths of L with 13 states, a quarter of that with 25.
     A panel must turn by less than 180 degrees from state to state.
 
-    Edges are lines in the colours of mountains and valleys (``orishell.colours``), each with
-    the panel on one side of it.
+    Edges are lines in the colours of mountains and valleys (``conventions.colours``), each with the
+    panel on one side of it.
 
     Numbers are in single precision, as viewers have them: points are off by about 1e-7 of their
     distance from the origin. A shell far from it hangs on a root node that is moved there in double
@@ -53,10 +52,6 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    document
-        What is written.
     settings
         ``state`` says which state the nodes stand in.
 
@@ -67,7 +62,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     """
     import orjson
 
-    scale, nearby = _metres(document), document.nearby
+    scale, nearby = conversion(document.require_unit(), "m"), document.nearby
     rest = _corners(document, document.state(settings.state).positions, nearby, scale)
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
@@ -173,7 +168,7 @@ def _material(meaning: str) -> dict[str, Any]:
 
 
 def _inks(document: Document) -> dict[str, Integers]:
-    """Sides (F,) of every panel that are drawn in a colour, by its meaning: 1, 2, 4, 8 for a side.
+    """For every colour by its meaning, the sides (F,) it is drawn on: the sum of 1, 2, 4, 8.
 
     An edge between two panels is drawn with one of them, and moves with it.
     """
@@ -279,17 +274,6 @@ def _times(drives: Sequence[float | None]) -> Singles:
     return np.linspace(0.0, SECONDS, len(values)).astype(np.float32)
 
 
-def _metres(document: Document) -> float:
-    if document.unit not in MILLIMETRES:
-        raise InputError(
-            "glTF is in metres, and the FOLD file names no unit",
-            got=repr(document.unit),
-            expected=", ".join(MILLIMETRES),
-            remedy="name it, for instance with --unit mm",
-        )
-    return conversion(document.unit, "m")
-
-
 def _corners(document: Document, positions: Array, nearby: Array, scale: float) -> Array:
     """Corners (F, 4, 3) of the panels about a point (3,) of the world, in metres, y up."""
     about = positions + (document.origin - nearby)
@@ -305,3 +289,6 @@ def _turned(points: Array) -> Array:
 def _chunk(kind: bytes, data: bytes, padding: bytes) -> bytes:
     data += padding * (-len(data) % 4)
     return len(data).to_bytes(4, "little") + kind + data
+
+
+FORMAT = Format("glb", "shell.glb", (".glb",), "the motion of rigid panels (glTF)", write_gltf)

@@ -10,14 +10,16 @@ from pathlib import Path
 
 from orishell.document import Document
 from orishell.errors import InputError
+from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.io.view import dump_view
 
-VIEWER = files("orishell").joinpath("studio", "static", "viewer.js")
+VIEWER = files("orishell.io").joinpath("pages", "viewer.js")
+"""The viewer, once it is built."""
 
 BUILD_PAGES = (
-    "install a wheel of orishell that has them; in its sources, `npm run pages` in frontend/ "
-    "builds them (Node.js 18 or newer)"
+    "install a wheel of orishell that has the pages; in its sources, `npm run pages` in "
+    "frontend/ builds them (Node.js 18 or newer)"
 )
 """What to do where the pages of the studio and the viewer are missing."""
 
@@ -50,15 +52,6 @@ _PAGE = """\
 def write_html(path: Path, document: Document, settings: Settings) -> None:
     """Write the viewer with the shell in it: motion, pattern and figures.
 
-    Parameters
-    ----------
-    path
-        The file.
-    document
-        What is shown, with all its states.
-    settings
-        Not used: the page shows every state.
-
     Raises
     ------
     InputError
@@ -81,7 +74,7 @@ def write_html(path: Path, document: Document, settings: Settings) -> None:
 
 
 def viewer_is_built() -> bool:
-    """Whether there is a viewer to write."""
+    """Whether the viewer has been built, so that pages can be written."""
     return VIEWER.is_file()
 
 
@@ -107,6 +100,17 @@ def _inside_script(program: str) -> str:
 
 
 def _digest(text: str) -> str:
-    """What a content security policy calls a text that may run."""
+    """The hash by which a content security policy allows a script or style."""
     digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
     return f"sha256-{digest.decode('ascii')}"
+
+
+FORMAT = Format(
+    "html",
+    "viewer.html",
+    (".html",),
+    "a page that shows the motion, in one file",
+    write_html,
+    lays_surface=True,
+    ready=viewer_is_built,
+)

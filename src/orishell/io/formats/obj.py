@@ -6,12 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
 
 
 def write_obj(path: Path, document: Document, settings: Settings) -> None:
@@ -24,10 +23,6 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    document
-        What is written.
     settings
         ``state`` says which state.
 
@@ -56,3 +51,6 @@ def _panels(document: Document) -> Iterator[str]:
 def _y_up(positions: Array) -> Array:
     """Points (V, 3) turned about the x axis so that z comes to lie on y; without -0.0."""
     return np.asarray(positions[:, [0, 2, 1]] * [1.0, 1.0, -1.0] + 0.0)
+
+
+FORMAT = Format("obj", "shell.obj", (".obj",), "one state (Wavefront OBJ)", write_obj)

@@ -13,12 +13,10 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
-
-Array = NDArray[np.float64]
 
 STROKES: Final[dict[str, str]] = {
     "B": "#000000",
@@ -43,15 +41,6 @@ def write_origami_simulator(path: Path, document: Document, settings: Settings) 
 
     The sheet is :data:`WIDTH` large, or larger so that its vertices stay apart. Creases whose angle
     is not known have no opacity, which Origami Simulator takes for 180 degrees.
-
-    Parameters
-    ----------
-    path
-        The file.
-    document
-        What is written.
-    settings
-        Nothing of them matters here.
 
     Raises
     ------
@@ -92,3 +81,12 @@ def write_origami_simulator(path: Path, document: Document, settings: Settings) 
 def _opacity(letter: str, opacity: float) -> str:
     """The attribute that carries a fold angle; none for edges that are not folded."""
     return f' opacity="{opacity:.9g}"' if letter in "MV" and np.isfinite(opacity) else ""
+
+
+FORMAT = Format(
+    "origami-simulator",
+    "pattern.origami-simulator.svg",
+    (".origami-simulator.svg",),
+    "flat pattern for Origami Simulator",
+    write_origami_simulator,
+)

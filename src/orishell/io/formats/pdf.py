@@ -11,10 +11,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
+from orishell.numerics.arrays import Array, Booleans
 from orishell.workshop.drawing import Layer, Text
 from orishell.workshop.paper_model import PaperModel, make_paper_model
 from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
@@ -22,7 +23,6 @@ from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
 
-Array = NDArray[np.float64]
 Box = tuple[Array, Array]
 
 MM = 72 / 25.4
@@ -57,10 +57,6 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    document
-        What is written.
     settings
         The paper, the scale, the palette (colours only) and the labels.
 
@@ -114,7 +110,7 @@ def _draw_page(canvas: Canvas, model: PaperModel, page: Page, number: int) -> No
 def _draw_sheet(
     canvas: Canvas, model: PaperModel, origin: Array, size: float, shown: Box | None = None
 ) -> None:
-    """What comes near a box of the model (mm), enlarged by ``size`` about its corner."""
+    """The lines near a box of the model (mm), enlarged by ``size`` about the box's corner."""
     near = _near(model.lows, model.highs, shown)
     for layer, (width, dashes) in STYLES.items():
         _pen(canvas, model.colours[layer], width, dashes if size == 1 else ())
@@ -138,7 +134,7 @@ def _draw_sheet(
             _draw_text(canvas, model.texts[k], origin)
 
 
-def _near(lows: Array, highs: Array, shown: Box | None) -> NDArray[np.bool_]:
+def _near(lows: Array, highs: Array, shown: Box | None) -> Booleans:
     """Which boxes (N,) come within a millimetre of a box; all if there is none."""
     if shown is None:
         return np.ones(len(lows), dtype=np.bool_)
@@ -265,3 +261,6 @@ def _say(
 
 def _cut(words: str, most: int) -> str:
     return words if len(words) <= most else words[: most - 3] + "..."
+
+
+FORMAT = Format("pdf", "pattern.pdf", (".pdf",), "paper model, tiled over pages", write_pdf)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
 
 _FACE = np.dtype([("corner_count", "u1"), ("vertex_indices", "<i4", (4,))])
@@ -21,10 +22,6 @@ def write_ply(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    document
-        What is written.
     settings
         ``state`` says which state.
 
@@ -51,3 +48,6 @@ def write_ply(path: Path, document: Document, settings: Settings) -> None:
         file.write("".join(f"{line}\n" for line in lines).encode("ascii", "replace"))
         file.write(positions.astype("<f8").tobytes())
         file.write(faces.tobytes())
+
+
+FORMAT = Format("ply", "shell.ply", (".ply",), "one state (PLY)", write_ply)

@@ -11,15 +11,14 @@ from typing import Any, Final
 from uuid import UUID
 
 import numpy as np
-from numpy.typing import NDArray
 
-from orishell.colours import rgb
+from orishell.conventions.colours import rgb
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.panels import reflex_corners, unit_normals
+from orishell.numerics.arrays import Array
+from orishell.sheet.quads import reflex_corners, unit_normals
 from orishell.workshop.outline import find_outlines
-
-Array = NDArray[np.float64]
 
 VERSION: Final = 6
 """The oldest Rhino that reads the file."""
@@ -73,10 +72,6 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    document
-        What is written.
     settings
         ``state`` says which state is the shell's.
 
@@ -248,3 +243,6 @@ def _without_clock(data: bytes) -> bytes:
         place += len(_NO_TIME)
     checksum = struct.pack("<I", zlib.crc32(content))
     return data[:begin] + content + checksum + data[end:]
+
+
+FORMAT = Format("3dm", "shell.3dm", (".3dm",), "pattern, shell and curves (Rhino)", write_rhino)

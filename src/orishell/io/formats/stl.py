@@ -5,13 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.io.triangles import split_panels
-
-Array = NDArray[np.float64]
+from orishell.numerics.arrays import Array
 
 HEADER_LENGTH = 80
 
@@ -28,10 +27,6 @@ def write_stl(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    document
-        What is written.
     settings
         ``state`` says which state.
 
@@ -59,3 +54,6 @@ def _header(document: Document, nearby: Array) -> bytes:
     about = " about ({:g}, {:g}, {:g})".format(*nearby) if nearby.any() else ""
     words = f"orishell, unit {document.unit}, z up{about}: {' '.join(document.title.split())}"
     return words.encode("ascii", "replace")[:HEADER_LENGTH].ljust(HEADER_LENGTH)
+
+
+FORMAT = Format("stl", "shell.stl", (".stl",), "one state (STL)", write_stl)

@@ -8,12 +8,13 @@ from html import escape
 from pathlib import Path
 from typing import Final
 
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.units import MILLIMETRES
 from orishell.workshop.drawing import ORDER, Circle, Drawing, Layer, Line, Text
 from orishell.workshop.palettes import Palette, load_palette
-from orishell.workshop.sheets import name_sheets
+from orishell.workshop.sheets import draw_sheet_files
 
 EXACT_MM = 1e-6
 """Coordinates are rounded to this or less (mm)."""
@@ -30,22 +31,13 @@ Number = Callable[[float], str]
 def write_svg(path: Path, document: Document, settings: Settings) -> None:
     """Write the flat sheet; where it is split, the assembly map, and ``-1``, ``-2``, ... beside it.
 
-    Parameters
-    ----------
-    path
-        The file.
-    document
-        What is written.
-    settings
-        How it is drawn and cut.
-
     Raises
     ------
     InputError
         If there is no flat sheet or unit, or the sheet cannot be drawn as asked.
     """
     palette = load_palette(settings.workshop.palette)
-    for place, drawing in name_sheets(path, document, settings.workshop):
+    for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_svg(place, drawing, palette)
 
 
@@ -54,10 +46,6 @@ def dump_svg(path: Path, drawing: Drawing, palette: Palette) -> None:
 
     Parameters
     ----------
-    path
-        The file.
-    drawing
-        What is drawn.
     palette
         Colours and line widths of the layers; layers without a pen are left out.
     """
@@ -149,3 +137,6 @@ def _rounding(unit: str) -> Number:
 def _plain(words: str) -> str:
     """Words without control characters, which XML has no way to write."""
     return "".join(letter if letter.isprintable() else " " for letter in words)
+
+
+FORMAT = Format("svg", "pattern.svg", (".svg",), "flat pattern for the workshop", write_svg)

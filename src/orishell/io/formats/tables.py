@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.document import Document
+from orishell.io.format import Format
 from orishell.io.settings import Settings
 
 PANELS = "panels"
@@ -22,15 +23,6 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
     other ``NAME.csv``. The first line names the columns and their units; panels are numbered from
     0, and by row and column where the sheet is a grid; numbers have all their digits.
-
-    Parameters
-    ----------
-    path
-        The file of the panels.
-    document
-        What is written.
-    settings
-        How; nothing of it matters here.
 
     Raises
     ------
@@ -100,7 +92,7 @@ def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]
 
 
 def _places(document: Document, count: int) -> tuple[Sequence[object], Sequence[object]]:
-    """Row and column of every panel; nothing where the panels are no grid."""
+    """Row and column of every panel, empty where the panels form no grid."""
     if document.grid_shape is None:
         return [""] * count, [""] * count
     rows, columns = np.divmod(np.arange(count), document.grid_shape[1] - 1)
@@ -112,3 +104,6 @@ def _write(path: Path, heads: list[str], rows: Iterable[Sequence[object]]) -> No
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(heads)
         writer.writerows(rows)
+
+
+FORMAT = Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables)

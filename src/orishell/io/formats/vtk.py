@@ -6,9 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document, DocumentState
+from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.units import MILLIMETRES
 
 SERIES = ".pvd"
 
@@ -30,10 +31,6 @@ def write_vtk(path: Path, document: Document, settings: Settings) -> None:
 
     Parameters
     ----------
-    path
-        The file, ``.vtu`` or ``.pvd``.
-    document
-        What is written.
     settings
         ``state`` says which state is the single file's.
 
@@ -109,3 +106,6 @@ def _collection(files: list[str], drives: list[float], unit: str) -> str:
         "</VTKFile>",
     ]
     return "".join(f"{line}\n" for line in lines)
+
+
+FORMAT = Format("vtu", "shell.vtu", (".vtu", SERIES), "states for ParaView", write_vtk)

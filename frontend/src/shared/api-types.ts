@@ -1,0 +1,502 @@
+// What the server sends, from orishell.studio.api and orishell.io.view. Do not edit:
+// ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
+
+/** The share of the work that is done, from 0 to 1, and what the work is. */
+export interface Advance {
+  progress: number;
+  what: string;
+}
+
+/** The surface that ever finer shells approach, where it is not f swept along g. */
+export interface ApproachReport {
+  /** What it is. */
+  what: string;
+  /** Distances of the shell from it; None if it has no simple form, or they were not measured. */
+  max: number | null;
+  /** Distances of the shell from it; None if it has no simple form, or they were not measured. */
+  rms: number | null;
+}
+
+/** Where an array of the view begins, in bytes behind the header. */
+export interface ArrayPlace {
+  type: "float32" | "uint32" | "uint8";
+  shape: number[];
+  offset: number;
+}
+
+/** How many creases are mountains and valleys, and whether they stay so. */
+export interface AssignmentReport {
+  /** Numbers of creases. */
+  mountain: number;
+  /** Numbers of creases. */
+  valley: number;
+  /** Numbers of creases. */
+  unfolded: number;
+  /** Whether no crease changes from one to the other in the whole motion. */
+  constant: boolean;
+  /** Whether Maekawa's condition holds at every inner vertex. */
+  maekawa: boolean;
+}
+
+/** Bounding box of a state. */
+export interface BoxReport {
+  /** Along x, y and z. */
+  width: number;
+  /** Along x, y and z. */
+  depth: number;
+  /** Along x, y and z. */
+  height: number;
+}
+
+/** How rows and columns were chosen. */
+export interface ChosenReport {
+  /** What was asked for; ``panel_max`` is None if edges may have any length. */
+  tolerance: number;
+  /** What was asked for; ``panel_max`` is None if edges may have any length. */
+  panel_min: number;
+  /** What was asked for; ``panel_max`` is None if edges may have any length. */
+  panel_max: number | null;
+  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  rows: number;
+  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  columns: number;
+  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  panels: number;
+  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  error: number;
+  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  shortest: number;
+  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  longest: number;
+  /** Number of designs measured. */
+  designs_tried: number;
+  /** Designs that no other beats in both error and number of panels. */
+  tradeoff: Trial[];
+}
+
+/** Distances between a curve and a polyline, in the unit of their coordinates. */
+export interface Closeness {
+  /** The Hausdorff distance: the largest distance of a point of either to the other. */
+  max: number;
+  /** Root mean square over the curve's length of the distance to the polyline. */
+  rms: number;
+}
+
+/** Two panels that touch. */
+export interface ContactReport {
+  /** The drive angle at which they touch. */
+  drive_deg: number;
+  /** Up to here no panels touch, proved; 0 if the path was not examined. */
+  clear_until_deg: number;
+  /** The two panels. */
+  panels: [[number, number], [number, number]];
+  /** Which parts of the sheet they belong to. */
+  kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels";
+  /** Depth of the corrugation there. */
+  corrugation_depth: number;
+}
+
+/** Length of all creases of a kind, in the document's unit. */
+export interface CreaseLength {
+  /** The kinds. */
+  mountain: number;
+  /** The kinds. */
+  valley: number;
+  /** The kinds. */
+  unfolded: number;
+}
+
+/** The target's curves. */
+export interface Curves {
+  f: [number, number][];
+  g: [number, number][];
+}
+
+/** How close the shell is to what was asked for. */
+export interface DeviationReport {
+  /** Distances of the polylines that the shell locks on from the target curves. */
+  f: Closeness;
+  /** Distances of the polylines that the shell locks on from the target curves. */
+  g: Closeness;
+  /** Distances between the shell and the surface; None if they were not measured. */
+  surface: SurfaceReport | null;
+  /** What the family approaches instead, if it does. */
+  approached: ApproachReport | null;
+}
+
+/** Distances from all of one surface to the nearest points of another (length). */
+export interface Distances {
+  /** The largest. */
+  max: number;
+  /** Root mean square, mean, and the distance below which 95 % of the area lies. */
+  rms: number;
+  /** Root mean square, mean, and the distance below which 95 % of the area lies. */
+  mean: number;
+  /** Root mean square, mean, and the distance below which 95 % of the area lies. */
+  p95: number;
+  /** What is not known: the largest distance lies between max - sample_spacing and max + sample_spacing. */
+  sample_spacing: number;
+  /** The same for rms, mean and p95; in practice these are far better known. */
+  grid_spacing: number;
+}
+
+/** Points of a curve whose file was dropped onto the page, and a note on how they were read. */
+export interface DroppedCurve {
+  points: [number, number][];
+  smooth: boolean;
+  note: string;
+}
+
+/** A design to begin with, as the text of a design file. */
+export interface Example {
+  name: string;
+  title: string;
+  text: string;
+}
+
+/** A family of crease patterns. */
+export interface Family {
+  label: string;
+  what: string;
+  parameters: Parameter[];
+}
+
+/** What is wrong with a request or its design. */
+export interface Fault {
+  kind: "input" | "design" | "limit" | "time" | "fault";
+  /** All of it in one text. */
+  message: string;
+  what: string;
+  where: string;
+  /** The keys of the design file that it is about, the tables in front of them. */
+  keys: string[];
+  got: string;
+  expected: string;
+  remedy: string;
+  detail: string;
+  place: string;
+  size: string;
+  /** What stands in the way, where nothing was found that works. */
+  limit: string;
+  /** What was tried and works, the nearest first. */
+  remedies: Remedy[];
+}
+
+/** A format of files that a shell can be written in. */
+export interface FileFormat {
+  name: string;
+  file: string;
+  what: string;
+}
+
+/** Two panels that touch. */
+export interface FirstContact {
+  /** Drive angle at which they do. */
+  drive_deg: number;
+  /** Their numbers. */
+  panels: [number, number];
+}
+
+/** The header of a view: what the shell is, and where its arrays are. */
+export interface Header {
+  version: number;
+  title: string;
+  unit: string;
+  /** Rows and columns of vertices; null if they are no grid's. */
+  grid: [number, number] | null;
+  /** Was subtracted from all coordinates in space before they were rounded. */
+  origin: [number, number, number];
+  /** Drive of every state, the flat one first. */
+  drives_deg: (number | null)[];
+  /** The fields of ``report.json``; empty if there is none. */
+  report: Record<string, unknown>;
+  contact: FirstContact | null;
+  arrays: Record<string, ArrayPlace>;
+  /** In the studio. */
+  curves?: Curves;
+}
+
+/** What the page loads first: families, examples, formats, limits, the design to open. */
+export interface Info {
+  version: string;
+  units: string[];
+  families: Record<string, Family>;
+  examples: Example[];
+  formats: FileFormat[];
+  limits: Largest;
+  start: NamedDesign | null;
+}
+
+/** Limits of the studio: vertices of a sheet, bytes of a request, seconds of a design. */
+export interface Largest {
+  vertices: number;
+  bytes: number;
+  seconds: number;
+}
+
+/** How the motion ends. */
+export interface LockReport {
+  /** Where it ends; None if nothing ends it. */
+  drive_deg: number | null;
+  /** What ends it. */
+  cause: "flaps" | "clash" | "crease" | null;
+  /** Where the shell meets its target. */
+  target_drive_deg: number;
+  /** Mean distance of inner vertices from the line between those above and below, at the target. */
+  corrugation_depth: number;
+  /** The panels that touch first, if any do. */
+  first_contact: ContactReport | null;
+  /** Pairs of panels that touch at the end of the motion and are not meant to. */
+  touching_at_end: [[number, number], [number, number]][];
+  /** How contact was looked for; None if it was not. */
+  path: PathReport | null;
+}
+
+/** The design file that the studio was started with. */
+export interface NamedDesign {
+  name: string;
+  design: Record<string, unknown>;
+}
+
+/** The bounding box of the state that packs smallest. */
+export interface PackedReport {
+  /** Drive angle of that state. */
+  drive_deg: number;
+  /** Along x, y and z. */
+  width: number;
+  /** Along x, y and z. */
+  depth: number;
+  /** Along x, y and z. */
+  height: number;
+}
+
+/** A parameter of a family, as a control shows it. */
+export interface Parameter {
+  key: string;
+  label: string;
+  help: string;
+  kind: "integer" | "number" | "choice" | "angles4";
+  auto: boolean;
+  unit: "length" | "deg" | "";
+  choices: string[];
+  /** Null: the design must give it. */
+  default: number | string | null;
+  /** How far the slider reaches; left out where that depends on the curves. */
+  slider?: [number, number];
+  step?: number;
+}
+
+/** The tables of a design file, read from its text. */
+export interface Parsed {
+  design: Record<string, unknown>;
+}
+
+/** How contact was excluded along the whole path. */
+export interface PathReport {
+  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared. */
+  states: number;
+  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared. */
+  ranges: number;
+  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared. */
+  tests: number;
+  /** The longest and the shortest of these ranges. */
+  largest_step_deg: number;
+  /** The longest and the shortest of these ranges. */
+  smallest_step_deg: number;
+  /** Distance at which panels touch (length). */
+  contact_tolerance: number;
+  /** What the proof rests on, in words. */
+  bound: string;
+}
+
+/** Totals; lengths and areas in the document's unit. */
+export interface Quantities {
+  /** Number of panels. */
+  panels: number;
+  /** Area of all panels. */
+  area: number;
+  /** Length of the creases by their assignment. */
+  crease_length: CreaseLength;
+  /** Length of the sheet's outline and of cuts in it. */
+  outline_length: number;
+  /** Sheets of stock, and what of them is not used; None if that was not asked for. */
+  stock: Waste | null;
+  /** Mass of the panels; None if the areal density is not known. */
+  mass_kg: number | null;
+}
+
+/** Values of a parameter that were tried, and those that work. */
+export interface Range {
+  /** Those that were tried. */
+  span: [number, number];
+  /** Those that work. */
+  intervals: [number, number][];
+  /** Why values below the lowest interval, or above the highest, fail; empty at the span's end. */
+  below: string;
+  /** Why values below the lowest interval, or above the highest, fail; empty at the span's end. */
+  above: string;
+}
+
+/** Values that work, for every parameter by its key. */
+export interface Ranges {
+  ranges: Record<string, Range>;
+}
+
+/** The answer to a request that failed; of a design, with the curves that can be drawn. */
+export interface Refusal {
+  error: Fault;
+  curves?: Curves;
+}
+
+/** A change of the design that was tried and works. */
+export interface Remedy {
+  text: string;
+  /** Values of keys of the design file, the tables in front of them; null removes a key. */
+  changes: Record<string, unknown>;
+}
+
+/** All that ``report.json`` says of a shell. */
+export interface Report {
+  /** What was designed. */
+  family: string;
+  /** What was designed. */
+  unit: string;
+  /** What was designed. */
+  rows: number;
+  /** What was designed. */
+  columns: number;
+  /** What the family used and found. */
+  parameters: Record<string, number | string | number[] | string[]>;
+  /** How rows and columns were chosen, if there was a tolerance. */
+  chosen: ChosenReport | null;
+  /** Whether it reaches its target without contact; None if that was not examined. */
+  feasible: boolean | null;
+  /** Sentences a user should read. */
+  warnings: string[];
+  /** How exactly it folds. */
+  residuals: Residuals;
+  /** How exactly it folds. */
+  assignment: AssignmentReport;
+  /** How the motion ends. */
+  lock: LockReport;
+  /** What was left out on request. */
+  not_checked: string[];
+  /** What it stands on; None if it cannot stand. */
+  stands: StandsReport | null;
+  /** How close it is to its target; None without one. */
+  deviation: DeviationReport | null;
+  /** Sizes of the flat sheet, of the last state, and of the smallest state. */
+  sheet: SheetReport;
+  /** Sizes of the flat sheet, of the last state, and of the smallest state. */
+  deployed: BoxReport;
+  /** Sizes of the flat sheet, of the last state, and of the smallest state. */
+  packed: PackedReport;
+  /** Bill of quantities. */
+  quantities: Quantities;
+}
+
+/** Worst departures from a rigid folding of a flat sheet, over the states measured. */
+export interface Residuals {
+  /** Change of the six distances of a panel's corners against the flat sheet, relative to the sheet's diagonal. */
+  panel_length: number;
+  /** Distance between a panel's two diagonals, relative to the sheet's diagonal. */
+  planarity: number;
+  /** Difference of the four sector angles at an inner vertex from 2 pi (radians). */
+  sector_sum_rad: number;
+  /** Difference of the fold angles measured from the positions from the closed form (radians). */
+  fold_angle_rad: number;
+}
+
+/** The last line of the answer: the verified shell. */
+export interface Result {
+  result: Verified;
+}
+
+/** Size of the flat sheet. */
+export interface SheetReport {
+  /** Its bounding box. */
+  width: number;
+  /** Its bounding box. */
+  height: number;
+  /** Area of all panels. */
+  area: number;
+}
+
+/** What the shell stands on. */
+export interface StandsReport {
+  /** The rows of vertices that are its feet. */
+  rows: [number, number];
+  /** Height of the lowest of their vertices. */
+  z: number;
+  /** By how much the highest lies above it. */
+  uneven: number;
+  /** Whether all are at one height. */
+  level: boolean;
+}
+
+/** Distances between the shell and the surface asked for, both ways. */
+export interface SurfaceReport {
+  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
+  max: number;
+  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
+  rms: number;
+  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
+  mean: number;
+  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
+  p95: number;
+  /** By how much the largest distance may be off. */
+  sample_spacing: number;
+  /** Either way by itself. */
+  shell_to_surface: Distances;
+  /** Either way by itself. */
+  surface_to_shell: Distances;
+}
+
+/** A design that was tried. */
+export interface Trial {
+  /** Inner vertices. */
+  rows: number;
+  /** Inner vertices. */
+  columns: number;
+  /** Number of panels, flaps left out. */
+  panels: number;
+  /** Distance between shell and target surface, largest both ways (length). */
+  error: number;
+  /** Edges of its panels (length). */
+  shortest: number;
+  /** Edges of its panels (length). */
+  longest: number;
+}
+
+/** A shell that has been verified: its report, contact and distances. */
+export interface Verified {
+  report: Report;
+  contact: FirstContact | null;
+  /** Distances of the vertices from the surface: single precision, in base64. */
+  distance: string;
+  /** Why the design is refused although its shell can be shown: panels meet before it locks. */
+  refusal: Fault | null;
+  /** A view in base64 that takes the place of the one shown; null: that one stays. */
+  view: string | null;
+}
+
+/** How much stock is used, and the length of cuts and creases, in the document's unit. */
+export interface Waste {
+  /** Number of sheets of stock. */
+  sheets: number;
+  /** Their area; without stock, that of the sheet's bounding rectangle along the axes. */
+  stock_area: number;
+  /** Area of all parts, with tabs and strips. */
+  used_area: number;
+  /** Share of the stock that is not used. */
+  waste: number;
+  /** Length of all outlines that are cut. */
+  cut_length: number;
+  /** Length of all creases, those of tabs and strips too. */
+  crease_length: number;
+}
+
+/** The text of a design file, made from its tables. */
+export interface Written {
+  text: string;
+}

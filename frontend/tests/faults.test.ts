@@ -1,0 +1,70 @@
+import { describe, expect, test } from "vitest";
+
+import {
+  ServerFault, faultOf, isAbout, mended, ownFault, patternKeysOf, refusalOf, sentence, wordsOfRemedies,
+} from "../src/studio/faults.ts";
+import type { Design } from "../src/studio/types.ts";
+
+const DESIGN: Design = {
+  shell: { family: "orthodiagonal", unit: "m" },
+  target: { f: { points: [[0, 0], [1, 1]], smooth: true, scale: 2 }, g: { formula: "x", range: [0, 1] } },
+  pattern: { rows: 9, columns: 11, xi_deg: 170 },
+};
+const { searching: _, ...input } = ownFault("input", "no");
+const REFUSED = { ...input, kind: "input" as const };
+
+test("the fault behind what was thrown is the server's, or the page's own", () => {
+  const curves = { f: [], g: [] };
+  const refusal = refusalOf({ error: { ...REFUSED, got: "3" }, curves });
+  expect(refusal).toBeInstanceOf(ServerFault);
+  expect(refusal.curves).toBe(curves);
+  expect(faultOf(refusal)).toMatchObject({ kind: "input", got: "3", searching: false });
+  expect(refusalOf({ error: REFUSED }).curves).toBeNull();
+  expect(faultOf(new Error("x"))).toMatchObject({ kind: "page", what: "Error: x" });
+});
+
+test("the controls that a fault is about are found by its keys, not by its words", () => {
+  const fault = { ...ownFault("design", "rows = 3 is said of another key"), keys: ["pattern.xi_deg", "target.f.range"] };
+  expect(patternKeysOf(fault)).toEqual(["xi_deg"]);
+  expect(patternKeysOf(null)).toEqual([]);
+  expect(isAbout(fault, "f")).toBe(true);
+  expect(isAbout(fault, "g")).toBe(false);
+  expect(isAbout({ ...fault, keys: ["target.g"] }, "g")).toBe(true);
+  expect(isAbout({ ...fault, keys: ["target"] }, "g")).toBe(false);
+});
+
+describe("a remedy changes", () => {
+  test("values, and removes keys", () => {
+    const design = mended(DESIGN, { text: "", changes: { "pattern.xi_deg": 90, "pattern.rows": null } });
+    expect(design.pattern).toEqual({ columns: 11, xi_deg: 90 });
+    expect(DESIGN.pattern["rows"]).toBe(9);
+  });
+
+  test("a curve to a formula, whose points are then gone", () => {
+    const { target } = mended(DESIGN, { text: "", changes: { "target.f.formula": "x**2" } });
+    expect(target.f).toEqual({ formula: "x**2", scale: 2 });
+  });
+
+  test("a table that was not there", () => {
+    expect(mended(DESIGN, { text: "", changes: { "tolerance.surface": 0.1 } }).tolerance).toEqual({ surface: 0.1 });
+  });
+});
+
+test("what works is listed, or what limits, or that it is being looked for", () => {
+  const fault = ownFault("design", "no");
+  const remedies = [{ text: "xi_deg = 90", changes: {} }, { text: "rows = 3", changes: {} }];
+  expect(wordsOfRemedies(fault)).toBe("");
+  expect(wordsOfRemedies({ ...fault, remedies })).toBe("xi_deg = 90, or rows = 3");
+  expect(wordsOfRemedies({ ...fault, limit: "g is too short" })).toBe("none: g is too short");
+  expect(wordsOfRemedies({ ...fault, remedies, searching: true })).toBe("looking for it…");
+});
+
+test.each([
+  ["a panel is small", "A panel is small."],
+  ["f is straight", "f is straight."],
+  ["xi_deg = 170 is too large", "xi_deg = 170 is too large."],
+  ["  the sheet is too large!", "The sheet is too large!"],
+  ["", ""],
+])("%s, as a sentence", (text, expected) => {
+  expect(sentence(text)).toBe(expected);
+});

@@ -1,0 +1,120 @@
+"""Bounds of accelerations in parts of the path, which give the chord errors of the proof."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.clash.broad_phase import Extents, PanelTree, in_chunks
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array, Integers
+
+RANGES = 32
+"""Ranges of the drive that a table of accelerations has."""
+LEVELS = 3
+"""Halvings of the path from one table to those of its parts."""
+TABLES_KEPT = 64
+ROUNDING = 1 + 1e-9
+
+
+class EdgeBounds:
+    """Bounds of the accelerations of edges in any part of a path.
+
+    A vector between two vertices is a sum of edges: along a row from one column to the other,
+    then down a column. Its acceleration is at most the sum of their bounds, whichever row and
+    column it takes. Tables of bounds are made for the parts of the path that are looked at, finer
+    where these are finer.
+
+    Parameters
+    ----------
+    mechanism
+        The folding sheet.
+    end
+        The path goes from the flat sheet to this drive (radians).
+    tree
+        The tree over its panels, row by row.
+    """
+
+    def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:
+        self.mechanism, self.end = mechanism, end
+        self.columns = mechanism.grid.columns - 1
+        first = np.stack(np.divmod(np.arange(len(tree.faces)), self.columns), axis=-1)
+        self.hull = tree.enclosing(first.astype(np.float64), first + 1.0)
+        self.tables: OrderedDict[tuple[int, int], tuple[Array, Array]] = OrderedDict()
+
+    def within(self, start: float, stop: float) -> RangeBounds:
+        """The bounds from one share of the path to another, which are 1/2, 1/4, 1/8 ... apart."""
+        halvings = round(-np.log2(stop - start))
+        level = halvings - halvings % LEVELS
+        parts = 2**level
+        index = int(start * parts)
+        rows, columns = self._table(level, index)
+        part = slice(*(round((end * parts - index) * RANGES) for end in (start, stop)))
+        return RangeBounds(
+            _running(rows[part].max(axis=0)),
+            _running(columns[part].max(axis=0)),
+            self.hull,
+            self.columns,
+        )
+
+    def _table(self, level: int, index: int) -> tuple[Array, Array]:
+        """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""
+        table = self.tables.get((level, index))
+        if table is None:
+            ends = self.end * (index + np.linspace(0.0, 1.0, RANGES + 1)) / 2**level
+            rows, columns = self.mechanism.edge_accelerations(ends[:-1], ends[1:])
+            table = rows * ROUNDING, columns * ROUNDING
+            self.tables[level, index] = table
+            if len(self.tables) > TABLES_KEPT:
+                self.tables.popitem(last=False)
+        return table
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RangeBounds:
+    """Bounds of accelerations in one part of the path.
+
+    Parameters
+    ----------
+    along, down
+        Running sums of the bounds of edges along rows (C,) and down columns (R,).
+    hull
+        First and last vertex row and column of the nodes of a :class:`PanelTree`.
+    columns
+        Number of columns of panels.
+    """
+
+    along: Array
+    down: Array
+    hull: Extents
+    columns: int
+
+    def between_nodes(self, level: int, first: Integers, second: Integers) -> Array:
+        """Bound (P,) of the acceleration of any vector between vertices of two nodes."""
+        low, high = self.hull.low[level], self.hull.high[level]
+
+        def of(first: Integers, second: Integers) -> Array:
+            begin = np.minimum(low[first], low[second])
+            end = np.maximum(high[first], high[second])
+            # Nodes of empty places have no end; their gap is infinite anyway.
+            begin, end = (np.where(np.isfinite(at), at, 0).astype(np.int64) for at in (begin, end))
+            return self._across(begin.T, end.T)
+
+        return in_chunks(of, first, second)
+
+    def between_panels(self, first: Integers, second: Integers) -> Array:
+        """Bound (P,) of the acceleration of any vector between vertices of two panels."""
+        places = np.divmod(first, self.columns), np.divmod(second, self.columns)
+        return self._across(np.minimum(*places), np.maximum(*places) + 1)
+
+    def _across(self, begin: Integers, end: Integers) -> Array:
+        """Bound (P,) between vertices at rows and columns (2, P): the sum of those of the edges."""
+        return np.asarray(
+            self.down[end[0]] - self.down[begin[0]] + self.along[end[1]] - self.along[begin[1]]
+        )
+
+
+def _running(steps: Array) -> Array:
+    return np.concatenate([[0.0], np.cumsum(steps)])

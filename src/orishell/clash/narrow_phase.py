@@ -1,0 +1,144 @@
+"""Narrow phase: pairs of panels in a part of the path are apart throughout, touch, or stay open.
+
+Along a direction d a vector e between corners is never less than the least of its views at the
+ends of the part (:mod:`~orishell.clash.separation`), less its chord error,
+
+    (b - a)^2 / 8 * max abs(e''),
+
+by which it can leave the straight line between its values at drives a and b. So panels are proved
+apart if one of these gaps exceeds the tolerance and the chord error together.
+"""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.clash.broad_phase import CHUNK, Pairs, joined, selected
+from orishell.clash.separation import (
+    common_gap,
+    corners_of,
+    nearest,
+    normals,
+    turning_gap,
+    views_along,
+)
+from orishell.numerics.arrays import Array, Integers
+
+CROWDED = 3
+"""Chunks of pairs from which the processor's cores share the work."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Findings:
+    """The pairs of panels that stay open, and those that touch at an end of the part.
+
+    Parameters
+    ----------
+    open
+        Pairs that no direction keeps apart.
+    at_start, at_stop
+        Panels that touch at an end of the part, if there are any: the nearest of them.
+    """
+
+    open: Pairs
+    at_start: tuple[int, int] | None
+    at_stop: tuple[int, int] | None
+
+
+def examine_pairs(
+    points: tuple[Array, Array], faces: Integers, pairs: Pairs, tolerance: Array, chord_error: Array
+) -> Findings:
+    """Return the pairs of panels that are not proved apart, and those that touch at an end.
+
+    Separating axes are sought among the panels' normals and the lines between their nearest points.
+    They stay as they are at one end, or turn from the one to the other: panels that turn together
+    are seen apart by their own normals in steps far longer than any standing direction allows.
+
+    Parameters
+    ----------
+    points
+        Vertices (V, 3) in the states at both ends of the part.
+    faces
+        Corners (F, 4) of all panels.
+    pairs
+        Panels (P,).
+    tolerance
+        Distances (P,) at which they count as touching.
+    chord_error
+        How far (P,) vectors between their corners can be from the straight line in between.
+    """
+    parts = [slice(k, k + CHUNK) for k in range(0, len(pairs[0]), CHUNK)]
+
+    def examine(part: slice) -> tuple[Pairs, list[_Touch], list[_Touch]]:
+        first, second = (panels[part] for panels in pairs)
+        corners = [
+            (corners_of(state, faces[first]), corners_of(state, faces[second])) for state in points
+        ]
+        needed = tolerance[part] + chord_error[part]
+        return _Group((first, second), corners, tolerance[part], needed).examined()
+
+    if len(parts) < CROWDED:
+        found = [examine(part) for part in parts]
+    else:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            found = list(pool.map(examine, parts))
+    at_start, at_stop = (
+        min((touch for each in found for touch in each[end]), default=None) for end in (1, 2)
+    )
+    return Findings(
+        joined([each[0] for each in found]),
+        None if at_start is None else at_start[1],
+        None if at_stop is None else at_stop[1],
+    )
+
+
+_Touch = tuple[float, tuple[int, int]]
+"""A distance, and the two panels."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Group:
+    """Pairs of panels, with their corners at both ends of the part."""
+
+    pairs: Pairs
+    corners: list[tuple[Array, Array]]
+    tolerance: Array
+    needed: Array
+    """Gaps (P,) that prove them apart: tolerance and chord error."""
+
+    def examined(self) -> tuple[Pairs, list[_Touch], list[_Touch]]:
+        """Pairs that stay open, and the nearest that touch at the start and at the stop."""
+        group = self
+        for panel in (0, 1):
+            group = group.not_separated_by(*(normals(state[panel]) for state in group.corners))
+        if not len(group.pairs[0]):
+            return group.pairs, [], []
+        touching, lines = [], []
+        for state in group.corners:
+            distance, between = nearest(*state)
+            touching.append(group.touching(distance))
+            lines.append(between / np.where(distance > 0, distance, 1.0))
+        return group.not_separated_by(*lines).pairs, touching[0], touching[1]
+
+    def not_separated_by(self, start: Array, stop: Array) -> _Group:
+        """Pairs kept apart neither by one of two directions (3, P) nor by one turning between."""
+        first, last = (views_along(direction, self.corners) for direction in (start, stop))
+        standing = np.maximum(common_gap(first), common_gap(last))
+        near = np.maximum(standing, turning_gap(first, last)) <= self.needed
+        if near.all():
+            return self
+        corners = [(first[..., near], second[..., near]) for first, second in self.corners]
+        return _Group(selected(self.pairs, near), corners, self.tolerance[near], self.needed[near])
+
+    def touching(self, distance: Array) -> list[_Touch]:
+        """The nearest pair within the tolerance, if there is one."""
+        within = np.flatnonzero(distance <= self.tolerance)
+        if not len(within):
+            return []
+        nearest_one = int(within[distance[within].argmin()])
+        first, second = (int(panels[nearest_one]) for panels in self.pairs)
+        return [(float(distance[nearest_one]), (first, second))]

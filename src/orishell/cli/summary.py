@@ -1,0 +1,93 @@
+"""The summary that ``orishell design`` prints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from orishell.cli.files import shortened
+
+if TYPE_CHECKING:
+    from orishell.shell.deviation_report import DeviationReport
+    from orishell.shell.make import Shell
+    from orishell.shell.report import Report
+
+
+def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterator[str]:
+    """Lines that say what was designed, and which files were written and removed."""
+    report, unit = shell.report, shell.report.unit
+    sheet, deployed, residuals = report.sheet, report.deployed, report.residuals
+    grid = shell.motion.mechanism.grid
+    yield (
+        f"{report.family}: {report.rows} x {report.columns} inner vertices, "
+        f"{grid.panel_count} panels"
+    )
+    if report.chosen is not None:
+        yield (
+            f"chosen    for {report.chosen.tolerance:g} {unit} from the surface, with the fewest "
+            f"panels of {report.chosen.designs_tried} designs tried"
+        )
+    yield f"sheet     {sheet.width:.4g} x {sheet.height:.4g} {unit}, area {sheet.area:.4g} {unit}2"
+    yield f"deployed  {deployed.width:.4g} x {deployed.depth:.4g} x {deployed.height:.4g} {unit}"
+    if report.deviation is None:
+        yield "no target: nothing to compare the shell with"
+    else:
+        yield _standing(report)
+        yield from _deviation(report.deviation, unit)
+    yield (
+        f"rigid     panel lengths to {residuals.panel_length:.1e}, fold angles to "
+        f"{residuals.fold_angle_rad:.1e} rad over {len(shell.motion)} states"
+    )
+    yield _lock(shell)
+    yield from (f"wrote     {text}" for text in shortened(written))
+    yield from (f"removed   {text}, from an earlier run" for text in shortened(removed))
+
+
+def _standing(report: Report) -> str:
+    stands = report.stands
+    if stands is None:
+        return (
+            "stands    nowhere: f's ends are not its lowest part, so g is left in the plane z = 0"
+        )
+    on = "rows {} and {}".format(*stands.rows)
+    if stands.level:
+        return f"stands    level on z = {stands.z:.4g} on {on}"
+    unit = report.unit
+    return f"stands    on {on}, from z = {stands.z:.4g} up to {stands.uneven:.4g} {unit} above"
+
+
+def _deviation(deviation: DeviationReport, unit: str) -> Iterator[str]:
+    surface, approached = deviation.surface, deviation.approached
+    yield f"deviation f {deviation.f.max:.4g} {unit}, g {deviation.g.max:.4g} {unit}"
+    if surface is not None:
+        yield (
+            f"surface   max {surface.max:.4g} {unit} (known to {surface.sample_spacing:.1g}), "
+            f"rms {surface.rms:.4g} {unit}"
+        )
+    if approached is not None:
+        size = approached.max
+        found = "" if size is None else f"; max {size:.4g} {unit} from that"
+        yield f"approach  {approached.what}{found}"
+
+
+def _lock(shell: Shell) -> str:
+    from orishell.conventions.formatting import in_degrees
+
+    lock, contact = shell.lock, shell.lock.first_contact
+    if lock.proof is None:
+        return "not checked: " + "; ".join(shell.report.not_checked)
+    proved = f"proved over the whole path by bounds between {lock.proof.states} states"
+    if lock.drive is None or contact is None:
+        return f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"
+    if lock.cause == "clash":
+        first, second = (list(panel) for panel in contact.panels)
+        aim = "target" if shell.design.swept is not None else "stage"
+        beyond = not lock.early and shell.design.ending_at is None
+        met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
+        return (
+            f"lock      at {in_degrees(lock.drive)} deg{met}: panels {first} and {second} clash "
+            f"({contact.kind}), none before: {proved}"
+        )
+    what = "by its flaps" if lock.cause == "flaps" else "by a crease folded flat"
+    return f"lock      at {in_degrees(lock.drive)} deg {what}, no contact before: {proved}"

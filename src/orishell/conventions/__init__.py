@@ -1,0 +1,1 @@
+"""What the whole program shares: units, colours, how numbers are written, how a run is stopped."""

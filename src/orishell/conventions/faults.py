@@ -1,0 +1,130 @@
+"""What pydantic finds wrong with values, in the words of our messages."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from itertools import islice
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from orishell.errors import InputError
+
+MOST_FAULTS = 20
+"""So many faults are said, the others counted."""
+Location = tuple[str | int, ...]
+"""Keys and indices from the outermost table to the value."""
+
+
+def first_fault(
+    raw: dict[str, Any],
+    error: ValidationError,
+    spell: Callable[[Location], str],
+    keys: Callable[[Location], list[str]],
+    inside: tuple[str, ...] = (),
+) -> InputError:
+    """One message for the first fault; the others follow, a line each.
+
+    Parameters
+    ----------
+    raw
+        The values by their keys.
+    error
+        What pydantic finds wrong with them.
+    spell
+        Says where a location is.
+    keys
+        The keys that may stand beside the last one of a location.
+    inside
+        Keys of the table that pydantic looked at.
+    """
+    faults: dict[Location, list[ErrorDetails]] = {}
+    for details in error.errors():
+        location = _key_path(raw, (*inside, *details["loc"]), details["type"])
+        faults.setdefault(location, []).append(details)
+    first, *others = [
+        _fault(location, group, spell, keys)
+        for location, group in islice(faults.items(), MOST_FAULTS)
+    ]
+    more = len(faults) - MOST_FAULTS
+    lines = [*map(str, others), *([f"and {more} more"] if more > 0 else [])]
+    first.detail = "\n".join(lines)
+    return first
+
+
+def _key_path(raw: dict[str, Any], location: Location, kind: str) -> Location:
+    """The part of a location that is in the file; what follows names alternatives of a type."""
+    if kind == "missing":
+        return location
+    value: Any = raw
+    for depth, key in enumerate(location):
+        try:
+            value = value[key]
+        except (KeyError, IndexError, TypeError):
+            return location[:depth]
+    return location
+
+
+def _fault(
+    location: Location,
+    group: list[ErrorDetails],
+    spell: Callable[[Location], str],
+    keys: Callable[[Location], list[str]],
+) -> InputError:
+    details = group[0]
+    context = details.get("ctx", {})
+    if "key" in context:
+        location = (*location, str(context["key"]))
+    where = spell(location)
+    kind = details["type"]
+    if kind == "missing":
+        return InputError("this key is missing", where=where)
+    if kind == "extra_forbidden":
+        close = difflib.get_close_matches(str(location[-1]), keys(location), n=1)
+        return InputError(
+            "unknown key",
+            where=where,
+            expected="one of " + ", ".join(keys(location)),
+            remedy=f"write {close[0]}, if that is what was meant" if close else "remove it",
+        )
+    if kind == "source":
+        return InputError(details["msg"], where=where, got=str(context.get("found", "")))
+    got = context.get("got", details["input"])
+    expected = " or ".join(dict.fromkeys(_expected(each) for each in group))
+    return InputError("this value does not fit", where=where, got=_shown(got), expected=expected)
+
+
+_EXPECTED = {
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "float_type": "a number",
+    "finite_number": "a finite number",
+    "string_type": "a text",
+    "bool_type": "true or false",
+    "list_type": "a list",
+    "dict_type": "a table",
+    "model_type": "a table",
+    "model_attributes_type": "a table",
+    "greater_than": "a value greater than {gt:g}",
+    "greater_than_equal": "a value of at least {ge:g}",
+    "less_than": "a value less than {lt:g}",
+    "less_than_equal": "a value of at most {le:g}",
+    "too_short": "{min_length} entries",
+    "too_long": "{max_length} entries",
+    "literal_error": "{expected}",
+    "dataclass_exact_type": "a {class_name}",
+    "is_instance_of": "a {class}",
+    "sequence_str": "a list",
+}
+
+
+def _expected(details: ErrorDetails) -> str:
+    text = _EXPECTED.get(details["type"])
+    return text.format(**details.get("ctx", {})) if text else details["msg"]
+
+
+def _shown(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."

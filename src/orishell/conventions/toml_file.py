@@ -1,0 +1,123 @@
+"""Reading TOML: tables of values, limited in size and depth but not checked otherwise."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from orishell.errors import InputError
+
+MAX_BYTES = 1_000_000
+DEEPEST = 8
+"""Tables, lists and parts of a dotted key within each other, at most; a design has five."""
+WHOLE = 2**63
+"""Whole numbers are smaller than this, as TOML says."""
+_TOKEN = re.compile(
+    r'"""(?:[^"\\]|\\.|"(?!""))*+(?:"""|\Z)'
+    r"|'''.*?(?:'''|\Z)"
+    r'|"(?:[^"\\\n]|\\.)*+"?'
+    r"|'[^'\n]*'?"
+    r"|#[^\n]*"
+    r"|[\[\]{}.,=\n]",
+    re.DOTALL,
+)
+"""Texts and comments, which do not count, and what nests, joins and separates."""
+
+
+def read_toml(path: Path, what: str = "design file", remedy: str = "") -> dict[str, Any]:
+    """The tables of a TOML file.
+
+    Parameters
+    ----------
+    what
+        What it should be.
+    remedy
+        What to do if it does not exist.
+
+    Raises
+    ------
+    InputError
+        If it does not exist, cannot be read or is not TOML.
+    """
+    try:
+        if path.exists() and not path.is_file():
+            raise InputError("this is not a file", where=str(path))
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"this is too large for a {what}", where=str(path))
+        text = path.read_text(encoding="utf-8-sig")
+    except FileNotFoundError:
+        raise InputError(f"the {what} does not exist", where=str(path), remedy=remedy) from None
+    except OSError as error:
+        raise InputError(
+            f"the {what} cannot be read", where=str(path), got=error.strerror or str(error)
+        ) from None
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"the {what} cannot be read", where=str(path), got=str(error), expected="UTF-8"
+        ) from None
+    try:
+        return parse_toml(text)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+
+
+def parse_toml(text: str) -> dict[str, Any]:
+    """The tables of a TOML text.
+
+    Parameters
+    ----------
+    text
+        The text.
+
+    Raises
+    ------
+    InputError
+        If it is not TOML, nests too deeply, or has a whole number that TOML does not have.
+    """
+    _require_depth(text)
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError("this is not TOML", got=str(error)) from None
+    except ValueError:  # Python reads no more digits than these
+        raise _too_large("more than 4300 digits") from None
+    _require_numbers(tables)
+    return tables
+
+
+def _require_depth(text: str) -> None:
+    """Refuse deep nesting: the parser's time grows with the square of a dotted key's length."""
+    depth = dots = 0
+    for token in _TOKEN.finditer(text):
+        match text[token.start()]:
+            case "[" | "{":
+                depth += 1
+            case "]" | "}":
+                depth -= 1
+            case ".":
+                dots += 1
+            case "," | "=" | "\n":
+                dots = 0
+        if depth + dots > DEEPEST:
+            line = text.count("\n", 0, token.start()) + 1
+            raise InputError(
+                f"tables, lists or keys are nested too deeply, at line {line}",
+                expected=f"at most {DEEPEST} tables, lists or parts of a key within each other",
+            )
+
+
+def _require_numbers(value: Any, where: tuple[str, ...] = ()) -> None:
+    if isinstance(value, int) and not -WHOLE <= value < WHOLE:
+        raise _too_large(f"{value.bit_length()} bits").located(".".join(where)[:60])
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            _require_numbers(inner, (*where, key))
+    elif isinstance(value, list):
+        for inner in value:
+            _require_numbers(inner, where)
+
+
+def _too_large(got: str) -> InputError:
+    return InputError("a whole number is too large", got=got, expected="at most 64 bits")

@@ -1,0 +1,268 @@
+"""The design file: TOML checked against the contract."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import (
+    BaseModel,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.arguments import path_of
+from orishell.conventions.faults import Location
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.table import Number, Table
+from orishell.conventions.toml_file import read_toml
+from orishell.conventions.units import Unit
+from orishell.curves import Curve
+from orishell.design_file.faults import explain
+from orishell.design_file.limits import require_memory
+from orishell.design_file.target import Target, Targets
+from orishell.design_file.workshop import WorkshopTable
+from orishell.errors import InputError
+from orishell.families.pattern import Pattern, Tolerance
+from orishell.families.registry import FAMILIES, require_family
+from orishell.locking import CONTACT_TOLERANCE
+from orishell.workshop import Workshop
+
+Ground = Literal["z0", "as-drawn"]
+"""Where a shell that can stand is put: its feet on z = 0, or g in the plane z = 0."""
+
+ANY_SIZE = {"rows": 1, "columns": 2}
+"""Rows and columns of a pattern whose size is still to be chosen."""
+
+
+class _Shell(Table):
+    family: str
+    unit: Unit
+    ground: Ground = "z0"
+
+
+class _Motion(Table):
+    frames: Annotated[int, Field(ge=2, le=1000)] = 25
+    contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
+
+
+class _Tolerance(Table):
+    surface: Annotated[Number, Field(gt=0)]
+    panel_min: Annotated[Number, Field(ge=0)] = 0.0
+    panel_max: Annotated[float, Field(gt=0)] = math.inf
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if not self.panel_min < self.panel_max:
+            raise PydanticCustomError(
+                "panel_sizes",
+                "a value above panel_min ({low})",
+                {"low": self.panel_min, "key": "panel_max", "got": self.panel_max},
+            )
+        return self
+
+
+class _File(Table):
+    shell: _Shell
+    target: Annotated[Targets | None, Field(validate_default=True)] = None
+    pattern: dict[str, Any] = Field(default_factory=dict)
+    tolerance: _Tolerance | None = None
+    motion: _Motion = _Motion()
+    workshop: WorkshopTable = WorkshopTable()
+
+    @field_validator("target")
+    @classmethod
+    def _require_target(cls, target: Targets | None, info: ValidationInfo) -> Targets | None:
+        shell = info.data.get("shell")
+        family = FAMILIES.get(shell.family) if shell is not None else None
+        if target is None and (family is None or family.pattern.needs_target):
+            raise PydanticCustomError("missing", "Field required")
+        return target
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DesignFile:
+    """A checked design file.
+
+    Parameters
+    ----------
+    path
+        Where it was read from.
+    family
+        The family's name.
+    unit
+        Unit of length of the curves and of all files written.
+    target
+        The target curves f and g, or None.
+    pattern
+        The family's parameters; its rows and columns have no meaning if there is a tolerance.
+    tolerance
+        How near the shell is to be to its surface, if rows and columns are to be chosen.
+    frames
+        Number of states to write.
+    contact_tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
+    workshop
+        How the flat sheet is drawn and cut.
+    ground
+        Where a shell that can stand is put.
+    """
+
+    path: Path
+    family: str
+    unit: str
+    target: tuple[Curve, Curve] | None
+    pattern: Pattern
+    tolerance: Tolerance | None
+    frames: int
+    contact_tolerance: float
+    workshop: Workshop
+    ground: Ground = "z0"
+
+    __repr__ = in_one_line
+
+    @property
+    def f(self) -> Curve:
+        """The swept curve."""
+        return self.require_target()[0]
+
+    @property
+    def g(self) -> Curve:
+        """The curve that it is swept along."""
+        return self.require_target()[1]
+
+    def require_target(self) -> tuple[Curve, Curve]:
+        """Both target curves.
+
+        Raises
+        ------
+        InputError
+            If the file has none.
+        """
+        if self.target is None:
+            raise InputError(
+                "there is no target",
+                where=f"{self.path}: [target]",
+                remedy="add [target.f] and [target.g], or use orishell design, which needs none",
+            )
+        return self.target
+
+
+def read_design_file(path: str | Path) -> DesignFile:
+    """Read and check a design file.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Raises
+    ------
+    InputError
+        Naming the file, the key, what was found and what is expected.
+    """
+    path = path_of(path, "design file")
+    remedy = f"orishell new {next(iter(FAMILIES))} writes one to begin with"
+    return check_design(read_toml(path, "design file", remedy), path)
+
+
+def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> DesignFile:
+    """Check the tables of a design file.
+
+    Parameters
+    ----------
+    raw
+        The tables.
+    path
+        Where they were read from; files of curves are found beside it.
+    files
+        Whether curves may come from files.
+
+    Raises
+    ------
+    InputError
+        Naming the file, the key, what was found and what is expected.
+    """
+    try:
+        file = _File.model_validate(raw)
+    except ValidationError as error:
+        raise explain(path, raw, error, _keys(Pattern)) from None
+    family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
+    table = file.pattern
+    if file.tolerance is not None:
+        if file.target is None:
+            raise InputError(
+                "a tolerance needs a target to be measured from",
+                where=f"{path}: [tolerance]",
+                remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
+                "rows and columns",
+            )
+        table = {**_require_no_size(path, table), **ANY_SIZE}
+    try:
+        pattern = family.pattern.model_validate(table)
+    except ValidationError as error:
+        raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
+    require_memory(path, pattern, file.motion.frames)
+    directory = path.parent if files else None
+    try:
+        workshop = file.workshop.settings(directory)
+        target = None if file.target is None else file.target.curves(directory, file.shell.unit)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+    return DesignFile(
+        path,
+        file.shell.family,
+        file.shell.unit,
+        target,
+        pattern,
+        None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
+        file.motion.frames,
+        file.motion.contact_tolerance,
+        workshop,
+        file.shell.ground,
+    )
+
+
+def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
+    """Refuse rows or columns beside a tolerance, which is there to choose them."""
+    for key in ANY_SIZE:
+        if key in table:
+            raise InputError(
+                "rows and columns are chosen where there is a tolerance",
+                where=f"{path}: [pattern] {key}",
+                got=repr(table[key]),
+                remedy=f"remove {key}, or the table [tolerance]",
+            )
+    return table
+
+
+def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
+    """The keys that each table of the file may hold, given the family's pattern."""
+    tables: dict[str, type[BaseModel]] = {
+        "shell": _Shell,
+        "tolerance": _Tolerance,
+        "motion": _Motion,
+        "pattern": model,
+        "workshop": WorkshopTable,
+    }
+
+    def keys(location: Location) -> list[str]:
+        match location:
+            case (_,):
+                table: type[BaseModel] = _File
+            case ("target", _):
+                table = Targets
+            case ("target", *_):
+                table = Target
+            case _:
+                table = tables[str(location[0])]
+        return list(table.model_fields)
+
+    return keys

@@ -1,0 +1,212 @@
+"""The tables ``[target.f]`` and ``[target.g]``: where a curve comes from, and in which unit."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+from typing import Annotated, Final, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.table import Number, Table
+from orishell.conventions.units import Unit, conversion
+from orishell.curves import (
+    Curve,
+    Formula,
+    curve_from_formulas,
+    curve_from_points,
+    parse_formula,
+    read_dxf,
+    read_points,
+    read_svg,
+)
+from orishell.errors import InputError
+from orishell.numerics.arrays import Array
+
+FITTING: Final = {
+    "formula": {"range"},
+    "points": {"unit", "smooth", "part"},
+    "svg": {"unit", "smooth", "id", "part"},
+    "dxf": {"unit", "smooth", "layer", "handle", "part"},
+}
+"""The sources of a curve, and the keys that have a meaning for each."""
+ALWAYS: Final = {"scale", "reverse"}
+
+
+KEPT: Final = 8
+"""Number of curves that are kept for reuse: the studio sends the same tables again and again."""
+MOST_POINTS: Final = 20_000
+Point = Annotated[list[Number], Field(min_length=2, max_length=2)]
+Ends = Annotated[list[Number | str], Field(min_length=2, max_length=2)]
+"""Two parameters of a curve: numbers, or formulas of constants."""
+
+
+class Target(Table):
+    """A target curve: one source, and what is done with it."""
+
+    formula: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
+    range: Ends | None = None
+    points: str | Annotated[list[Point], Field(min_length=2, max_length=MOST_POINTS)] | None = None
+    svg: str | None = None
+    id: str | None = None
+    dxf: str | None = None
+    layer: str | None = None
+    handle: str | None = None
+    unit: Unit | None = None
+    smooth: bool | None = None
+    part: Ends | None = None
+    scale: Annotated[Number, Field(gt=0)] = 1.0
+    reverse: bool = False
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        given = [key for key in type(self).model_fields if key in self.model_fields_set]
+        sources = [key for key in given if key in FITTING]
+        if len(sources) != 1:
+            raise PydanticCustomError(
+                "source",
+                "a curve comes from either a formula, points, svg or dxf",
+                {"found": " and ".join(sources) or "none of them"},
+            )
+        source = sources[0]
+        for key in given:
+            if key not in {source, *FITTING[source], *ALWAYS}:
+                owners = [each for each, keys in FITTING.items() if key in keys]
+                raise PydanticCustomError(
+                    "source",
+                    "this key goes with {owners}, not with {source}",
+                    {"owners": " or ".join(owners), "source": source, "key": key},
+                )
+        if source == "formula" and self.range is None:
+            raise PydanticCustomError("source", "a formula needs its range, as in range = [0, 1]")
+        if self.layer is not None and self.handle is not None:
+            raise PydanticCustomError(
+                "source",
+                "a curve is chosen by its layer or its handle",
+                {"found": "both", "key": "handle"},
+            )
+        return self
+
+    def curve(self, directory: Path | None, unit: str) -> Curve:
+        """The curve that the table describes, in a unit of length.
+
+        Parameters
+        ----------
+        directory
+            What paths are relative to; None if no file may be read.
+        unit
+            Unit of the result: formulas are in it, files are converted.
+
+        Raises
+        ------
+        InputError
+            If its formula or its file gives no curve.
+        """
+        if self.svg is None and self.dxf is None and not isinstance(self.points, str):
+            return _curve_of(self.model_dump_json(exclude_unset=True), unit)
+        return self._curve(directory, unit)
+
+    def _curve(self, directory: Path | None, unit: str) -> Curve:
+        if self.points is not None:
+            points = self._points(directory, unit)
+            smooth = self.smooth is not False
+            curve = curve_from_points(points[::-1] if self.reverse else points, smooth=smooth)
+        elif self.svg is not None or self.dxf is not None:
+            curve = self._drawing(directory, unit)
+        else:
+            texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
+            *x, y = [_formula(text) for text in texts]
+            start, stop = _numbers("range", self.range or [])
+            curve = curve_from_formulas(x[0] if x else None, y, start, stop)
+            curve = curve.reversed() if self.reverse else curve
+        if self.part is not None:
+            curve = curve.part(*_numbers("part", self.part))
+        return curve.scaled(self.scale) if self.scale != 1.0 else curve
+
+    def _points(self, directory: Path | None, unit: str) -> Array:
+        if isinstance(self.points, str):
+            return read_points(_beside(directory, self.points), into=unit, unit=self.unit)
+        return np.array(self.points) * conversion(self.unit or unit, unit)
+
+    def _drawing(self, directory: Path | None, unit: str) -> Curve:
+        if self.svg is not None:
+            chain = read_svg(_beside(directory, self.svg), into=unit, id=self.id, unit=self.unit)
+        else:
+            chain = read_dxf(
+                _beside(directory, self.dxf or ""),
+                into=unit,
+                layer=self.layer,
+                handle=self.handle,
+                unit=self.unit,
+            )
+        chain = chain.reversed() if self.reverse else chain
+        return chain.spline() if self.smooth else chain.curve()
+
+
+class Targets(Table):
+    """Both target curves."""
+
+    f: Target
+    g: Target
+
+    def curves(self, directory: Path | None, unit: str) -> tuple[Curve, Curve]:
+        """The curves f and g, see :meth:`Target.curve`."""
+
+        def curve(name: str, target: Target) -> Curve:
+            try:
+                return target.curve(directory, unit)
+            except InputError as error:
+                raise error.located(f"[target.{name}]") from None
+
+        return curve("f", self.f), curve("g", self.g)
+
+
+@lru_cache(KEPT)
+def _curve_of(table: str, unit: str) -> Curve:
+    """The curve of a table without files: the same object each time, so that results are reused."""
+    return Target.model_validate_json(table)._curve(None, unit)
+
+
+def _beside(directory: Path | None, name: str) -> Path:
+    if directory is None:
+        raise InputError(
+            "files are not opened here",
+            got=repr(name),
+            remedy="drop the file onto the curve, or give its points as a list",
+        )
+    return directory / name
+
+
+def _numbers(key: str, ends: list[float | str]) -> tuple[float, float]:
+    """The two ends as numbers."""
+    first, last = (
+        _constant(end, f"{key}[{index}]") if isinstance(end, str) else end
+        for index, end in enumerate(ends)
+    )
+    return first, last
+
+
+def _constant(text: str, where: str) -> float:
+    """The value of a formula without a variable."""
+    try:
+        formula = parse_formula(text)
+    except InputError as error:
+        raise error.located(where) from None
+    value = float(formula.jet(np.zeros(()))[0])
+    if formula.variable is None and np.isfinite(value):
+        return value
+    raise InputError(
+        "this is no number" if formula.variable is None else "only constants are allowed here",
+        where=where,
+        got=repr(text[:60]),
+        expected='a number, or a formula of constants as in "pi/2"',
+    )
+
+
+def _formula(text: str) -> Formula:
+    try:
+        return parse_formula(text)
+    except InputError as error:
+        raise error.located("formula") from None

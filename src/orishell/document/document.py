@@ -1,0 +1,217 @@
+"""The document that files are written from: a sheet, its unit, its states and its curves.
+
+A designed shell and a FOLD file by another program become the same thing here, so that every
+format has one writer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.units import MILLIMETRES
+from orishell.curves import nearby_origin
+from orishell.errors import InputError
+from orishell.numerics.arrays import Array
+from orishell.sheet.mesh import QuadMesh
+from orishell.sheet.quads import area_vectors
+
+LARGEST = 1e36
+"""Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DocumentState:
+    """One folded state of the sheet.
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3) in the document's frame, z up, read-only.
+    fold_angles_deg
+        Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is
+        known of them. In degrees, as files have them: not a bit is lost.
+    drive_deg
+        Drive angle; None if the state has none.
+    """
+
+    positions: Array
+    fold_angles_deg: Array | None = None
+    drive_deg: float | None = None
+
+    __repr__ = in_one_line
+
+
+@dataclass(frozen=True, slots=True)
+class FirstContact:
+    """Two panels that touch.
+
+    Parameters
+    ----------
+    drive_deg
+        Drive angle at which they do.
+    panels
+        Their numbers.
+    """
+
+    drive_deg: float
+    panels: tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Document:
+    """A sheet to be written.
+
+    Coordinates of states, curves and surface are in the document's frame: :meth:`in_world` makes
+    world coordinates of them, when they are written.
+
+    Parameters
+    ----------
+    title
+        One line that says what it is.
+    unit
+        Unit of length of all coordinates: mm, cm, m, in, ft; or "unit" if none is known.
+    mesh
+        Panels and edges.
+    assignment
+        Letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut), J (joined).
+    flat
+        Vertices (V, 2) of the flat sheet, read-only; None where only folded states are known.
+    fold_angles_deg
+        Fold angles (E,) at the last state, valley positive, NaN where unknown.
+    states
+        Folded states from flat to locked; may be made one by one as they are asked for.
+    grid_shape
+        Rows and columns of vertices, if panels and vertices are numbered row by row.
+    curves
+        Polylines (k, 3) beside the last state: the curves that the shell follows, by name.
+    surface
+        Lattice (a, b, 3) of the surface that the last state follows, if it is known.
+    distances
+        Signed distances (V,) of the last state's vertices from it, NaN where they do not count.
+    origin
+        Where the document's frame stands in the world (3,).
+    report
+        What is known of the shell, as in ``report.json``; empty if nothing is.
+    contact
+        The panels that touch first on the way, if that is known.
+    """
+
+    title: str
+    unit: str
+    mesh: QuadMesh
+    assignment: tuple[str, ...]
+    flat: Array | None
+    fold_angles_deg: Array
+    states: Sequence[DocumentState]
+    grid_shape: tuple[int, int] | None
+    curves: Mapping[str, Array]
+    surface: Array | None = None
+    distances: Array | None = None
+    origin: Array = field(default_factory=lambda: np.zeros(3))
+    report: Mapping[str, object] = field(default_factory=dict, repr=False)
+    contact: FirstContact | None = field(default=None, repr=False)
+
+    __repr__ = in_one_line
+
+    def __post_init__(self) -> None:
+        flat = () if self.flat is None else (self.flat,)
+        largest = max(
+            (float(np.abs(each).max()) for each in (*flat, *self.curves.values())), default=0
+        )
+        if not largest <= LARGEST:
+            raise InputError(
+                "the sheet or its curves are too large for files",
+                got=f"coordinates up to {largest:.3g}",
+                expected=f"up to {LARGEST:g}",
+            )
+
+    @property
+    def last(self) -> DocumentState:
+        """The last state: the shell as it stands; the flat sheet if there is no other."""
+        return self.states[-1] if len(self.states) else self._flat_state()
+
+    def state(self, number: int) -> DocumentState:
+        """A state by its number, 0 the first, -1 the last.
+
+        Raises
+        ------
+        InputError
+            If there is no such state.
+        """
+        count = len(self.states)
+        if number in (0, -1) and not count:
+            return self._flat_state()
+        if not -count <= number < count:
+            raise InputError(
+                "there is no such state",
+                got=str(number),
+                expected=f"a number from 0 to {count - 1}",
+            )
+        return self.states[number]
+
+    def in_world(self, points: Array) -> Array:
+        """World coordinates (..., 3) of points (..., 3) of the document's frame."""
+        return points + self.origin if self.origin.any() else points
+
+    @property
+    def nearby(self) -> Array:
+        """An origin (3,) near the last state, for formats with coordinates in single precision.
+
+        In the world, and zero where the shell stands near the world's origin.
+        """
+        return nearby_origin(self.in_world(self.last.positions))
+
+    def require_flat(self) -> Array:
+        """The flat sheet (V, 2).
+
+        Raises
+        ------
+        InputError
+            If only folded states are known.
+        """
+        if self.flat is None:
+            raise InputError(
+                "there is no flat sheet to draw",
+                got="folded states only",
+                expected='a frame of class "creasePattern"',
+            )
+        return self.flat
+
+    def require_unit(self) -> str:
+        """The unit of length.
+
+        Raises
+        ------
+        InputError
+            If none is known.
+        """
+        if self.unit not in MILLIMETRES:
+            raise InputError(
+                "this needs a unit of length, and the sheet names none",
+                where="unit",
+                got=repr(self.unit),
+                expected=", ".join(MILLIMETRES),
+            )
+        return self.unit
+
+    def panel_name(self, panel: int) -> str:
+        """Row and column of a panel, as in "3,12"; its number where the panels form no grid."""
+        if self.grid_shape is None:
+            return str(panel)
+        row, column = divmod(panel, self.grid_shape[1] - 1)
+        return f"{row},{column}"
+
+    def areas(self) -> Array:
+        """Area (F,) of every panel."""
+        vertices = self._flat_state() if self.flat is not None else self.last
+        return np.asarray(
+            np.linalg.norm(area_vectors(vertices.positions[self.mesh.faces]), axis=-1)
+        )
+
+    def _flat_state(self) -> DocumentState:
+        flat = self.require_flat()
+        return DocumentState(np.column_stack([flat, np.zeros(len(flat))]), drive_deg=0.0)

@@ -1,0 +1,142 @@
+"""The document of a designed shell: what its files are written from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import overload
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.design import Design
+from orishell.document import Document, DocumentState
+from orishell.motion import FoldedState, FoldingMotion, find_assignment
+from orishell.numerics.arrays import Array, Booleans
+from orishell.sheet.grid import CreaseValues, edges_assignment
+from orishell.sheet.mesh import build_mesh
+
+
+def document_of_motion(
+    motion: FoldingMotion,
+    unit: str,
+    *,
+    title: str = "Origami shell",
+    curves: Mapping[str, Array] | None = None,
+    origin: Array | None = None,
+) -> Document:
+    """The document of a motion; its states are made when a format asks for them.
+
+    Parameters
+    ----------
+    unit
+        Unit of length of the coordinates.
+    title
+        One line that says what it is.
+    curves
+        Polylines (k, 3) that the locked shell follows, by name.
+    origin
+        Where the motion's frame stands in the world (3,); None for the world's origin.
+    """
+    grid = motion.mechanism.grid
+    states = states_of(motion)
+    return Document(
+        title=title,
+        unit=unit,
+        mesh=build_mesh(grid.faces_vertices(), grid.vertex_count, grid.edges_vertices()),
+        assignment=tuple(edges_assignment(find_assignment(motion.mechanism))),
+        flat=_clean(motion.flat.positions[..., :2].reshape(-1, 2)),
+        fold_angles_deg=_degrees(motion.locked.fold_angles, states.folds),
+        states=states,
+        grid_shape=(grid.rows, grid.columns),
+        curves=dict(curves or {}),
+        origin=np.zeros(3) if origin is None else origin,
+    )
+
+
+def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) -> Document:
+    """The document of a design as a family's design function returns it.
+
+    Parameters
+    ----------
+    unit
+        Unit of length of the coordinates; "unit" if none is known.
+    frames
+        Number of states from flat to locked.
+    """
+    motion = FoldingMotion(design.mechanism, frames)
+    return document_of_motion(motion, unit, curves=design.targets)
+
+
+def states_of(motion: FoldingMotion, progress: Progress = unwatched, what: str = "") -> States:
+    """The states of a motion, made as they are taken.
+
+    Parameters
+    ----------
+    what
+        What they are taken for.
+    """
+    return States(motion, find_assignment(motion.mechanism).on_edges() != 0, progress, what)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class States(Sequence[DocumentState]):
+    """The states of a motion, made one by one.
+
+    Parameters
+    ----------
+    motion
+        The motion.
+    folds
+        Which edges (E,) fold: the others have an angle of exactly 0.
+    progress, what
+        Is told the share that is done when all are taken, and what for.
+    """
+
+    motion: FoldingMotion
+    folds: Booleans
+    progress: Progress = unwatched
+    what: str = ""
+
+    __repr__ = in_one_line
+
+    def __len__(self) -> int:
+        return len(self.motion)
+
+    def __iter__(self) -> Iterator[DocumentState]:
+        states = followed(self.motion, len(self.motion), self.progress, self.what)
+        return (self._written(state) for state in states)
+
+    @overload
+    def __getitem__(self, number: int) -> DocumentState: ...
+
+    @overload
+    def __getitem__(self, number: slice) -> Sequence[DocumentState]: ...
+
+    def __getitem__(self, number: int | slice) -> DocumentState | Sequence[DocumentState]:
+        drives = self.motion.drives[number]
+        if isinstance(number, slice):
+            return [self._at(float(drive)) for drive in drives]
+        return self._at(float(drives))
+
+    def _at(self, drive: float) -> DocumentState:
+        return self._written(FoldedState.of(self.motion.mechanism, drive))
+
+    def _written(self, state: FoldedState) -> DocumentState:
+        return DocumentState(
+            positions=_clean(state.positions.reshape(-1, 3)),
+            fold_angles_deg=_degrees(state.fold_angles, self.folds),
+            drive_deg=tidy_degrees(state.drive),
+        )
+
+
+def _degrees(angles: CreaseValues, folds: Booleans) -> Array:
+    return _clean(np.where(folds, np.rad2deg(angles.on_edges()), 0.0))
+
+
+def _clean(array: Array) -> Array:
+    """Contiguous, read-only, and without negative zeros."""
+    result = np.ascontiguousarray(array + 0.0)
+    result.flags.writeable = False
+    return result

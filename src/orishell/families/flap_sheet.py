@@ -1,0 +1,56 @@
+"""What the sheets of the paper's sections 2 and 3 share: flaps, whose clash ends the motion."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.numerics.arrays import Array, Complex
+from orishell.sheet.grid import Grid
+
+
+class FlapSheet:
+    """A grid whose first and last column of panels are flaps, or which has none there.
+
+    Parameters
+    ----------
+    lengths
+        Edge lengths of the first column (m+1,), m odd, in the unit of the curves.
+    points
+        The middle row at lock (n,), n at least 2: vertices of g's polyline.
+    flaps
+        Size of the left and the right flap (length); 0 where there is none.
+    """
+
+    __slots__ = ()
+
+    lengths: Array
+    points: Complex
+    flaps: tuple[float, float]
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of vertices, flap columns included."""
+        return Grid(len(self.lengths) + 1, len(self.points) + sum(map(bool, self.flaps)))
+
+    @property
+    def inner_columns(self) -> slice:
+        """Columns 1 ... n among the columns of the grid."""
+        start = int(self.flaps[0] != 0)
+        return slice(start, start + len(self.points))
+
+    @property
+    def lock_drive(self) -> float:
+        """The drive pi, at which the flaps clash; without flaps the target is met there."""
+        return float(np.pi)
+
+    @property
+    def _existing(self) -> slice:
+        """The n+2 columns (or n+1 panel columns, or n creases) less those of missing flaps."""
+        return slice(int(self.flaps[0] == 0), None if self.flaps[1] else -1)
+
+    def _freeze(self, *names: str) -> None:
+        """Replace arrays with read-only copies of them."""
+        for name in names:
+            array = np.array(getattr(self, name))
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)

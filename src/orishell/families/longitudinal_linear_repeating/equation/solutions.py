@@ -1,0 +1,115 @@
+"""The solutions of the paper's equation (4) for four given sector angles, in closed form.
+
+In deviations from pi/2 (see ``sectors``), with s = (alpha_1 + beta_1)/2 and delta_2 = x - gamma_1,
+the degenerate solution, a strip of parallel columns, is x = 0. Divided out of (4) it leaves one
+equation linear in tan x: one further solution in either version, or none. With P = sin A sin B and
+C = sin(A + B),
+
+    A = delta_1 - s, B = gamma_1 - s in the cosine version, both less pi/2 in the sine version,
+
+    tan delta_2 = (tan gamma_1 sin(delta_1 - gamma_1) - 2 P) / C,
+    tan gamma_2 = (tan delta_1 sin(delta_1 - gamma_1) + 2 P) / C,
+    c           = sin(delta_1 - gamma_1) cos delta_2 / (C cos gamma_1),
+
+and alpha_2 = x - beta_1, beta_2 = x - alpha_1. It merges with the degenerate solution where
+sin A = 0, and only there; c = 0 where gamma_1 = delta_1. Derived in
+docs/theory/longitudinal-linear-repeating.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, pi, sin
+from typing import Literal
+
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+
+Version = Literal["cosine", "sine"]
+VERSIONS: tuple[Version, Version] = ("cosine", "sine")
+
+ROUNDING = 1e-15
+"""Sums of four angles that were given in degrees are known to this (radians)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A solution of equation (4).
+
+    Parameters
+    ----------
+    version
+        Which version of the last line of (4) it solves.
+    first, second
+        Sectors of columns 1 and 2.
+    c
+        tan(v_2/2) / tan(v_1/2), the columns' fold angles, throughout the motion.
+    """
+
+    version: Version
+    first: Sectors
+    second: Sectors
+    c: float
+
+
+def find_solutions(first: Sectors, *, inside: bool = True) -> tuple[Solution, ...]:
+    """All solutions of (4) but the degenerate one: that of the cosine version, that of the sine.
+
+    Left out are vertices with two straight lines crossing, which fold along one of them alone, and
+    angles for which every delta_2 solves (4), see ``is_free``.
+
+    Parameters
+    ----------
+    inside
+        False gives the solutions whose sector angles are not inside (0, pi) instead: sums that
+        close no panel.
+
+    Examples
+    --------
+    >>> found = find_solutions(Sectors.from_degrees([85, 80, 95, 100]))
+    >>> [solution.version for solution in found]
+    ['cosine', 'sine']
+    >>> [round(angle, 2) for angle in found[0].second.degrees]
+    [91.23, 86.23, 106.23, 76.23]
+    """
+    found = (_solve(first, version) for version in VERSIONS)
+    return tuple(each for each in found if each is not None and _is_inside(each) == inside)
+
+
+def is_free(first: Sectors) -> bool:
+    """Whether every delta_2 solves (4): gamma_1 = delta_1, and column 2 may be any."""
+    merged = min(abs(_products(first, version)[0]) for version in VERSIONS)
+    return max(merged, abs(first.gamma - first.delta)) <= ROUNDING
+
+
+def _products(first: Sectors, version: Version) -> tuple[float, float]:
+    """Sin A, and P = sin A sin B."""
+    mean = (first.alpha + first.beta) / 2
+    if version == "cosine":
+        merged, other = sin(first.delta - mean), sin(first.gamma - mean)
+    else:
+        merged, other = -cos(first.delta - mean), -cos(first.gamma - mean)
+    return merged, merged * other
+
+
+def _solve(first: Sectors, version: Version) -> Solution | None:
+    alpha, beta, gamma, delta = first.alpha, first.beta, first.gamma, first.delta
+    merged, product = _products(first, version)
+    closing = sin(gamma + delta - alpha - beta) * (1 if version == "cosine" else -1)
+    still = sin(delta - gamma)
+    crossing = gamma + delta, alpha + beta if version == "cosine" else alpha - beta
+    if min(abs(each) for each in (merged, closing, still, *crossing)) <= ROUNDING:
+        return None
+    sign = 1 if closing > 0 else -1
+    up = sign * (sin(gamma) * still - 2 * cos(gamma) * product)
+    right = cos(gamma) * abs(closing)
+    delta_2 = atan2(up, right)
+    gamma_2 = atan2(
+        sign * (sin(delta) * still + 2 * cos(delta) * product), cos(delta) * abs(closing)
+    )
+    total = gamma + delta_2
+    second = Sectors(total - beta, total - alpha, gamma_2, delta_2)
+    return Solution(version, first, second, sign * still / hypot(up, right))
+
+
+def _is_inside(solution: Solution) -> bool:
+    return bool(abs(solution.second.deviations).max() < pi / 2 - ROUNDING)

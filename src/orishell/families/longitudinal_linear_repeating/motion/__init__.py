@@ -1,0 +1,1 @@
+"""The motion in closed form: rotations of panels, fold rates, accelerations, shapes."""

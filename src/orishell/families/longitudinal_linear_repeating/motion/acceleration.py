@@ -1,0 +1,179 @@
+"""Bounds of the accelerations of edges, which prove that nothing touches between states.
+
+An edge e of a panel with angular velocity w (a vector, by the drive) has
+
+    e'' = w' x e + w x (w x e),
+
+and behind a crease that folds at the rate theta' about the unit vector a
+
+    w -> w + theta' a,      w' -> w' + theta'' a + theta' w x a.
+
+Sizes bound what this can be anywhere in a range: sums of ``|theta'|`` from the panel whose turn is
+given by the pose to all others, and so on. By themselves they are generous, since axes are added
+up as if they were parallel and edges as if they were square to them. So e'' is taken exactly in
+the middle of the range, and the sizes bound how far it departs from there: by the change of w',
+for which no third derivative is needed, and by half the range times ``3 |w'| |w| + |w|^3``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.families.longitudinal_linear_repeating.motion.fold_rates import fold_rates
+from orishell.families.longitudinal_linear_repeating.motion.rotations import Rotations
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, Directions
+from orishell.numerics.arrays import Array, Booleans, Complex, Integers
+
+AT_ONCE = 200_000
+"""Panels of all states that are worked on at once."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sheet:
+    """The parts of a mechanism from which the bounds are found.
+
+    Parameters
+    ----------
+    columns
+        Sectors and multipliers.
+    directions
+        Directions of the creases in the flat sheet.
+    flat_foldable
+        Which rows are F rows (m,).
+    signs
+        Signs of the column creases (m+1,).
+    flat
+        Vertices x + iy of the flat sheet (m+2, n+2).
+    turn
+        Angular velocity (3,) of the middle panel, the same in all states.
+    panels
+        Rotations (S, m+1, n+1) of all panels at drives (S,).
+    """
+
+    columns: Columns
+    directions: Directions
+    flat_foldable: Booleans
+    signs: Array
+    flat: Complex
+    turn: Array
+    panels: Callable[[Array], Rotations]
+
+    @property
+    def anchor(self) -> tuple[int, int]:
+        """Row and column of the middle panel, whose rotation is given."""
+        rows, columns = (count - 1 for count in self.flat.shape)
+        return (rows - 1) // 2 + 1, columns // 2
+
+
+def bound_edges(sheet: Sheet, start: Array, stop: Array) -> tuple[Array, Array]:
+    """Bounds of the second derivative of edge vectors by the drive.
+
+    Parameters
+    ----------
+    sheet
+        The sheet.
+    start, stop
+        Ends (S,) of ranges of the drive (radians).
+
+    Returns
+    -------
+    tuple
+        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    """
+    rows, columns = (count - 1 for count in sheet.flat.shape)
+    along, down = np.empty((len(start), columns)), np.empty((len(start), rows))
+    count = max(AT_ONCE // (rows * columns), 1)
+    for first in range(0, len(start), count):
+        part = slice(first, first + count)
+        along[part], down[part] = _bound(sheet, start[part], stop[part])
+    return along, down
+
+
+def _bound(sheet: Sheet, start: Array, stop: Array) -> tuple[Array, Array]:
+    middle = 0.5 * (start + stop)
+    sizes = _Sizes.of(sheet, start, stop)
+    panels = sheet.panels(middle)
+    speed, acceleration = _middle(sheet, middle, panels)
+
+    def bound(edges: Complex, rows: Integers, columns: Integers) -> Array:
+        """Bounds for edges (a, b) of the flat sheet, in panels of rows (a,) and columns (b,)."""
+        index = (slice(None), rows[:, None], columns)
+        edge = Rotations(panels.a[index], panels.b[index]).turned(edges)
+        w, length = speed[index], np.abs(edges)
+        exact = np.cross(acceleration[index], edge) + np.cross(w, np.cross(w, edge))
+        near = np.linalg.norm(exact, axis=-1) + length * sizes.departure[index]
+        return np.asarray(np.minimum(near, length * sizes.largest[index]))
+
+    # Of the two panels beside an edge, that nearer to the anchor.
+    row, column = sheet.anchor
+    i, j = (np.arange(count) for count in sheet.flat.shape)
+    along = bound(np.diff(sheet.flat, axis=1), i - (i > row), j[:-1])
+    down = bound(np.diff(sheet.flat, axis=0), i[:-1], j - (j > column))
+    return along.max(axis=1), down.max(axis=2)
+
+
+def _middle(sheet: Sheet, drive: Array, panels: Rotations) -> tuple[Array, Array]:
+    """Angular velocity and its derivative (S, m+1, n+1, 3) of all panels at drives (S,)."""
+    row, column = sheet.anchor
+    rates = fold_rates(sheet.columns, sheet.flat_foldable, drive, drive)
+    across_column = -1j * np.exp(1j * sheet.directions.column[row])
+    across_row = -np.exp(1j * sheet.directions.row)
+    axes = (panels[:, row : row + 1, 1:].turned(across_column), panels[:, 1:].turned(across_row))
+    signs = sheet.signs[row : row + 1], sheet.signs[1:]
+
+    speed, acceleration = sheet.turn[None, None, None], np.zeros((1, 1, 1, 3))
+    for each, axis, sign, at, along in zip(rates, axes, signs, (column, row), (2, 1), strict=True):
+        first, second = (sign[:, None, None] * x.low[..., None] for x in (each.first, each.second))
+        speed = speed + _from(first * axis, at, along)
+        bend = second * axis + first * np.cross(_sides(speed, along)[0], axis)
+        acceleration = acceleration + _from(bend, at, along)
+    return speed, acceleration
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Sizes:
+    """Bounds for all panels (S, m+1, n+1) while the drive is in ranges (S,)."""
+
+    largest: Array  # |e''| by the edge's length
+    departure: Array  # |e'' - its value in the middle| by the edge's length
+
+    @classmethod
+    def of(cls, sheet: Sheet, start: Array, stop: Array) -> _Sizes:
+        half = (0.5 * (stop - start))[:, None, None]
+        speed = np.full((1, 1, 1), np.linalg.norm(sheet.turn))
+        acceleration, change = np.zeros((2, 1, 1, 1))
+        row, column = sheet.anchor
+        rates = fold_rates(sheet.columns, sheet.flat_foldable, start, stop)
+        for each, at, along in zip(rates, (column, row), (2, 1), strict=True):
+            first, second = each.first.magnitude(), each.second.magnitude()
+            speed = speed + np.abs(_from(first, at, along))
+            w = np.minimum(*_sides(speed, along))  # on the anchor's side
+            acceleration = acceleration + np.abs(_from(second + first * w, at, along))
+            step = (each.second.high - each.second.low) + half * (
+                2 * second * w + first * (np.minimum(*_sides(acceleration, along)) + w**2)
+            )
+            change = change + np.abs(_from(step, at, along))
+        return cls(
+            largest=acceleration + speed**2,
+            departure=change + half * (3 * speed * acceleration + speed**3),
+        )
+
+
+def _from(steps: Array, anchor: int, axis: int) -> Array:
+    """Sums of ``steps`` over the creases from the anchor to every panel, negative before it."""
+    shape = list(steps.shape)
+    shape[axis] += 1
+    sums = np.zeros(shape)
+    np.cumsum(steps, axis=axis, out=_sides(sums, axis)[1])
+    sums -= np.take(sums, [anchor], axis)
+    return sums
+
+
+def _sides(panels: Array, axis: int) -> tuple[Array, Array]:
+    """The values of the panels before every crease, and of those after it."""
+    before, after = [slice(None)] * panels.ndim, [slice(None)] * panels.ndim
+    before[axis], after[axis] = slice(-1), slice(1, None)
+    return panels[tuple(before)], panels[tuple(after)]

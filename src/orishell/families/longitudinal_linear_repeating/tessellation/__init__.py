@@ -1,0 +1,1 @@
+"""The flat tessellation: its columns and directions, and lengths that close all panels."""

@@ -1,0 +1,163 @@
+"""The linear program over all crease lengths of a sheet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import Directions
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import (
+    END_SHARE,
+    PanelFactors,
+    end_limits,
+)
+from orishell.numerics.arrays import Array, Integers
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Wanted:
+    """What the lengths must satisfy, up to a common scale.
+
+    Parameters
+    ----------
+    row
+        Ratios of the middle row's lengths (n-1,), or None.
+    column
+        Ratios of column 1's inner lengths (m-1,), or None.
+    ends
+        Column 1's first and last length in the unit of ``column``, which must be given; or None.
+        The sheet must have room for them: their panels must be convex.
+    advance
+        Weights (n-1,) of the middle row's lengths, and their weighted sum in the unit of
+        ``column``, which must be given; or None.
+    """
+
+    row: Array | None = None
+    column: Array | None = None
+    ends: tuple[float, float] | None = None
+    advance: tuple[Array, float] | None = None
+
+
+class LengthsProgram:
+    """The linear program; its variables are all lengths, two scales and the longest length.
+
+    The scales are those of the wanted row and column.
+
+    Parameters
+    ----------
+    directions
+        Directions of the creases.
+    wanted
+        What the lengths must satisfy.
+    """
+
+    def __init__(self, directions: Directions, wanted: Wanted) -> None:
+        m, n = directions.row.shape[0], directions.column.shape[1]
+        rows = np.arange(m * (n - 1)).reshape(m, n - 1)
+        columns = rows.size + np.arange((m - 1) * n).reshape(m - 1, n)
+        self.lengths = rows.size + columns.size
+        self.middle, self.first_column = rows[m // 2], columns[:, 0]
+        self.row_scale, self.column_scale, self.longest = self.lengths + np.arange(3)
+        self._entries: list[tuple[Integers, Integers, Array]] = []
+        self._count = 0
+
+        factors = PanelFactors.of(directions)
+        top, left = rows[:-1], columns[:, :-1]
+        self._equal((rows[1:], 1.0), (top, -factors.bottom_top), (left, -factors.bottom_left))
+        self._equal((columns[:, 1:], 1.0), (top, -factors.right_top), (left, -factors.right_left))
+        if wanted.row is not None:
+            self._equal((self.middle, 1.0), (np.full(n - 1, self.row_scale), -wanted.row))
+        if wanted.column is not None:
+            scale = np.full(m - 1, self.column_scale)
+            self._equal((self.first_column, 1.0), (scale, -wanted.column))
+        if wanted.advance is not None:
+            weights, total = wanted.advance
+            self._add(
+                np.zeros(n, np.intp),
+                np.append(self.middle, self.column_scale),
+                np.append(weights, -total),
+            )
+            self._count += 1
+        self._room: list[tuple[int, float, float]] = []
+        if wanted.ends is not None:
+            ends = zip((False, True), wanted.ends, (rows[0, 0], rows[-1, 0]), strict=True)
+            for bottom, end, crease in ends:
+                limit = END_SHARE * end_limits(directions, np.ones((m, n - 1)), bottom)[0]
+                if np.isfinite(limit):
+                    self._room.append((int(crease), float(limit), end))
+
+    def _equal(self, *terms: tuple[Integers, Array | float]) -> None:
+        """Add one equation per element: coefficients times variables sum to 0."""
+        size = terms[0][0].size
+        for variables, coefficients in terms:
+            values = np.broadcast_to(coefficients, variables.shape).ravel()
+            self._add(np.arange(size), variables.ravel(), values)
+        self._count += size
+
+    def _add(self, equations: Integers, variables: Integers, values: Array) -> None:
+        self._entries.append((self._count + equations, variables, values))
+
+    def most_even(self) -> tuple[Array, Array] | None:
+        """Lengths (n-1,) of the middle row and (m-1,) of column 1, the shortest of all being 1."""
+        from scipy import sparse
+
+        longest = sparse.csc_array(
+            (-np.ones(self.lengths), (np.arange(self.lengths), np.full(self.lengths, 2))),
+            shape=(self.lengths, 3),
+        )
+        at_most = sparse.hstack([sparse.eye_array(self.lengths), longest])
+        bounds = [(1.0, None)] * self.lengths + [(0.0, None)] * 3
+        cost = np.zeros(self.lengths + 3)
+        cost[self.longest] = 1.0
+        x = self._solve(cost, bounds, at_most)
+        return None if x is None else (x[self.middle], x[self.first_column])
+
+    def advance_limits(self, weights: Array, low: float, high: float) -> tuple[float, float] | None:
+        """Least and greatest weighted sum of the middle row, with column 1 as long as wanted.
+
+        Parameters
+        ----------
+        weights
+            Weights (n-1,).
+        low, high
+            Bounds of all lengths.
+        """
+        from scipy import sparse
+
+        bounds = [(low, high)] * self.lengths + [(0.0, None), (1.0, 1.0), (0.0, None)]
+        limits = []
+        for sign in (1.0, -1.0):
+            cost = np.zeros(self.lengths + 3)
+            cost[self.middle] = sign * weights
+            x = self._solve(cost, bounds, sparse.csc_array((0, self.lengths + 3)))
+            if x is None:
+                return None
+            limits.append(float(x[self.middle] @ weights))
+        return limits[0], limits[1]
+
+    def _solve(self, cost: Array, bounds: list[Any], at_most: Any) -> Array | None:
+        from scipy import sparse
+        from scipy.optimize import linprog
+
+        equations, variables, values = (
+            np.concatenate(part) for part in zip(*self._entries, strict=True)
+        )
+        equal = sparse.csc_array(
+            (values, (equations, variables)), shape=(self._count, self.lengths + 3)
+        )
+        room = sparse.lil_array((len(self._room), self.lengths + 3))
+        for number, (crease, limit, end) in enumerate(self._room):
+            room[number, self.column_scale], room[number, crease] = end, -limit
+        at_most = sparse.vstack([at_most, room], format="csc")
+        # The stubs of scipy know no sparse constraints.
+        result = linprog(  # type: ignore[call-overload]
+            cost,
+            A_ub=at_most,
+            b_ub=np.zeros(at_most.shape[0]),
+            A_eq=equal,
+            b_eq=np.zeros(self._count),
+            bounds=bounds,
+        )
+        return np.asarray(result.x) if result.success else None

@@ -1,0 +1,126 @@
+"""Which values the parameters of a family may take, and how the studio shows them.
+
+The types stand both in the tables [pattern] and in the signatures of the functions that design, so
+that both refuse the same values. Angles are in degrees in the tables, in radians in the functions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, Final, Literal, TypedDict, cast
+
+import numpy as np
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.table import Number
+from orishell.design import FlapSide
+
+Auto = Literal["auto"]
+Kind = Literal["integer", "number", "choice", "angles4"]
+
+
+@dataclass(frozen=True, slots=True)
+class Knob:
+    """One parameter, as a control of the studio shows it: metadata of its key in a pattern.
+
+    Parameters
+    ----------
+    label, help
+        Its name, and one line that says what it does.
+    kind
+        What its value is.
+    auto
+        Whether it may be "auto".
+    unit
+        "length" (in the design's unit), "deg" or none.
+    slider, step
+        How far the slider reaches; None where that depends on the curves.
+    choices
+        Its values, if they are few.
+    """
+
+    label: str
+    help: str
+    kind: Kind
+    auto: bool = False
+    unit: Literal["length", "deg", ""] = ""
+    slider: tuple[float, float] | None = None
+    step: float | None = None
+    choices: tuple[str, ...] = ()
+
+    @classmethod
+    def angle(
+        cls,
+        label: str,
+        help: str,  # noqa: A002 # the field's name
+        slider: tuple[float, float],
+        *,
+        step: float = 0.5,
+        auto: bool = True,
+    ) -> Knob:
+        """A knob for an angle in degrees.
+
+        Parameters
+        ----------
+        label, help, auto
+            As of the class.
+        slider, step
+            How far the slider reaches (degrees).
+        """
+        return cls(label, help, "number", auto, "deg", slider, step)
+
+
+class Limits(TypedDict, total=False):
+    """Limits of an angle, as pydantic's ``Field`` takes them."""
+
+    ge: float
+    gt: float
+    le: float
+    lt: float
+
+
+def radians(limits: Limits) -> Limits:
+    """Limits in radians: what is within those in degrees is within these, to the last bit."""
+    degrees = cast("dict[str, float]", limits)
+    return cast("Limits", {key: float(np.deg2rad(angle)) for key, angle in degrees.items()})
+
+
+def _require_odd(rows: int) -> int:
+    if rows % 2 == 0:
+        raise PydanticCustomError(
+            "even_rows",
+            "an odd number, so that there is a middle row ({below} or {above})",
+            {"below": rows - 1, "above": rows + 1},
+        )
+    return rows
+
+
+RowCount = Annotated[int, Field(ge=1, le=10**15)]
+OddRowCount = Annotated[RowCount, AfterValidator(_require_odd)]
+ColumnCount = Annotated[int, Field(ge=2, le=10**15)]
+Length = Annotated[Number, Field(gt=0)]
+Width = Annotated[Number, Field(ge=0)]
+"""A width that may be 0: then there are no flaps."""
+FlapSides = Annotated[Sequence[FlapSide], Field(min_length=2, max_length=2)]
+"""Where the left and the right flap fold to."""
+
+ROWS: Final = Knob("Rows", "Rows of inner vertices, odd", "integer", slider=(1, 61), step=2)
+COLUMNS: Final = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
+FLAP: Final = Knob("Flap", "Width of the locking flaps; 0 for none", "number", True, "length")
+FLAP_SIDE: Final = Knob(
+    "Flaps fold to", "End of f to which both flaps fold", "choice", choices=("start", "end")
+)
+SPACING: Final = Knob(
+    "Spacing",
+    "Columns closer together where g bends, or equally far apart",
+    "choice",
+    choices=("curvature", "equal"),
+)
+PLACEMENT: Final = Knob(
+    "Placement",
+    "Columns on g, or moved off it to be equally wrong on both sides",
+    "choice",
+    choices=("inscribed", "balanced"),
+)

@@ -1,0 +1,54 @@
+"""The families by name.
+
+A further family is a folder here, with a ``pattern`` whose ``design`` returns a
+:class:`~orishell.design.Design` and its :class:`~orishell.motion.Mechanism`, and a line in FOLDERS.
+``tests/families/test_toy_family.py`` is the smallest one.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from orishell.errors import InputError
+from orishell.families.pattern import Family
+
+FOLDERS = (
+    "parallel_repeating",
+    "orthodiagonal",
+    "longitudinal_linear_repeating",
+)
+"""Each has a module ``pattern`` with its FAMILY."""
+
+
+def _family(folder: str) -> Family:
+    family = import_module(f"{__package__}.{folder}.pattern").FAMILY
+    assert isinstance(family, Family)
+    return family
+
+
+FAMILIES: dict[str, Family] = {each.name: each for each in map(_family, FOLDERS)}
+
+
+def require_family(name: str, where: str) -> str:
+    """Return the name of a family, and refuse one that is unknown.
+
+    Parameters
+    ----------
+    name
+        The name.
+    where
+        Where it stands, for the message.
+
+    Raises
+    ------
+    InputError
+        If there is none: with the names of all.
+    """
+    if name not in FAMILIES:
+        raise InputError(
+            "unknown family",
+            where=where,
+            got=repr(name[:60]),
+            expected="one of " + ", ".join(FAMILIES),
+        )
+    return name

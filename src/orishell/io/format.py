@@ -1,0 +1,41 @@
+"""The entry of a file format: its name, its endings and the function that writes it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from orishell.document import Document
+from orishell.io.settings import Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """A format in which a document can be written.
+
+    Parameters
+    ----------
+    name
+        What the command line calls it.
+    file
+        The file that is written for a designed shell; others may be written beside it.
+    endings
+        Endings of file names that mean this format.
+    what
+        What is in it, in a few words.
+    write
+        Writes a document to a path, and whatever belongs to it beside the path.
+    lays_surface
+        Whether it shows the surface that the shell follows, if the document has it.
+    ready
+        Whether what it needs is there.
+    """
+
+    name: str
+    file: str
+    endings: tuple[str, ...]
+    what: str
+    write: Callable[[Path, Document, Settings], None]
+    lays_surface: bool = False
+    ready: Callable[[], bool] = lambda: True

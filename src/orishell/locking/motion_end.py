@@ -1,0 +1,89 @@
+"""How a design is ended: refused, stopped, or with narrower flaps, where panels meet too early."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees, inside, rounded
+from orishell.conventions.progress import Progress, unwatched
+from orishell.design import Design
+from orishell.errors import ClashError, Remedy
+from orishell.locking.flap_widths import flap_width, widest_flap
+from orishell.locking.lock import CONTACT_TOLERANCE, Lock, find_lock
+from orishell.locking.request import Request
+from orishell.motion import corrugation_depth
+
+DIGITS = 6
+"""Digits of a drive that may be offered for the target state."""
+
+
+def end_motion(
+    design: Design,
+    request: Request | None = None,
+    *,
+    allow_clash: bool = False,
+    progress: Progress = unwatched,
+) -> tuple[Design, Lock]:
+    """Return the design, its flaps narrowed or its motion cut short if need be, and how it ends.
+
+    If panels meet before the target state, a design whose motion nothing else ends is stopped
+    there: where it is proved to be free of contact, up to 2^-36 of the path before panels first
+    touch. Flaps of no given width are made narrower.
+
+    Parameters
+    ----------
+    request
+        What the design was made from: says when panels touch, and whether flaps may be narrowed.
+    allow_clash
+        Return the design even if panels meet before its target state.
+
+    Raises
+    ------
+    ClashError
+        If panels of the flat sheet touch, or panels meet before the target state.
+    """
+    tolerance = CONTACT_TOLERANCE if request is None else request.tolerance
+    lock = find_lock(design, tolerance=tolerance, progress=progress)
+    contact = lock.first_contact
+    if not lock.early or contact is None:
+        return design, lock
+    if design.ending_at is not None and contact.clear_until > 0:
+        design = design.ending_at(contact.clear_until)
+        end = design.mechanism.lock_drive
+        depth = corrugation_depth(design.mechanism.positions(end))
+        return design, replace(lock, target=end, depth=depth)
+    if request is not None and request.target is not None and request.pattern.flap == "auto":
+        width = widest_flap(request, design)
+        if width is not None:
+            design = request.changed(Remedy({"pattern.flap": width})).designed()
+            lock = find_lock(design, tolerance=tolerance, progress=progress)
+    if lock.early and not allow_clash:
+        raise _clash(design, lock)
+    return design, lock
+
+
+def _clash(design: Design, lock: Lock) -> ClashError:
+    """The error for panels that meet before the target state."""
+    contact = lock.first_contact
+    assert contact is not None
+    first, second = (list(panel) for panel in contact.panels)
+    if contact.drive == 0:
+        return ClashError(
+            "panels of the flat sheet touch",
+            place=f"panels {first} and {second}",
+        )
+    aim = "stage" if design.swept is None else "target"
+    at, target = in_degrees(contact.drive), in_degrees(lock.target)
+    error = ClashError(
+        f"panels {first} and {second} meet before the shell reaches its {aim} ({contact.kind})",
+        place=f"at drive {at} of {target} degrees",
+        size=f"the corrugation is {contact.depth:.4g} deep there, {lock.depth:.4g} at the {aim}",
+        flap=flap_width(design) if "flap" in contact.kind else 0.0,
+    )
+    if design.swept is None and contact.clear_until > 0:
+        near = inside(float(np.rad2deg(contact.clear_until)), 0.0)
+        stages = (rounded(near, DIGITS), "auto")
+        error.candidates = [Remedy({"pattern.stage_deg": stage}) for stage in stages]
+    return error

@@ -1,0 +1,30 @@
+"""The folding sheet as a mechanism: its states from flat to locked, and their sizes."""
+
+from orishell.motion.mechanism import (
+    RESOLUTION,
+    FoldedState,
+    FoldingMotion,
+    Mechanism,
+    find_assignment,
+    measure_fold_angles,
+    mechanism_in_one_line,
+    panel_normals,
+    require_resolution,
+)
+from orishell.motion.sizes import corrugation_depth, diagonal, extents, sheet_area
+
+__all__ = [
+    "RESOLUTION",
+    "FoldedState",
+    "FoldingMotion",
+    "Mechanism",
+    "corrugation_depth",
+    "diagonal",
+    "extents",
+    "find_assignment",
+    "measure_fold_angles",
+    "mechanism_in_one_line",
+    "panel_normals",
+    "require_resolution",
+    "sheet_area",
+]

@@ -1,0 +1,249 @@
+"""The folding sheet as a mechanism: what families give and all that follows works on.
+
+A family implements :class:`Mechanism`: positions and fold angles in closed form at any drive
+angle. The flat sheet is the mechanism at drive 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from orishell.conventions.formatting import in_degrees, in_one_line
+from orishell.errors import DesignError, InputError, Remedy
+from orishell.numerics.arrays import Array
+from orishell.sheet.grid import CreaseValues, Grid, crease_signs
+from orishell.sheet.quads import lengths
+
+RESOLUTION = 1e-8
+"""An edge must be at least this long relative to the diagonal of the flat sheet."""
+
+
+class Mechanism(Protocol):
+    """A folding sheet with one degree of freedom, the drive angle (radians)."""
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of vertices."""
+        ...
+
+    @property
+    def inner_columns(self) -> slice:
+        """Columns 1 ... n: those that are to meet the target, without flaps or border strips."""
+        ...
+
+    @property
+    def lock_drive(self) -> float:
+        """The drive angle at which the motion ends by design; the flat sheet is drive 0."""
+        ...
+
+    def positions(self, drive: ArrayLike) -> Array:
+        """Positions (..., rows, columns, 3) of all vertices at drive angles (...) (radians)."""
+        ...
+
+    def fold_angles(self, drive: ArrayLike) -> CreaseValues:
+        """Fold angles of all creases at drive angles (...), in closed form (radians).
+
+        Before ``lock_drive`` all of them are below pi in size: the proof of the path rests on it,
+        where panels share a vertex.
+        """
+        ...
+
+    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Bounds of the accelerations of edges while the drive is between ``start`` and ``stop``.
+
+        Parameters
+        ----------
+        start, stop
+            Ends (S,) of ranges of the drive (radians).
+
+        Returns
+        -------
+        tuple
+            Upper bounds of the length of the second derivative by the drive of the vectors
+            between neighbouring vertices, in length per radian squared: along rows
+            (S, columns-1), the largest of all rows; down columns (S, rows-1), the largest of
+            all columns.
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoldedState:
+    """One state of a mechanism.
+
+    Parameters
+    ----------
+    drive
+        Drive angle (radians).
+    positions
+        Vertices (rows, columns, 3), read-only.
+    fold_angles
+        Fold angles of all creases from the closed form (radians).
+    """
+
+    drive: float
+    positions: Array
+    fold_angles: CreaseValues
+
+    __repr__ = in_one_line
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, drive: float) -> FoldedState:
+        """The state of a mechanism at one drive angle (radians)."""
+        positions = mechanism.positions(drive)
+        positions.flags.writeable = False
+        return cls(drive, positions, mechanism.fold_angles(drive))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoldingMotion:
+    """States of a mechanism from flat to locked.
+
+    Parameters
+    ----------
+    mechanism
+        The folding sheet.
+    frames
+        Number of states, at least 2, at equal steps of the drive angle.
+    """
+
+    mechanism: Mechanism
+    frames: int
+
+    def __post_init__(self) -> None:
+        if not hasattr(self.mechanism, "positions"):
+            raise InputError(
+                "this is not a folding sheet",
+                where="FoldingMotion",
+                got=type(self.mechanism).__name__,
+                expected="a mechanism",
+                remedy="take design.mechanism of a design",
+            )
+        if self.frames < 2:
+            raise InputError("too few frames", got=str(self.frames), expected="at least 2")
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.frames} states of {self.mechanism!r})"
+
+    @property
+    def drives(self) -> Array:
+        """Drive angles (frames,), from 0 to the mechanism's lock (radians)."""
+        return np.linspace(0.0, self.mechanism.lock_drive, self.frames)
+
+    def __len__(self) -> int:
+        return self.frames
+
+    def __iter__(self) -> Iterator[FoldedState]:
+        """States one after the other, so that only one need be in memory."""
+        for drive in self.drives:
+            yield FoldedState.of(self.mechanism, float(drive))
+
+    @property
+    def flat(self) -> FoldedState:
+        """The flat sheet."""
+        return FoldedState.of(self.mechanism, 0.0)
+
+    @property
+    def locked(self) -> FoldedState:
+        """The state at lock."""
+        return FoldedState.of(self.mechanism, self.mechanism.lock_drive)
+
+
+def find_assignment(mechanism: Mechanism) -> CreaseValues:
+    """Signs of all creases at lock: +1 valley, -1 mountain, 0 unfolded."""
+    return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
+
+
+def mechanism_in_one_line(mechanism: Mechanism) -> str:
+    """One line that describes a mechanism: the ``__repr__`` of those of all families."""
+    grid = mechanism.grid
+    return (
+        f"{type(mechanism).__name__}({grid.rows} x {grid.columns} vertices, {grid.panel_count} "
+        f"panels, drive to {in_degrees(mechanism.lock_drive)} degrees)"
+    )
+
+
+def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> None:
+    """Refuse panels so small that the rounding of coordinates would bend them.
+
+    Parameters
+    ----------
+    candidates
+        What may give larger panels.
+
+    Raises
+    ------
+    DesignError
+        If an edge is shorter than :data:`RESOLUTION` of the sheet's diagonal.
+    """
+    flat = mechanism.positions(0.0)
+    size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
+    edges = {
+        "a row": lengths(np.diff(flat, axis=1)),
+        "a column": lengths(np.diff(flat, axis=0)),
+    }
+    name = min(edges, key=lambda each: float(edges[each].min()))
+    shortest = float(edges[name].min())
+    if shortest < RESOLUTION * size:
+        row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
+        raise DesignError(
+            "a panel is so small that the rounding of coordinates would bend it",
+            place=f"at row {row}, column {column}",
+            size=f"an edge of {name} is {shortest:.4g} long, and must be at least {RESOLUTION:g} "
+            f"of the sheet's diagonal, which is {size:.4g}",
+            candidates=candidates,
+        )
+
+
+def panel_normals(positions: Array) -> Array:
+    """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet.
+
+    Parameters
+    ----------
+    positions
+        Vertices (..., rows, columns, 3).
+    """
+    p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
+    r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
+    normal = np.cross(r - p, s - q)
+    normal /= lengths(normal)[..., None]
+    return np.asarray(normal)
+
+
+def measure_fold_angles(positions: Array) -> CreaseValues:
+    """Fold angles of all creases measured from the positions (..., rows, columns, 3).
+
+    Signed angles between the normals of the two panels at each crease, valley positive, in
+    (-pi, pi] (radians). At pi the sign is undetermined.
+
+    Parameters
+    ----------
+    positions
+        Vertices (..., rows, columns, 3).
+    """
+    normal = panel_normals(positions)
+    return CreaseValues(
+        row=_angle_about(
+            normal[..., :-1, :, :],
+            normal[..., 1:, :, :],
+            positions[..., 1:-1, :-1, :] - positions[..., 1:-1, 1:, :],
+        ),
+        column=_angle_about(
+            normal[..., :-1, :],
+            normal[..., 1:, :],
+            positions[..., 1:, 1:-1, :] - positions[..., :-1, 1:-1, :],
+        ),
+    )
+
+
+def _angle_about(first: Array, second: Array, axis: Array) -> Array:
+    """Angle (...) that turns unit vectors ``first`` into ``second`` about ``axis`` (..., 3)."""
+    axis = axis / lengths(axis)[..., None]
+    sine = np.einsum("...i,...i->...", np.cross(first, second), axis)
+    angle: Array = np.arctan2(sine, np.einsum("...i,...i->...", first, second))
+    return angle

@@ -1,0 +1,18 @@
+"""Interval arithmetic, bisection, and types of arrays."""
+
+from orishell.numerics.elementary import FUNCTIONS, power_of
+from orishell.numerics.enclosure import (
+    Enclosure,
+    spinning_acceleration,
+    turning_acceleration,
+)
+from orishell.numerics.interval import Interval
+
+__all__ = [
+    "FUNCTIONS",
+    "Enclosure",
+    "Interval",
+    "power_of",
+    "spinning_acceleration",
+    "turning_acceleration",
+]

@@ -1,0 +1,71 @@
+"""Bisection: the place where a condition begins to fail, from one side of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+
+def bisect(
+    works: Callable[[float], bool],
+    good: float,
+    bad: float,
+    *,
+    relative: float = 1e-4,
+    absolute: float = 0.0,
+) -> float:
+    """Return the working value nearest to one that does not work.
+
+    Parameters
+    ----------
+    works
+        Whether a value works.
+    good, bad
+        A value that works, and one that does not, on either side.
+    relative, absolute
+        Their distance is halved until it is no more than this share of the working value and
+        this, in its unit, together. One of the two must be positive.
+    """
+    while abs(bad - good) > relative * abs(good) + absolute:
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if works(middle) else (good, middle)
+    return good
+
+
+def bisect_integers(works: Callable[[int], bool], good: int, bad: int) -> int:
+    """Return the working whole number nearest to one that does not work.
+
+    Parameters
+    ----------
+    works
+        Whether a number works.
+    good, bad
+        A number that works, and one that does not, on either side.
+    """
+    while abs(bad - good) > 1:
+        middle = (good + bad) // 2
+        good, bad = (middle, bad) if works(middle) else (good, middle)
+    return good
+
+
+def largest_below(
+    works: Callable[[float], bool], bad: float, *, smallest: float, relative: float = 1e-3
+) -> float | None:
+    """Return the largest working value below one that does not work, or None if there is none.
+
+    Parameters
+    ----------
+    works
+        Whether a value works.
+    bad
+        A positive value that does not.
+    smallest
+        The smallest share of it that is tried.
+    relative
+        How near to the largest to come, relative to the value.
+    """
+    least, good = smallest * bad, 0.5 * bad
+    while not works(good):
+        good, bad = 0.5 * good, good
+        if good < least:
+            return None
+    return bisect(works, good, bad, relative=relative)

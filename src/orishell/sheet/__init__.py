@@ -1,0 +1,1 @@
+"""The flat sheet: its grid of vertices, quads in any order, and panels by their corners."""

@@ -1,0 +1,236 @@
+"""Quadrilateral panels joined along shared edges, in any order: not only grids.
+
+Numbers only: which panels lie beside which edges, which vertices are inside the sheet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.errors import InputError
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.quads import sector_angles, unit_normals
+
+REVERSED = [0, 3, 2, 1]
+"""Corners of a panel the other way round, the same one first."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class QuadMesh:
+    """Panels, edges and what lies beside them; made by :func:`build_mesh`.
+
+    Parameters
+    ----------
+    vertex_count
+        Number of vertices; some may belong to no panel.
+    faces
+        Vertices (F, 4) of every panel in order around it. Neighbours go round the same way.
+    edges
+        Vertices (E, 2) of every edge.
+    edge_faces
+        Panels (E, 2) to the left and to the right of every edge seen from the side from which
+        the panels go counter-clockwise; -1 where there is none.
+    crease
+        Which edges (E,) join two panels.
+    pieces
+        Number (F,) of the connected piece that a panel belongs to.
+    reversed_faces
+        Which panels (F,) were listed the other way round.
+    """
+
+    vertex_count: int
+    faces: Integers
+    edges: Integers
+    edge_faces: Integers
+    crease: Booleans
+    pieces: Integers
+    reversed_faces: Booleans
+
+    __repr__ = in_one_line
+
+    def faces_edges(self) -> Integers:
+        """Numbers (F, 4) of every panel's edges, that from its first to its second corner first."""
+        sides = np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=-1)
+        return _find_edges(_keys(sides, self.vertex_count), self.edges, self.vertex_count)
+
+    def inner_vertices(self) -> Integers:
+        """Vertices (I,) that panels surround: all edges that end there are creases."""
+        inner = np.zeros(self.vertex_count, dtype=np.bool_)
+        inner[self.faces] = True
+        border = (self.edge_faces >= 0).any(axis=1) & ~self.crease
+        inner[self.edges[border]] = False
+        return np.flatnonzero(inner)
+
+
+def build_mesh(
+    faces: Integers,
+    vertex_count: int,
+    edges: Integers | None = None,
+    cut: Booleans | None = None,
+) -> QuadMesh:
+    """Find which panels share which edges; turn panels so that all go round the same way.
+
+    Parameters
+    ----------
+    faces
+        Vertices (F, 4) of every panel in order around it, either way round. Most panels of a
+        connected piece keep their way.
+    vertex_count
+        Number of vertices.
+    edges
+        Vertices (E, 2) of every edge, in the order in which they are to be numbered; None to
+        number the panels' sides by their vertices.
+    cut
+        Which edges (E,) do not join the panels beside them.
+
+    Raises
+    ------
+    InputError
+        If a panel repeats a corner, an edge is listed twice or not at all or has more than two
+        panels, or if the sheet has only one side (a Moebius strip).
+    """
+    _require_corners(faces)
+    sides = np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1)
+    keys = _keys(sides, vertex_count)
+    if edges is None:
+        found = np.unique(keys)
+        edges = np.stack(np.divmod(found, vertex_count), axis=-1)
+    else:
+        edges = edges.copy()
+    face_edges = _find_edges(keys, edges, vertex_count)
+    count = np.bincount(face_edges.ravel(), minlength=len(edges))
+    if (count > 2).any():
+        edge = int(np.argmax(count > 2))
+        raise InputError(
+            f"edge {_pair(edges[edge])} has more than two panels",
+            got="panels " + ", ".join(map(str, np.flatnonzero((face_edges == edge).any(axis=1)))),
+            expected="one or two",
+        )
+    crease = count == 2 if cut is None else (count == 2) & ~cut
+    forward = sides[..., 0] == edges[face_edges][..., 0]
+    pieces, turned = _orient(face_edges, forward, crease)
+    forward ^= turned[:, None]
+    edge_faces = np.full((len(edges), 2), -1)
+    numbers = np.broadcast_to(np.arange(len(faces))[:, None], forward.shape)
+    edge_faces[face_edges, np.where(forward, 0, 1)] = numbers
+    oriented = np.where(turned[:, None], faces[:, REVERSED], faces)
+    for array in (oriented, edges, edge_faces, crease, pieces, turned):
+        array.flags.writeable = False
+    return QuadMesh(vertex_count, oriented, edges, edge_faces, crease, pieces, turned)
+
+
+def measure_mesh_folds(mesh: QuadMesh, positions: Array) -> Array:
+    """Fold angles (E,) measured from positions (V, 3), zero at edges that are no creases.
+
+    Signed angles between the normals of the two panels at each crease, positive where they turn
+    towards each other (a valley seen from where the panels go counter-clockwise), in (-pi, pi]
+    (radians). At pi the sign is undetermined.
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3) in one state.
+    """
+    normals = unit_normals(positions[mesh.faces])
+    edges, (left, right) = mesh.edges[mesh.crease], mesh.edge_faces[mesh.crease].T
+    axis = positions[edges[:, 1]] - positions[edges[:, 0]]
+    length = np.linalg.norm(axis, axis=1)
+    sine = (np.cross(normals[right], normals[left]) * axis).sum(axis=1)
+    cosine = (normals[left] * normals[right]).sum(axis=1)
+    angles = np.zeros(len(mesh.edges))
+    angles[mesh.crease] = np.arctan2(sine / np.where(length > 0, length, 1.0), cosine)
+    return angles
+
+
+def measure_sector_sums(mesh: QuadMesh, positions: Array, reflex: Booleans) -> Array:
+    """Sum (V,) of the sector angles of all panels at every vertex (radians).
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3).
+    reflex
+        Corners (F, 4) whose sector is above pi.
+    """
+    angles = sector_angles(positions[mesh.faces])
+    angles = np.where(reflex, 2 * np.pi - angles, angles)
+    sums = np.bincount(mesh.faces.ravel(), angles.ravel(), minlength=mesh.vertex_count)
+    return np.asarray(sums, dtype=np.float64)
+
+
+def _require_corners(faces: Integers) -> None:
+    corners = np.sort(faces, axis=1)
+    repeated = (corners[:, 1:] == corners[:, :-1]).any(axis=1)
+    if repeated.any():
+        face = int(np.argmax(repeated))
+        raise InputError(
+            f"panel {face} repeats a corner",
+            got=str(faces[face].tolist()),
+            expected="four different vertices",
+        )
+
+
+def _keys(pairs: Integers, vertex_count: int) -> Integers:
+    """One number for each pair of vertices (..., 2), whichever comes first."""
+    keys: Integers = pairs.min(axis=-1) * np.int64(vertex_count) + pairs.max(axis=-1)
+    return keys
+
+
+def _find_edges(keys: Integers, edges: Integers, vertex_count: int) -> Integers:
+    """Numbers (F, 4) of the edges that are the panels' sides."""
+    listed = _keys(edges, vertex_count)
+    order = np.argsort(listed, kind="stable")
+    ordered = listed[order]
+    twice = np.flatnonzero(ordered[1:] == ordered[:-1])
+    if len(twice):
+        raise InputError(f"edge {_pair(edges[order[twice[0]]])} is listed twice")
+    place = np.minimum(np.searchsorted(ordered, keys), len(ordered) - 1)
+    missing = ordered[place] != keys
+    if missing.any():
+        face, side = np.argwhere(missing)[0]
+        raise InputError(
+            f"a side of panel {face} is not among the edges",
+            got=_pair(np.array(divmod(keys[face, side], vertex_count))),
+            remedy="list all edges, or none",
+        )
+    return order[place]
+
+
+def _orient(face_edges: Integers, forward: Booleans, crease: Booleans) -> tuple[Integers, Booleans]:
+    """Connected pieces (F,) of panels, and which panels (F,) must be turned to agree.
+
+    Every panel stands for two nodes of a graph, as listed and turned; creases join the nodes
+    that agree. The sheet has two sides if no panel is connected with itself turned.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    faces = len(face_edges)
+    slots = np.argsort(face_edges.ravel(), kind="stable")
+    slots = slots[crease[face_edges.ravel()[slots]]].reshape(-1, 2)
+    first, second = (slots // 4).T
+    opposed = forward.ravel()[slots[:, 0]] == forward.ravel()[slots[:, 1]]
+    one = np.concatenate([first, first + faces])
+    two = np.concatenate([second + faces * opposed, second + faces * ~opposed])
+    graph = coo_array((np.ones(len(one), dtype=np.int8), (one, two)), shape=(2 * faces, 2 * faces))
+    labels = connected_components(graph, directed=False)[1]
+    one_sided = labels[:faces] == labels[faces:]
+    if one_sided.any():
+        raise InputError(
+            "the sheet has only one side, so that no fold is a mountain or a valley",
+            got=f"panels that cannot all go round the same way, panel {np.argmax(one_sided)} "
+            "among them",
+        )
+    _, start, pieces = np.unique(
+        np.minimum(labels[:faces], labels[faces:]), return_index=True, return_inverse=True
+    )
+    turned = labels[:faces] != labels[start][pieces]
+    most = np.bincount(pieces, turned) > 0.5 * np.bincount(pieces)
+    return pieces, turned ^ most[pieces]
+
+
+def _pair(vertices: Integers) -> str:
+    return f"{vertices[0]}-{vertices[1]}"

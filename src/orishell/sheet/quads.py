@@ -1,0 +1,127 @@
+"""Quadrilateral panels by their corners (..., 4, 3), in order around each panel."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.numerics.arrays import Array, Booleans
+
+
+def dots(first: Array, second: Array) -> Array:
+    """Scalar products (...) of vectors (..., 3).
+
+    To the last bit NumPy's sum over the last axis, which is slow where that is so short.
+
+    Parameters
+    ----------
+    first, second
+        The vectors (..., 3).
+    """
+    product = first * second
+    return np.asarray(product[..., 0] + product[..., 1] + product[..., 2])
+
+
+def lengths(vectors: Array) -> Array:
+    """Lengths (...) of vectors (..., 3).
+
+    Parameters
+    ----------
+    vectors
+        The vectors (..., 3).
+    """
+    return np.asarray(np.sqrt(dots(vectors, vectors)))
+
+
+def corner_distances(corners: Array) -> Array:
+    """The six distances (..., 6) of every panel's corners.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
+    pairs = [(a, b) for a in range(4) for b in range(a)]
+    return np.stack([lengths(corners[..., a, :] - corners[..., b, :]) for a, b in pairs], axis=-1)
+
+
+def area_vectors(corners: Array) -> Array:
+    """Vectors (..., 3) normal to the panels, as long as their areas: half the diagonals' product.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
+    p, q, r, s = (corners[..., k, :] for k in range(4))
+    (a, b, c), (d, e, f) = (np.moveaxis(each, -1, 0) for each in (r - p, s - q))
+    return np.asarray(0.5 * np.stack([b * f - c * e, c * d - a * f, a * e - b * d], axis=-1))
+
+
+def unit_normals(corners: Array) -> Array:
+    """Unit normals (..., 3), counter-clockwise seen from their tips; zero without an area.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
+    vectors = area_vectors(corners)
+    length = lengths(vectors)[..., None]
+    return np.asarray(vectors / np.where(length > 0, length, 1.0))
+
+
+def diagonal_gaps(corners: Array) -> Array:
+    """Distances (...) between the two diagonals of every panel: zero if it is plane.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
+    gap = np.einsum(
+        "...i,...i->...", unit_normals(corners), corners[..., 1, :] - corners[..., 0, :]
+    )
+    return np.asarray(np.abs(gap))
+
+
+def sector_angles(corners: Array) -> Array:
+    """Angles (..., 4) between the two edges at every corner, in [0, pi] (radians).
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
+    after, before = _edges_at(corners)
+    return np.asarray(np.arctan2(lengths(np.cross(after, before)), dots(after, before)))
+
+
+def reflex_corners(corners: Array) -> Booleans:
+    """Which corners (..., 4) point into their panel: its sector there is above pi.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., 4, 3) of every panel in order around it.
+    """
+    after, before = _edges_at(corners)
+    normals = area_vectors(corners)[..., None, :]
+    return dots(np.cross(after, before), normals) < 0
+
+
+def _edges_at(corners: Array) -> tuple[Array, Array]:
+    """From every corner to the next one and to the one before."""
+    return np.roll(corners, -1, axis=-2) - corners, np.roll(corners, 1, axis=-2) - corners
+
+
+def grid_corners(positions: Array) -> Array:
+    """Corners (rows-1, columns-1, 4, 3) of every panel of a grid: top left first.
+
+    Parameters
+    ----------
+    positions
+        Vertices (rows, columns, 3) of the grid.
+    """
+    return np.stack(
+        [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
+    )

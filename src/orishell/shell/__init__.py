@@ -1,0 +1,29 @@
+"""From a design file to a verified shell, its report and its files."""
+
+from typing import TYPE_CHECKING
+
+from orishell.conventions.on_demand import import_on_demand
+
+if TYPE_CHECKING:
+    from orishell.shell.export import convert_fold, write_format, write_shell
+    from orishell.shell.make import Shell, design_shell, make_shell
+    from orishell.shell.report import Report
+
+__all__ = [
+    "Report",
+    "Shell",
+    "convert_fold",
+    "design_shell",
+    "make_shell",
+    "write_format",
+    "write_shell",
+]
+
+__getattr__, __dir__ = import_on_demand(
+    __name__,
+    {
+        "orishell.shell.export": ("convert_fold", "write_format", "write_shell"),
+        "orishell.shell.make": ("Shell", "design_shell", "make_shell"),
+        "orishell.shell.report": ("Report",),
+    },
+)

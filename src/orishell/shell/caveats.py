@@ -1,0 +1,213 @@
+"""Warnings about a design before it is built, each with numbers and what to change.
+
+All thresholds are here, each with its reason. A sentence says what is so, by how much, and what
+to change; words of the mathematics do not occur in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees
+from orishell.conventions.units import conversion
+from orishell.design import Design
+from orishell.locking import Lock
+from orishell.motion import Mechanism, extents, find_assignment, sheet_area
+from orishell.numerics.arrays import Array, Booleans
+from orishell.polylines.plane import extent_across
+from orishell.shell.standing import Feet
+from orishell.workshop import Workshop
+
+BELOW = 0.01
+"""Flaps lower than the feet by this share of the height carry the shell: mortar evens out less."""
+ABOVE = 0.1
+"""Flaps this share of the height above the crown are seen as an edge that f does not have."""
+BESIDE = 0.25
+"""Flaps beyond a foot by this share of the span need more floor than f shows."""
+UNEVEN = 0.005
+"""Feet uneven by this share of the height, 15 mm of 3 m, need more than packing."""
+WASTEFUL = 1.5
+"""A sheet this many times as large as the surface: half as much again is paid for and carried."""
+WIDEST_XI = 0.95
+"""Above this share of its limit a wider xi_deg gains next to nothing."""
+STRAIGHT = 1e-6
+"""A g that leaves a line by less than this share of its length is straight."""
+LARGEST_BOARD = (3.05, 1.525)
+"""The largest plywood that is commonly sold, 10 by 5 feet (metres)."""
+DEEP = 0.3
+"""A corrugation this share of the height deep hides the curve: one sees the folds."""
+
+
+def find_caveats(
+    design: Design, lock: Lock, feet: Feet | None, unit: str, workshop: Workshop
+) -> list[str]:
+    """Warnings for whoever builds the shell."""
+    mechanism = design.mechanism
+    shell = mechanism.positions(mechanism.lock_drive)
+    height = float(np.ptp(shell[:, mechanism.inner_columns, 2]))
+    flat = mechanism.positions(0.0)
+    return [
+        *_of_flaps(design, shell, feet, unit),
+        *_of_feet(design, feet, unit),
+        *_of_size(design, flat),
+        *_of_unfolded_columns(design),
+        *_of_boards(flat, unit, workshop),
+        *_of_depth(lock, height, unit),
+    ]
+
+
+def _of_flaps(design: Design, shell: Array, feet: Feet | None, unit: str) -> Iterator[str]:
+    """Flaps outside the envelope of f: below the feet, above the crown, beyond the span."""
+    inner = range(*design.mechanism.inner_columns.indices(shell.shape[1]))
+    if design.swept is None:
+        return
+    ends = [(0, inner[0])] * (inner[0] > 0) + [(-1, inner[-1])] * (inner[-1] + 1 < shell.shape[1])
+    if not ends:
+        return
+    height = shell[:, inner, 2]
+    size = float(np.ptp(height))
+    flaps = shell[:, [flap for flap, _ in ends], 2]
+    name = "flaps" if design.beyond_target is None else "strips beside the first and last column"
+    remedy = "make them narrower (flap)"
+    if design.beyond_target is None:
+        remedy += ' or turn them to the other end of f (flap_side = "start" or "end")'
+    below, above = float(height.min() - flaps.min()), float(flaps.max() - height.max())
+    if below > BELOW * size:
+        what = "the feet" if feet else "the lowest point"
+        yield (
+            f"the {name} reach {below:.3g} {unit} below {what} of a shell {size:.3g} {unit} high, "
+            f"which would rest on them: {remedy}"
+        )
+    if above > ABOVE * size:
+        yield (
+            f"the {name} reach {above:.3g} {unit} above the top of a shell {size:.3g} {unit} high: "
+            f"{remedy}"
+        )
+    beyond, span = max(_beyond(shell[:, near], shell[:, flap]) for flap, near in ends)
+    if beyond > BESIDE * span:
+        yield (
+            f"the {name} reach {beyond:.3g} {unit} beyond the foot of a shell that spans "
+            f"{span:.3g} {unit}: {remedy}"
+        )
+
+
+def _beyond(column: Array, flap: Array) -> tuple[float, float]:
+    """How far in plan a flap (R, 3) reaches beyond the ends of its column (R, 3), and its span."""
+    across = (column[-1] - column[0])[:2]
+    span = float(np.hypot(*across))
+    if not span:
+        return 0.0, 0.0
+    own, its = column[:, :2] @ across / span, flap[:, :2] @ across / span
+    return float(max(its.max() - own.max(), own.min() - its.min())), span
+
+
+def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
+    if feet is None or feet.uneven <= UNEVEN * feet.height:
+        return
+    ends = design.targets["f"][[0, -1], 2]
+    gap = float(np.ptp(ends))
+    remedy = "trim the last panels at the ground, or build the ground up to them"
+    if gap > 0.5 * feet.uneven:
+        remedy = f"f's ends differ by {gap:.3g} {unit} in height: level them, or build a step"
+    elif "ends" in design.parameters:
+        remedy = f"other rows, another depth or narrower flaps may level them; else {remedy}"
+    yield (
+        f"the feet are not level, rows {feet.rows[0]} and {feet.rows[1]} differ by "
+        f"{feet.uneven:.3g} {unit} in height: {remedy}"
+    )
+
+
+def _of_size(design: Design, flat: Array) -> Iterator[str]:
+    if design.swept is None:
+        return
+    ratio = sheet_area(flat) / design.swept.area()
+    if ratio <= WASTEFUL:
+        return
+    parameters = design.parameters
+    if "xi_limit_deg" in parameters:
+        xi, limit = np.array([parameters["xi_deg"], parameters["xi_limit_deg"]], np.float64)
+        wider = f"shallower folds, by a wider xi_deg ({xi:.4g} now, possible below {limit:.4g}),"
+        steep = f"an f with less steep ends (they keep xi_deg below {limit:.4g})"
+        less = wider if xi < WIDEST_XI * limit else steep
+    elif "depth" in parameters:
+        less = f"shallower folds, by a smaller depth (it is {parameters['depth']:.3g}),"
+    else:
+        less = "sector angles nearer to 90 degrees"
+    yield (
+        f"the sheet is {ratio:.2f} times as large as the surface that it covers: {less} or "
+        "narrower flaps would make it smaller"
+    )
+
+
+def _of_unfolded_columns(design: Design) -> Iterator[str]:
+    unfolded = _unfolded(design.mechanism)
+    g = design.targets.get("g")
+    if g is None or not unfolded.any():
+        return
+    count = len(unfolded)
+    if extent_across(g[:, :2]) <= STRAIGHT * np.ptp(g, axis=0).max():
+        yield (
+            f"{int(unfolded.sum())} of {count} columns stay unfolded because g is straight: 2 "
+            "columns suffice, unless panels have to be shorter"
+        )
+        return
+    # One by itself is where g bends from one side to the other.
+    beside = np.zeros(count + 2, np.bool_)
+    beside[1:-1] = unfolded
+    idle = int((unfolded & (beside[:-2] | beside[2:])).sum())
+    if idle:
+        yield (
+            f"{idle} of {count} columns stay unfolded because g is straight there: fewer columns "
+            "suffice, unless panels have to be shorter"
+        )
+
+
+def _unfolded(mechanism: Mechanism) -> Booleans:
+    """Which of columns 1 ... n stay unfolded (n,); never said of the first and the last."""
+    creases = find_assignment(mechanism).column
+    inner = range(*mechanism.inner_columns.indices(mechanism.grid.columns))
+    unfolded = np.zeros(len(inner), np.bool_)
+    unfolded[1:-1] = (creases[:, inner[1] - 1 : inner[-1] - 1] == 0).all(axis=0)
+    return unfolded
+
+
+def _of_boards(flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
+    width, height, _ = extents(flat)
+    metres = conversion(unit, "m")
+    long, short = (metres * side for side in (max(width, height), min(width, height)))
+    if workshop.stock is not None or (long <= LARGEST_BOARD[0] and short <= LARGEST_BOARD[1]):
+        return
+    board = " x ".join(f"{side / metres:.4g}" for side in LARGEST_BOARD)
+    yield (
+        f"the flat sheet, {width:.3g} x {height:.3g} {unit}, is larger than any board (the largest "
+        f"plywood commonly sold is {board} {unit}): name your board as stock in [workshop], and "
+        "the pattern is split into parts with joints"
+    )
+
+
+def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
+    if lock.depth > DEEP * height:
+        yield (
+            f"the folds are {lock.depth:.3g} {unit} deep in a shell {height:.3g} {unit} high: one "
+            "sees them rather than the curve f; more rows make them shallower"
+        )
+
+
+def warn_of_lock(lock: Lock) -> list[str]:
+    """Warnings of a clash before the target, or of panels that touch at lock and should not."""
+    contact = lock.first_contact
+    if lock.early and contact is not None:
+        first, second = (list(panel) for panel in contact.panels)
+        return [
+            f"panels {first} and {second} meet at drive {in_degrees(contact.drive)} of "
+            f"{in_degrees(lock.target)} degrees: the shell stops there, short of its target"
+        ]
+    if lock.touching:
+        first, second = (list(panel) for panel in lock.touching[0])
+        return [
+            f"{len(lock.touching)} pairs of panels touch in the locked state without being "
+            f"meant to, for example {first} and {second}"
+        ]
+    return []

@@ -1,0 +1,69 @@
+"""Designs that were tried to meet a tolerance, and the one that was chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from orishell.conventions.formatting import in_one_line
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """Distance of a design from its surface, and its shortest and longest edge (length).
+
+    Parameters
+    ----------
+    error
+        Largest distance from the surface (length).
+    shortest, longest
+        Shortest and longest edge of a panel in the flat sheet (length).
+    """
+
+    error: float
+    shortest: float
+    longest: float
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A design that was tried.
+
+    Parameters
+    ----------
+    rows, columns
+        Inner vertices.
+    panels
+        Number of panels, flaps left out.
+    error
+        Distance between shell and target surface, largest both ways (length).
+    shortest, longest
+        Edges of its panels (length).
+    """
+
+    rows: int
+    columns: int
+    panels: int
+    error: float
+    shortest: float
+    longest: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Choice:
+    """The design with the fewest panels, and the others that were looked at.
+
+    Parameters
+    ----------
+    trial
+        Its sizes and its error, carefully measured.
+    tradeoff
+        Of all trials those that no other beats in both error and number of panels, by panels.
+    tried
+        Number of designs measured.
+    """
+
+    trial: Trial
+    tradeoff: tuple[Trial, ...]
+    tried: int
+
+    __repr__ = in_one_line

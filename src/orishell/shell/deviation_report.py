@@ -1,0 +1,102 @@
+"""How close the shell is to what was asked for, in the report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from orishell.conventions.formatting import in_one_line
+from orishell.design import Design
+from orishell.deviation import Deviation, Distances
+from orishell.polylines import Closeness
+
+
+@dataclass(frozen=True, slots=True)
+class SurfaceReport:
+    """Distances between the shell and the surface asked for, both ways.
+
+    Parameters
+    ----------
+    max, rms, mean, p95
+        The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the
+        distance below which 95 % of the area lies.
+    sample_spacing
+        By how much the largest distance may be off.
+    shell_to_surface, surface_to_shell
+        Either way by itself.
+    """
+
+    max: float
+    rms: float
+    mean: float
+    p95: float
+    sample_spacing: float
+    shell_to_surface: Distances
+    surface_to_shell: Distances
+
+
+@dataclass(frozen=True, slots=True)
+class ApproachReport:
+    """The surface that ever finer shells approach, where it is not f swept along g.
+
+    Parameters
+    ----------
+    what
+        What it is.
+    max, rms
+        Distances of the shell from it; None if it has no simple form, or they were not measured.
+    """
+
+    what: str
+    max: float | None
+    rms: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class DeviationReport:
+    """How close the shell is to what was asked for.
+
+    Parameters
+    ----------
+    f, g
+        Distances of the polylines that the shell locks on from the target curves.
+    surface
+        Distances between the shell and the surface; None if they were not measured.
+    approached
+        What the family approaches instead, if it does.
+    """
+
+    f: Closeness
+    g: Closeness
+    surface: SurfaceReport | None
+    approached: ApproachReport | None
+
+    __repr__ = in_one_line
+
+
+def describe_deviation(
+    design: Design, deviation: Deviation | None, approach: Deviation | None
+) -> DeviationReport:
+    """How close the polylines are to f and g, and the shell to the surface asked for."""
+    approached = design.approached
+    return DeviationReport(
+        f=design.closeness["f"],
+        g=design.closeness["g"],
+        surface=None
+        if deviation is None
+        else SurfaceReport(
+            max=deviation.max,
+            rms=deviation.rms,
+            mean=deviation.mean,
+            p95=deviation.p95,
+            sample_spacing=deviation.sample_spacing,
+            shell_to_surface=deviation.shell_to_surface,
+            surface_to_shell=deviation.surface_to_shell,
+        ),
+        approached=None
+        if approached is None
+        else ApproachReport(
+            what=approached.what,
+            max=None if approach is None else approach.max,
+            rms=None if approach is None else approach.rms,
+        ),
+    )

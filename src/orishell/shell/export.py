@@ -1,0 +1,143 @@
+"""From a designed shell, or a FOLD file, to files in any format."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from orishell.conventions.arguments import path_of
+from orishell.conventions.progress import Progress, unwatched
+from orishell.document import Document
+from orishell.document.from_design import states_of
+from orishell.errors import InputError
+from orishell.io import OutputDirectory, document_of_fold, read_fold
+from orishell.io.all_formats import FOLD, format_of
+from orishell.io.format import Format
+from orishell.io.settings import DEFAULT_SETTINGS, Settings
+from orishell.shell.make import Clock, Shell
+from orishell.shell.overlay import lay_surface
+from orishell.shell.pictures import draw_pictures
+
+
+def write_shell(
+    shell: Shell,
+    directory: str | Path,
+    formats: Sequence[Format] = (),
+    settings: Settings | None = None,
+    progress: Progress = unwatched,
+) -> list[Path]:
+    """Write ``shell.fold``, ``report.json``, the pictures and more formats: all of them or none.
+
+    Parameters
+    ----------
+    directory
+        Where to; made if needed. Files of an earlier run that this one does not write are removed,
+        unless somebody changed them; all others stay.
+    formats
+        What to write beside ``shell.fold``.
+    settings
+        Choices for the formats; None for those of the design file.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to, or a setting does not fit the sheet.
+    """
+    _require_shell(shell)
+    directory = path_of(directory, "write_shell: directory")
+    clock = Clock()
+    if settings is None:
+        settings = Settings(workshop=shell.file.workshop)
+    with OutputDirectory(directory).replacing() as draft:
+        (draft / "report.json").write_text(
+            json.dumps(shell.report.as_dict(), indent=2, allow_nan=False) + "\n"
+        )
+        draw_pictures(
+            draft,
+            shell.file,
+            shell.design,
+            shell.motion,
+            lock=shell.lock,
+            deviation=shell.deviation,
+            choice=shell.choice,
+        )
+        for format_ in dict.fromkeys((FOLD, *formats)):
+            write_format(shell, format_, draft, settings, progress)
+        names = sorted(file.name for file in draft.iterdir())
+    clock.lap("write")
+    shell.seconds.update(clock.seconds)
+    return [directory / name for name in names]
+
+
+def write_format(
+    shell: Shell, format_: Format, draft: Path, settings: Settings, progress: Progress = unwatched
+) -> None:
+    """Write a shell in one format.
+
+    Parameters
+    ----------
+    format_
+        The format; its files have the names that they have for a designed shell.
+
+    Raises
+    ------
+    InputError
+        If a setting does not fit the sheet.
+    """
+    _require_shell(shell)
+    states = states_of(shell.motion, progress, f"writing {format_.file}")
+    document = replace(shell.document, states=states)
+    if format_.lays_surface:
+        document = lay_surface(document, shell.design)
+    _write(format_, draft / format_.file, document, settings, str(shell.file.path))
+
+
+def _require_shell(shell: object) -> None:
+    if not isinstance(shell, Shell):
+        raise InputError(
+            "only a shell has a report and pictures",
+            got=type(shell).__name__,
+            expected="a Shell, which design_shell makes from a design file",
+            remedy="write a design by itself in one format: orishell.io.write_fold(path, "
+            "orishell.document.from_design.document_of_design(design, unit))",
+        )
+
+
+def convert_fold(
+    source: Path, target: Path, settings: Settings = DEFAULT_SETTINGS, unit: str | None = None
+) -> list[Path]:
+    """Write a FOLD file in another format, which the ending of ``target`` names.
+
+    Parameters
+    ----------
+    source
+        The FOLD file, by any program, of quadrilateral panels.
+    target
+        The file to write; a format may write others beside it, whose names begin like its own.
+    unit
+        Unit of length, where the source names none or a wrong one.
+
+    Raises
+    ------
+    InputError
+        If the source cannot be read, the ending is unknown, or the target cannot be written.
+    """
+    format_ = format_of(target)
+    output = OutputDirectory(target.parent)
+    output.require_usable()
+    document = document_of_fold(read_fold(source), unit)
+    with output.adding() as draft:
+        _write(format_, draft / target.name, document, settings, str(source))
+        names = sorted(file.name for file in draft.iterdir())
+    return [target.parent / name for name in names]
+
+
+def _write(
+    format_: Format, path: Path, document: Document, settings: Settings, source: str
+) -> None:
+    try:
+        format_.write(path, document, settings)
+    except InputError as error:
+        raise error.located(f"{source}: {format_.name}:") from None

@@ -1,0 +1,290 @@
+"""From a design file to a verified shell and its report."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.design import Design
+from orishell.design_file import DesignFile, read_design_file
+from orishell.deviation import (
+    Deviation,
+    measure_approach,
+    measure_deviation,
+)
+from orishell.document import Document, FirstContact
+from orishell.document.from_design import document_of_motion
+from orishell.errors import DesignError, InputError, VerificationError, printable
+from orishell.locking import (
+    Lock,
+    Request,
+    end_motion,
+    lock_without_clash,
+    with_remedies,
+)
+from orishell.motion import FoldedState, FoldingMotion, extents, sheet_area
+from orishell.shell.caveats import find_caveats, warn_of_lock
+from orishell.shell.choice import Choice
+from orishell.shell.deviation_report import describe_deviation
+from orishell.shell.lock_report import describe_lock
+from orishell.shell.report import (
+    BoxReport,
+    PackedReport,
+    Report,
+    SheetReport,
+    describe_assignment,
+    describe_choice,
+    describe_feet,
+)
+from orishell.shell.standing import find_feet, stand
+from orishell.shell.tolerance import meet_tolerance, request_of
+from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
+from orishell.workshop.quantities import measure_quantities
+
+LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
+"""Residuals above these (relative lengths, radians) mean that the program, not the design, is
+wrong: a panel may be as small as a hundred-millionth of the coordinates, and the rounding of
+coordinates turns it by so much."""
+
+
+ClashPolicy = Literal["refused", "allowed", "unexamined"]
+"""What becomes of a shell whose panels meet before it locks: it is refused, or made and said to
+clash; or nobody looks, for sheets of hundreds of thousands of panels."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shell:
+    """A designed and verified shell.
+
+    Parameters
+    ----------
+    file
+        The design file.
+    design
+        What the family made of it.
+    lock
+        How its motion ends.
+    motion
+        Its states.
+    deviation
+        How close the locked shell is to the surface asked for; None if that was not measured, or
+        there is no target.
+    choice
+        How rows and columns were chosen, if there was a tolerance.
+    document
+        What its files are written from.
+    report
+        What ``report.json`` says.
+    seconds
+        Time spent by step; printed, but not part of any file.
+    """
+
+    file: DesignFile
+    design: Design
+    lock: Lock
+    motion: FoldingMotion
+    deviation: Deviation | None
+    choice: Choice | None
+    document: Document
+    report: Report
+    seconds: dict[str, float]
+
+    def __repr__(self) -> str:
+        file = self.file
+        size = f"{file.pattern.rows} x {file.pattern.columns} inner vertices"
+        return f"{type(self).__name__}({file.path.stem!r}, {file.family}, {size}; {self.lock!r})"
+
+
+def design_shell(
+    path: str | Path, progress: Progress = unwatched, *, clash: ClashPolicy = "refused"
+) -> Shell:
+    """Read a design file and make its shell: see :func:`make_shell`.
+
+    Parameters
+    ----------
+    path
+        The design file.
+    clash
+        What becomes of a shell whose panels meet.
+    """
+    return make_shell(read_design_file(path), progress, clash=clash)
+
+
+def make_shell(
+    file: DesignFile,
+    progress: Progress = unwatched,
+    *,
+    clash: ClashPolicy = "refused",
+    measured: bool = True,
+    nested: bool = True,
+) -> Shell:
+    """Design a shell, verify its states and prove how its motion ends.
+
+    Parameters
+    ----------
+    clash
+        What becomes of a shell whose panels meet.
+    measured
+        Whether the distance from the surface is measured.
+    nested
+        Whether the sheet is laid out on its stock.
+
+    Raises
+    ------
+    InputError
+        If a curve is not usable, or a setting does not fit the sheet.
+    DesignError
+        If the family cannot reach the target, or panels meet before the shell locks.
+    VerificationError
+        If the result is not rigid: a fault of the program.
+    """
+    clock = Clock()
+    file, design, lock, choice = _designed(file, progress, clash, clock)
+    feet = find_feet(design)
+    if file.ground == "z0":
+        design = stand(design, feet)
+    motion = FoldingMotion(design.mechanism, file.frames)
+    boxes: list[tuple[float, tuple[float, float, float]]] = []
+
+    def recorded(states: Iterable[FoldedState]) -> Iterable[FoldedState]:
+        for state in states:
+            boxes.append((state.drive, extents(state.positions)))
+            yield state
+
+    flat = motion.flat
+    residuals, assignment = measure_residuals(
+        recorded(followed(motion, len(motion), progress, "verifying")), flat
+    )
+    _require_verified(residuals, assignment)
+    clock.lap("fold")
+
+    compared = design.swept is not None
+    deviation = measure_deviation(design) if measured and compared else None
+    approach = measure_approach(design) if measured and compared else None
+    clock.lap("deviation")
+
+    document = _document(file, design, motion)
+    try:
+        quantities = measure_quantities(document, file.workshop, nested=nested)
+    except InputError as error:
+        raise error.located(f"{file.path}:") from None
+    drive, packed = min(boxes, key=lambda entry: math.hypot(*entry[1]))
+    width, height, _ = extents(flat.positions)
+    report = Report(
+        family=file.family,
+        unit=file.unit,
+        rows=file.pattern.rows,
+        columns=file.pattern.columns,
+        parameters=design.parameters,
+        chosen=None
+        if choice is None or file.tolerance is None
+        else describe_choice(choice, file.tolerance),
+        feasible=None if clash == "unexamined" else not lock.early,
+        warnings=(
+            *design.warnings,
+            *warn_of_lock(lock),
+            *find_caveats(design, lock, feet, file.unit, file.workshop),
+        ),
+        residuals=residuals,
+        assignment=describe_assignment(design, assignment),
+        lock=describe_lock(lock),
+        not_checked=(
+            *(["contact between panels before lock"] if clash == "unexamined" else []),
+            *([] if measured or not compared else ["distance from the surface"]),
+            *(["the layout on the stock"] if quantities.stock is None else []),
+        ),
+        stands=describe_feet(design, feet),
+        deviation=describe_deviation(design, deviation, approach) if compared else None,
+        sheet=SheetReport(width, height, sheet_area(flat.positions)),
+        deployed=BoxReport(*boxes[-1][1]),
+        packed=PackedReport(tidy_degrees(drive), *packed),
+        quantities=quantities,
+    )
+    document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
+    return Shell(file, design, lock, motion, deviation, choice, document, report, clock.seconds)
+
+
+def _designed(
+    file: DesignFile, progress: Progress, clash: ClashPolicy, clock: Clock
+) -> tuple[DesignFile, Design, Lock, Choice | None]:
+    """The file with rows and columns, its design, how its motion ends, and the choice made."""
+    choice: Choice | None = None
+    asked = request_of(file)
+    try:
+        if file.tolerance is not None:
+            pattern, choice = meet_tolerance(file, file.tolerance, progress)
+            file = replace(file, pattern=pattern)
+            clock.lap("choose")
+        request = Request(file.pattern, file.target, file.contact_tolerance)
+        design = request.designed()
+        clock.lap("design")
+        if clash == "unexamined":
+            lock = lock_without_clash(design)
+        else:
+            design, lock = end_motion(
+                design, request, allow_clash=clash == "allowed", progress=progress
+            )
+            clock.lap("clash")
+    except DesignError as error:
+        if clash == "unexamined":
+            raise
+        raise with_remedies(asked, error, progress) from None
+    except InputError as error:
+        raise error.located(f"{file.path}:") from None
+    return file, design, lock, choice
+
+
+def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Document:
+    size = f"{file.pattern.rows} x {file.pattern.columns}"
+    return document_of_motion(
+        motion,
+        file.unit,
+        title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
+        curves=design.targets,
+        origin=design.origin,
+    )
+
+
+def _first_contact(design: Design, lock: Lock) -> FirstContact | None:
+    contact = lock.first_contact
+    if contact is None:
+        return None
+    across = design.mechanism.grid.columns - 1
+    first, second = (row * across + column for row, column in contact.panels)
+    return FirstContact(tidy_degrees(contact.drive), (first, second))
+
+
+def _require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
+    lengths = max(residuals.panel_length, residuals.planarity)
+    angles = max(residuals.sector_sum_rad, residuals.fold_angle_rad)
+    if lengths <= LENGTH_LIMIT and angles <= ANGLE_LIMIT:
+        if assignment.constant and assignment.maekawa:
+            return
+        raise VerificationError(
+            "mountains and valleys do not fit the motion: this is a fault of the program"
+        )
+    raise VerificationError(
+        f"the states are not those of rigid panels: lengths change by {lengths:.3g} of the sheet's "
+        f"diagonal (limit {LENGTH_LIMIT:g}), angles are wrong by {angles:.3g} rad (limit "
+        f"{ANGLE_LIMIT:g}); this is a fault of the program"
+    )
+
+
+class Clock:
+    """A clock that takes the time of every step of the work."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def lap(self, step: str) -> None:
+        """Note the time since the last step was done."""
+        now = time.perf_counter()
+        self.seconds[step] = now - self._last
+        self._last = now

@@ -1,0 +1,95 @@
+"""The pictures of a designed shell: which states they show, and their captions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from orishell.design import Design
+from orishell.design_file import DesignFile
+from orishell.deviation import Deviation, locked_shell, measure_signed
+from orishell.locking import Lock
+from orishell.motion import FoldingMotion
+from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff
+from orishell.shell.choice import Choice, Trial
+
+DRAWN_SAMPLES, DRAWN_PANELS = 6_000, 70
+"""Points of the shell, and rows or columns of panels, in the picture of its deviation."""
+
+
+def draw_pictures(
+    directory: Path,
+    file: DesignFile,
+    design: Design,
+    motion: FoldingMotion,
+    *,
+    lock: Lock,
+    deviation: Deviation | None,
+    choice: Choice | None,
+) -> None:
+    """Write ``overview.png`` and, where they apply, ``deviation.png`` and ``tradeoff.png``."""
+    plot_overview(
+        directory / "overview.png",
+        motion,
+        design.targets,
+        title=_title(file),
+        last=_last_state(design, lock),
+        unit=file.unit,
+        contact=_drawn(lock),
+    )
+    if deviation is not None:
+        _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
+    if choice is not None and file.tolerance is not None:
+        plot_tradeoff(
+            directory / "tradeoff.png",
+            [_point(trial) for trial in choice.tradeoff],
+            _point(choice.trial),
+            file.tolerance.surface,
+            file.unit,
+        )
+
+
+def _point(trial: Trial) -> tuple[int, float, str]:
+    return trial.panels, trial.error, f"{trial.rows} × {trial.columns}"
+
+
+def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str) -> None:
+    largest, rms = f"{deviation.max:.3g} {unit}", f"{deviation.rms:.3g} {unit}"
+    signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
+    note = "Shell at its target, flaps left out, coloured by its distance from f swept along g"
+    if signed.strides != (1, 1):
+        note += "; every {}th row, every {}th column drawn".format(*signed.strides)
+    plot_deviation(
+        path,
+        signed.points,
+        signed.distances,
+        signed.creases,
+        design.targets,
+        title=f"Deviation, both ways: max {largest}, rms {rms}",
+        note=note,
+        unit=unit,
+    )
+
+
+def _drawn(lock: Lock) -> DrawnContact | None:
+    """The first contact, if it comes before the target and so is to be drawn."""
+    contact = lock.first_contact
+    if contact is None or not lock.early:
+        return None
+    return DrawnContact(contact.drive, contact.panels)
+
+
+def _last_state(design: Design, lock: Lock) -> str:
+    if design.ending_at is not None:
+        return "Where panels first touch" if lock.cause == "clash" else "As far as it folds"
+    aim = "target" if design.swept is not None else "stage"
+    if lock.early:
+        return f"The {aim}, which it does not reach"
+    if lock.cause == "flaps":
+        return "Locked"
+    return "Folded until it meets the target" if aim == "target" else "Folded to the stage"
+
+
+def _title(file: DesignFile) -> str:
+    pattern = file.pattern
+    family = file.family.replace("-", " ").capitalize()
+    return f"{family}, {pattern.rows} × {pattern.columns} inner vertices"

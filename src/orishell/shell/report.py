@@ -1,0 +1,252 @@
+"""The report of a shell: what ``report.json`` says, field by field.
+
+Lengths and areas are in the design's unit, angles in degrees where a name ends in ``_deg`` and in
+radians where it ends in ``_rad``. Panels are pairs of row and column, from 0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from orishell.design import Design, Parameter
+from orishell.families.pattern import Tolerance
+from orishell.motion import find_assignment
+from orishell.shell.choice import Choice, Trial
+from orishell.shell.deviation_report import DeviationReport
+from orishell.shell.lock_report import LockReport
+from orishell.shell.standing import Feet
+from orishell.verification.residuals import AssignmentCheck, Residuals
+from orishell.workshop.quantities import Quantities
+
+
+@dataclass(frozen=True, slots=True)
+class AssignmentReport:
+    """How many creases are mountains and valleys, and whether they stay so.
+
+    Parameters
+    ----------
+    mountain, valley, unfolded
+        Numbers of creases.
+    constant
+        Whether no crease changes from one to the other in the whole motion.
+    maekawa
+        Whether Maekawa's condition holds at every inner vertex.
+    """
+
+    mountain: int
+    valley: int
+    unfolded: int
+    constant: bool
+    maekawa: bool
+
+
+@dataclass(frozen=True, slots=True)
+class StandsReport:
+    """What the shell stands on.
+
+    Parameters
+    ----------
+    rows
+        The rows of vertices that are its feet.
+    z
+        Height of the lowest of their vertices.
+    uneven
+        By how much the highest lies above it.
+    level
+        Whether all are at one height.
+    """
+
+    rows: tuple[int, int]
+    z: float
+    uneven: float
+    level: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ChosenReport:
+    """How rows and columns were chosen.
+
+    Parameters
+    ----------
+    tolerance, panel_min, panel_max
+        What was asked for; ``panel_max`` is None if edges may have any length.
+    rows, columns, panels, error, shortest, longest
+        The design that was chosen, see :class:`~orishell.shell.choice.Trial`.
+    designs_tried
+        Number of designs measured.
+    tradeoff
+        Designs that no other beats in both error and number of panels.
+    """
+
+    tolerance: float
+    panel_min: float
+    panel_max: float | None
+    rows: int
+    columns: int
+    panels: int
+    error: float
+    shortest: float
+    longest: float
+    designs_tried: int
+    tradeoff: tuple[Trial, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SheetReport:
+    """Size of the flat sheet.
+
+    Parameters
+    ----------
+    width, height
+        Its bounding box.
+    area
+        Area of all panels.
+    """
+
+    width: float
+    height: float
+    area: float
+
+
+@dataclass(frozen=True, slots=True)
+class BoxReport:
+    """Bounding box of a state.
+
+    Parameters
+    ----------
+    width, depth, height
+        Along x, y and z.
+    """
+
+    width: float
+    depth: float
+    height: float
+
+
+@dataclass(frozen=True, slots=True)
+class PackedReport:
+    """The bounding box of the state that packs smallest.
+
+    Parameters
+    ----------
+    drive_deg
+        Drive angle of that state.
+    width, depth, height
+        Along x, y and z.
+    """
+
+    drive_deg: float
+    width: float
+    depth: float
+    height: float
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """All that ``report.json`` says of a shell.
+
+    Parameters
+    ----------
+    family, unit, rows, columns
+        What was designed.
+    parameters
+        What the family used and found.
+    chosen
+        How rows and columns were chosen, if there was a tolerance.
+    feasible
+        Whether it reaches its target without contact; None if that was not examined.
+    warnings
+        Sentences a user should read.
+    residuals, assignment
+        How exactly it folds.
+    lock
+        How the motion ends.
+    not_checked
+        What was left out on request.
+    stands
+        What it stands on; None if it cannot stand.
+    deviation
+        How close it is to its target; None without one.
+    sheet, deployed, packed
+        Sizes of the flat sheet, of the last state, and of the smallest state.
+    quantities
+        Bill of quantities.
+    """
+
+    family: str
+    unit: str
+    rows: int
+    columns: int
+    parameters: Mapping[str, Parameter]
+    chosen: ChosenReport | None
+    feasible: bool | None
+    warnings: tuple[str, ...]
+    residuals: Residuals
+    assignment: AssignmentReport
+    lock: LockReport
+    not_checked: tuple[str, ...]
+    stands: StandsReport | None
+    deviation: DeviationReport | None
+    sheet: SheetReport
+    deployed: BoxReport
+    packed: PackedReport
+    quantities: Quantities
+
+    def __repr__(self) -> str:
+        size = f"{self.rows} x {self.columns} inner vertices"
+        said = f"feasible: {self.feasible}, warnings: {len(self.warnings)}"
+        return f"{type(self).__name__}({self.family}, {size}; {said})"
+
+    def as_dict(self) -> dict[str, object]:
+        """The report as nested tables for JSON, without ``chosen`` if there was no tolerance."""
+        tables = asdict(self)
+        if self.chosen is None:
+            del tables["chosen"]
+        return tables
+
+
+def describe_assignment(design: Design, check: AssignmentCheck) -> AssignmentReport:
+    """Mountains and valleys."""
+    signs = find_assignment(design.mechanism)
+    creases = np.concatenate([signs.row.ravel(), signs.column.ravel()])
+    return AssignmentReport(
+        mountain=int((creases < 0).sum()),
+        valley=int((creases > 0).sum()),
+        unfolded=int((creases == 0).sum()),
+        constant=check.constant,
+        maekawa=check.maekawa,
+    )
+
+
+def describe_feet(design: Design, feet: Feet | None) -> StandsReport | None:
+    """What the shell stands on; None if it cannot stand."""
+    if feet is None:
+        return None
+    return StandsReport(
+        rows=feet.rows,
+        z=float(feet.lowest + design.origin[2]),
+        uneven=0.0 if feet.level else feet.uneven,
+        level=feet.level,
+    )
+
+
+def describe_choice(choice: Choice, tolerance: Tolerance) -> ChosenReport:
+    """What rows and columns were chosen from."""
+    trial = choice.trial
+    return ChosenReport(
+        tolerance=tolerance.surface,
+        panel_min=tolerance.panel_min,
+        panel_max=tolerance.panel_max if math.isfinite(tolerance.panel_max) else None,
+        rows=trial.rows,
+        columns=trial.columns,
+        panels=trial.panels,
+        error=trial.error,
+        shortest=trial.shortest,
+        longest=trial.longest,
+        designs_tried=choice.tried,
+        tradeoff=choice.tradeoff,
+    )

@@ -1,0 +1,96 @@
+"""What a shell stands on: the rows that are its feet, how even they are, and the ground."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from orishell.design import Design
+from orishell.numerics.arrays import Array
+
+RISE = 0.1
+"""Both ends of f lie this share of its height below its highest point, or it has no two feet."""
+DIP = 0.01
+"""Nothing between an end and the highest point lies lower than the end by more than this share."""
+TIE = 1e-9
+"""Rows whose heights differ by less than this share of the shell's height are equally low."""
+LEVEL = 1e-6
+"""Feet that differ in height by less than this share of the shell's height are level."""
+
+
+@dataclass(frozen=True, slots=True)
+class Feet:
+    """What a locked shell stands on.
+
+    Parameters
+    ----------
+    rows
+        The lowest row of vertices towards each end of f.
+    lowest
+        Height of the lowest of their vertices in the design's frame, flaps left out (length).
+    uneven
+        By how much the highest of them lies above it (length).
+    height
+        Height of the shell, flaps left out (length).
+    """
+
+    rows: tuple[int, int]
+    lowest: float
+    uneven: float
+    height: float
+
+    @property
+    def level(self) -> bool:
+        """Whether all vertices of the feet are at one height."""
+        return self.uneven <= LEVEL * self.height
+
+
+def find_feet(design: Design) -> Feet | None:
+    """The feet of a locked shell; None if it cannot stand: f's ends are not its lowest part."""
+    f = design.targets.get("f")
+    if f is None or not _is_arch(f):
+        return None
+    mechanism = design.mechanism
+    shell = mechanism.positions(mechanism.lock_drive)[:, mechanism.inner_columns]
+    height, column = shell[..., 2], shell[:, 0]
+    size = float(np.ptp(height))
+    low = height.min(axis=1)
+    # The row that stands on f's highest point parts the rows; column 1 stands on f.
+    away = np.linalg.norm(column - f[f[:, 2].argmax()], axis=-1)
+    top = 1 + int(away[1:-1].argmin())
+    rows = (
+        _outermost(low[:top], size),
+        len(low) - 1 - _outermost(low[:top:-1], size),
+    )
+    feet = height[list(rows)]
+    if feet.min() > low.min() + TIE * size:  # the corrugation reaches lower in the middle
+        return None
+    return Feet(rows, float(feet.min()), float(np.ptp(feet)), size)
+
+
+def stand(design: Design, feet: Feet | None) -> Design:
+    """The design with its feet on z = 0, if it has any.
+
+    All states are moved by the same height, that of the locked shell's lowest foot.
+    """
+    if feet is None:
+        return design
+    return replace(design, origin=design.origin - np.array([0.0, 0.0, feet.lowest]))
+
+
+def _outermost(low: Array, size: float) -> int:
+    """The lowest row by the heights ``low`` of rows; of equally low ones the first."""
+    return int(np.argmax(low <= low.min() + TIE * size))
+
+
+def _is_arch(curve: Array) -> bool:
+    """Whether a curve (N, 3) rises from one end and falls to the other, which are its lowest."""
+    height = curve[:, 2]
+    top, size = int(height.argmax()), float(np.ptp(height))
+    if size <= TIE * np.ptp(curve, axis=0).max():
+        return False
+    return all(
+        bool(side[-1] - side[0] > RISE * size and side.min() >= side[0] - DIP * size)
+        for side in (height[: top + 1], height[top:][::-1])
+    )

@@ -1,0 +1,290 @@
+"""What the studio's server sends to its pages, field by field.
+
+Their types in ``frontend/src/shared/api-types.ts`` are written from these.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Literal, NotRequired, TypedDict
+
+from orishell.document import FirstContact
+from orishell.errors import DesignError, InputError, OrishellError
+from orishell.io.view import Curves, Drawn
+from orishell.shell.report import Report
+
+Tables = dict[str, Any]
+"""The tables of a design file."""
+FaultKind = Literal["input", "design", "limit", "time", "fault"]
+NAME = "shell"
+"""The name of a design that was given none."""
+
+
+class Parameter(TypedDict):
+    """A parameter of a family, as a control shows it.
+
+    Parameters
+    ----------
+    default
+        Null: the design must give it.
+    slider
+        How far the slider reaches; left out where that depends on the curves.
+    """
+
+    key: str
+    label: str
+    help: str
+    kind: Literal["integer", "number", "choice", "angles4"]
+    auto: bool
+    unit: Literal["length", "deg", ""]
+    choices: list[str]
+    default: float | str | None
+    slider: NotRequired[tuple[float, float]]
+    step: NotRequired[float]
+
+
+class Family(TypedDict):
+    """A family of crease patterns."""
+
+    label: str
+    what: str
+    parameters: list[Parameter]
+
+
+class Example(TypedDict):
+    """A design to begin with, as the text of a design file."""
+
+    name: str
+    title: str
+    text: str
+
+
+class FileFormat(TypedDict):
+    """A format of files that a shell can be written in."""
+
+    name: str
+    file: str
+    what: str
+
+
+class Largest(TypedDict):
+    """Limits of the studio: vertices of a sheet, bytes of a request, seconds of a design."""
+
+    vertices: int
+    bytes: int
+    seconds: float
+
+
+class NamedDesign(TypedDict):
+    """The design file that the studio was started with."""
+
+    name: str
+    design: Tables
+
+
+class Info(TypedDict):
+    """What the page loads first: families, examples, formats, limits, the design to open."""
+
+    version: str
+    units: list[str]
+    families: dict[str, Family]
+    examples: list[Example]
+    formats: list[FileFormat]
+    limits: Largest
+    start: NamedDesign | None
+
+
+class Remedy(TypedDict):
+    """A change of the design that was tried and works.
+
+    Parameters
+    ----------
+    changes
+        Values of keys of the design file, the tables in front of them; null removes a key.
+    """
+
+    text: str
+    changes: dict[str, Any]
+
+
+class Fault(TypedDict):
+    """What is wrong with a request or its design.
+
+    Parameters
+    ----------
+    message
+        All of it in one text.
+    keys
+        The keys of the design file that it is about, the tables in front of them.
+    limit
+        What stands in the way, where nothing was found that works.
+    remedies
+        What was tried and works, the nearest first.
+    """
+
+    kind: FaultKind
+    message: str
+    what: str
+    where: str
+    keys: list[str]
+    got: str
+    expected: str
+    remedy: str
+    detail: str
+    place: str
+    size: str
+    limit: str
+    remedies: list[Remedy]
+
+
+class Refusal(TypedDict):
+    """The answer to a request that failed; of a design, with the curves that can be drawn."""
+
+    error: Fault
+    curves: NotRequired[Curves]
+
+
+class Range(TypedDict):
+    """Values of a parameter that were tried, and those that work.
+
+    Parameters
+    ----------
+    span
+        Those that were tried.
+    intervals
+        Those that work.
+    below, above
+        Why values below the lowest interval, or above the highest, fail; empty at the span's end.
+    """
+
+    span: tuple[float, float]
+    intervals: list[tuple[float, float]]
+    below: str
+    above: str
+
+
+class Ranges(TypedDict):
+    """Values that work, for every parameter by its key."""
+
+    ranges: dict[str, Range]
+
+
+class Parsed(TypedDict):
+    """The tables of a design file, read from its text."""
+
+    design: Tables
+
+
+class Written(TypedDict):
+    """The text of a design file, made from its tables."""
+
+    text: str
+
+
+class DroppedCurve(TypedDict):
+    """Points of a curve whose file was dropped onto the page, and a note on how they were read."""
+
+    points: Drawn
+    smooth: bool
+    note: str
+
+
+class Verified(TypedDict):
+    """A shell that has been verified: its report, contact and distances.
+
+    Parameters
+    ----------
+    distance
+        Distances of the vertices from the surface: single precision, in base64.
+    refusal
+        Why the design is refused although its shell can be shown: panels meet before it locks.
+    view
+        A view in base64 that takes the place of the one shown; null: that one stays.
+    """
+
+    report: Report
+    contact: FirstContact | None
+    distance: str
+    refusal: Fault | None
+    view: str | None
+
+
+class Advance(TypedDict):
+    """The share of the work that is done, from 0 to 1, and what the work is."""
+
+    progress: float
+    what: str
+
+
+class Result(TypedDict):
+    """The last line of the answer: the verified shell."""
+
+    result: Verified
+
+
+class RefusalError(OrishellError):
+    """A request is refused; ``body`` is the answer to send."""
+
+    def __init__(self, body: Refusal) -> None:
+        super().__init__(body["error"]["message"])
+        self.body = body
+
+
+def make_refusal(kind: FaultKind, what: str, **more: Any) -> Refusal:
+    """The answer to a request that failed.
+
+    Parameters
+    ----------
+    kind, what
+        What is wrong.
+    more
+        Further fields; those that are not given are empty.
+    """
+    names = ("where", "got", "expected", "remedy", "detail", "place", "size", "limit")
+    said = {"kind": kind, "message": what, "what": what, "keys": [], "remedies": [], **more}
+    fault: Any = {**dict.fromkeys(names, ""), **said}
+    return {"error": fault}
+
+
+def describe_error(error: OrishellError) -> Refusal:
+    """The answer to a request that raised an error."""
+    match error:
+        case RefusalError():
+            return error.body
+        case DesignError():
+            remedies = [
+                {"text": str(remedy), "changes": dict(remedy.changes)} for remedy in error.remedies
+            ]
+            return make_refusal(
+                "design",
+                error.condition,
+                message=str(error),
+                keys=list(error.keys),
+                place=error.place,
+                size=error.size,
+                limit=error.limit,
+                remedies=remedies,
+            )
+        case InputError():
+            return make_refusal(
+                "input",
+                error.what,
+                message=str(error).removeprefix(f"{NAME}.toml: "),
+                where=error.where,
+                keys=_keys_at(error.where),
+                got=error.got,
+                expected=error.expected,
+                remedy=error.remedy,
+                detail=error.detail,
+            )
+        case _:
+            return make_refusal("fault", str(error))
+
+
+def _keys_at(where: str) -> list[str]:
+    """The keys in a place such as "shell.toml: [pattern] rows, columns"; if none, the table."""
+    found = re.search(r"\[(\w+(?:\.\w+)*)\] ?((?:\w+, )*\w*)", where)
+    if found is None:
+        return []
+    table, names = found.groups()
+    return [f"{table}.{name}".rstrip(".") for name in names.split(", ")]

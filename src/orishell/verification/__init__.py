@@ -1,0 +1,16 @@
+"""Tests of a crease pattern and its folded states, as a FOLD file gives them."""
+
+from orishell.verification.findings import Check, Contacts
+from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
+from orishell.verification.run import TOLERANCE, Inspection, inspect_fold
+
+__all__ = [
+    "TOLERANCE",
+    "AssignmentCheck",
+    "Check",
+    "Contacts",
+    "Inspection",
+    "Residuals",
+    "inspect_fold",
+    "measure_residuals",
+]

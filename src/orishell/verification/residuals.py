@@ -1,0 +1,116 @@
+"""Residuals measured on positions: they decide whether a result is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.motion import FoldedState, diagonal, measure_fold_angles
+from orishell.numerics.arrays import Array
+from orishell.sheet.grid import Grid, crease_signs
+from orishell.sheet.quads import corner_distances, diagonal_gaps, grid_corners, sector_angles
+from orishell.verification.signs import SignsSeen, meets_maekawa, turn_between
+
+BLOCK = 2**14
+"""Vertices looked at together: few enough for a processor's cache."""
+
+
+@dataclass(frozen=True, slots=True)
+class Residuals:
+    """Worst departures from a rigid folding of a flat sheet, over the states measured.
+
+    Parameters
+    ----------
+    panel_length
+        Change of the six distances of a panel's corners against the flat sheet, relative to the
+        sheet's diagonal.
+    planarity
+        Distance between a panel's two diagonals, relative to the sheet's diagonal.
+    sector_sum_rad
+        Difference of the four sector angles at an inner vertex from 2 pi (radians).
+    fold_angle_rad
+        Difference of the fold angles measured from the positions from the closed form (radians).
+    """
+
+    panel_length: float
+    planarity: float
+    sector_sum_rad: float
+    fold_angle_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class AssignmentCheck:
+    """Whether mountains and valleys stay so over the states, and meet Maekawa's condition.
+
+    Parameters
+    ----------
+    constant
+        Whether no crease is a mountain in one state and a valley in another.
+    maekawa
+        Whether each inner vertex meets Maekawa's condition: it has three creases of one sign and
+        one of the other; a vertex with unfolded creases has two of one sign.
+    """
+
+    constant: bool
+    maekawa: bool
+
+
+def measure_residuals(
+    states: Iterable[FoldedState], flat: FoldedState
+) -> tuple[Residuals, AssignmentCheck]:
+    """Measure every state against the flat sheet, one state in memory at a time.
+
+    Parameters
+    ----------
+    states
+        The states, one after the other.
+    """
+    blocks = _blocks(*flat.positions.shape[:2])
+    distances = [corner_distances(grid_corners(flat.positions[block])) for block in blocks]
+    worst = np.zeros(4)
+    grid = Grid(*flat.positions.shape[:2])
+    edges = grid.edges_vertices()
+    seen, constant = SignsSeen(len(edges)), True
+    for state in states:
+        for block, expected in zip(blocks, distances, strict=True):
+            worst = np.maximum(worst, _departures(state, block, expected))
+        constant &= not seen.see(crease_signs(state.fold_angles).on_edges()).any()
+    worst[:2] /= diagonal(flat.positions)
+    signs = seen.valley.astype(np.float64) - seen.mountain
+    met = meets_maekawa(edges, signs, grid.vertex_count)[grid.vertices()[1:-1, 1:-1]]
+    return Residuals(*worst.tolist()), AssignmentCheck(constant, bool(met.all()))
+
+
+def _blocks(rows: int, columns: int) -> list[slice]:
+    """Rows of vertices to look at together: all panels, and all vertices with what is around."""
+    step = max(BLOCK // columns, 1)
+    return [slice(start, min(start + step + 2, rows)) for start in range(0, max(rows - 2, 1), step)]
+
+
+def _departures(state: FoldedState, block: slice, distances: Array) -> Array:
+    """The four :class:`Residuals` of some rows in one state, lengths not yet relative."""
+    positions = state.positions[block]
+    corners = grid_corners(positions)
+    measured, expected = measure_fold_angles(positions), state.fold_angles
+    return np.array(
+        [
+            np.abs(corner_distances(corners) - distances).max(),
+            diagonal_gaps(corners).max(),
+            np.abs(_sector_sums(positions) - 2 * np.pi).max(initial=0.0),
+            max(
+                turn_between(found, asked).max(initial=0.0)
+                for found, asked in (
+                    (measured.row, expected.row[block.start : block.stop - 2]),
+                    (measured.column, expected.column[block.start : block.stop - 1]),
+                )
+            ),
+        ]
+    )
+
+
+def _sector_sums(positions: Array) -> Array:
+    """Sum of the four sector angles at every inner vertex (radians)."""
+    angle = np.moveaxis(sector_angles(grid_corners(positions)), -1, 0)
+    return np.asarray(angle[0, 1:, 1:] + angle[1, :-1, 1:] + angle[2, :-1, :-1] + angle[3, 1:, :-1])

@@ -1,0 +1,179 @@
+"""Run all tests on a FOLD file, and say what could not be tested."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.errors import InputError
+from orishell.io import FoldFile
+from orishell.verification.contact import ClashTest
+from orishell.verification.findings import Check, Names
+from orishell.verification.folds import AssignmentTest, FoldAngleTest
+from orishell.verification.rigidity import ConvexTest, DevelopableTest, FlatTest, RigidTest
+from orishell.verification.sheet import Sheet, State
+
+TOLERANCE = 1e-6
+"""Allowed error of lengths relative to the diagonal of the flat sheet's bounding box."""
+
+DIGITS = 1e-12
+"""Coordinates whose last digit is less than this share of the sheet's diagonal say enough."""
+
+
+class FrameTest(Protocol):
+    """A test that looks at one frame after the other."""
+
+    def see(self, state: State) -> None:
+        """Measure one frame."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Inspection:
+    """The outcome of all tests, and what could not be tested.
+
+    Parameters
+    ----------
+    file
+        The file.
+    sheet
+        The reference frame.
+    tolerance
+        Allowed error of lengths relative to the sheet's diagonal.
+    checks
+        The outcome of every test that could be made.
+    not_checked
+        What could not be tested.
+    """
+
+    file: FoldFile
+    sheet: Sheet
+    tolerance: float
+    checks: tuple[Check, ...]
+    not_checked: tuple[str, ...]
+
+    __repr__ = in_one_line
+
+    @property
+    def passed(self) -> bool:
+        """Whether every test passed."""
+        return all(check.passed for check in self.checks)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The report that ``orishell check --json`` prints."""
+        mesh = self.file.mesh
+        return {
+            "file": str(self.file.path),
+            "unit": self.file.unit,
+            "passed": self.passed,
+            "panels": len(mesh.faces),
+            "vertices": mesh.vertex_count,
+            "creases": int(mesh.crease.sum()),
+            "inner_vertices": len(self.sheet.inner),
+            "pieces": int(mesh.pieces.max()) + 1,
+            "turned_panels": int((mesh.reversed_faces ^ (self.sheet.up < 0)).sum()),
+            "frames": [frame.number for frame in self.file.frames],
+            "reference_frame": self.sheet.frame.number,
+            "flat_frame": self.sheet.frame.number if self.sheet.flat else None,
+            "diagonal": self.sheet.diagonal,
+            "tolerance": self.tolerance,
+            "checks": {check.name: check.as_dict() for check in self.checks},
+            "not_checked": list(self.not_checked),
+        }
+
+
+def inspect_fold(
+    file: FoldFile, tolerance: float = TOLERANCE, progress: Progress = unwatched
+) -> Inspection:
+    """Test a crease pattern and its folded states.
+
+    Parameters
+    ----------
+    tolerance
+        Allowed error of lengths relative to the diagonal of the flat sheet's bounding box.
+        Angles may be wrong by as much as such an error turns the smallest panel there, see
+        :class:`~orishell.verification.sheet.Sheet`.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is not usable, or a panel has no area.
+    """
+    if not (math.isfinite(tolerance) and tolerance > 0):
+        raise InputError(
+            "the tolerance is not usable",
+            where="tolerance",
+            got=str(tolerance),
+            expected="a finite number greater than 0",
+        )
+    sheet, names = Sheet.of(file, tolerance), Names(file)
+    letters = None if file.assignment is None else np.array(file.assignment)
+    convex = ConvexTest(sheet, names)
+    developable, rigid = DevelopableTest(sheet, names), RigidTest(sheet, names)
+    angles = FoldAngleTest(sheet, names, letters)
+    assignment, clash = AssignmentTest(sheet, names, letters), ClashTest(sheet, names)
+    tests: list[FrameTest] = [developable, rigid, angles, assignment]
+    if convex.passed:
+        tests.append(clash)
+    folded = False
+    for frame in followed(file.frames, len(file.frames), progress, "checking"):
+        state = sheet.state(frame)
+        folded = folded or state.folded
+        for test in tests:
+            test.see(state)
+
+    maekawa, vertices_untested = assignment.maekawa()
+    rigid_checks = rigid.checks()
+    checks = (
+        convex.check,
+        *(FlatTest(sheet, names).checks() if sheet.flat else []),
+        *developable.checks(),
+        *rigid_checks,
+        *angles.checks(),
+        *assignment.checks(folded=folded),
+        *maekawa,
+        *(clash.checks() if convex.passed else []),
+    )
+    bent = any(check.name == "planarity" and not check.passed for check in rigid_checks)
+    largest = max(float(np.abs(frame.positions).max()) for frame in file.frames)
+    digit = float(np.spacing(largest)) / sheet.diagonal
+    dangling = int((file.mesh.edge_faces < 0).all(axis=1).sum())
+    without = [] if sheet.flat and not folded else angles.frames_without
+    untested = [
+        (not folded, "folded states (the file has none): rigid panels, fold angles, contact"),
+        (not sheet.flat, f"the flat sheet (the file has none): lengths are those of frame "
+        f"{sheet.frame.number}, overlaps of the pattern are not seen"),
+        (digit > DIGITS, f"lengths to better than {digit:.1e} of the diagonal (coordinates of "
+        f"{largest:.3g} have no more digits)"),
+        (not len(sheet.inner), "developability (no inner vertices)"),
+        (bool(without), f"fold angles of {_frames(without)} (no edges_foldAngle of their own)"),
+        (angles.pattern_untested, "edges_foldAngle of the flat sheet (no frame folds like that)"),
+        (letters is None, "mountains and valleys (no edges_assignment)"),
+        (letters is not None and assignment.unassigned > 0,
+        f"{assignment.unassigned} creases of unknown assignment"),
+        (folded and assignment.never_folded > 0,
+        f"the sign of {assignment.never_folded} mountains and valleys (unfolded or folded flat in "
+        "every frame)"),
+        (vertices_untested > 0, f"Maekawa's condition at {vertices_untested} vertices (not four "
+        "creases of known assignment)"),
+        (dangling > 0, f"{dangling} edges that belong to no panel"),
+        (not convex.passed, "contact (some panels are not convex)"),
+        (convex.passed and bent, "contact exactly (some panels are not plane)"),
+        (bool(clash.at_the_end), "whether panels that touch at the end of the motion also cross"),
+        (True, "contact between frames: only the states in the file are tested"),
+    ]  # fmt: skip
+    return Inspection(
+        file, sheet, tolerance, checks, tuple(text for applies, text in untested if applies)
+    )
+
+
+def _frames(numbers: list[int]) -> str:
+    if len(numbers) == 1:
+        return f"frame {numbers[0]}"
+    listed = ", ".join(map(str, numbers[:10])) + (", ..." if len(numbers) > 10 else "")
+    return f"frames {listed}"

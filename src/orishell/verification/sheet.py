@@ -1,0 +1,179 @@
+"""The reference frame that the others are compared with, and what a length error means there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.errors import InputError
+from orishell.io import FoldFile, FoldFrame
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.mesh import QuadMesh, measure_mesh_folds
+from orishell.sheet.quads import area_vectors, corner_distances, reflex_corners
+
+NOTHING = 1e-12
+"""A panel is a line if its size is below this share of the sheet's diagonal."""
+
+SMALLEST = 1e-50
+"""Sheets smaller than this are refused: products of their lengths would underflow (length)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sheet:
+    """The panels as they are in the reference frame: the flat sheet if there is one.
+
+    An angle may be wrong by as much as a corner that is moved by ``tolerance`` turns the panel
+    there: ``tolerance`` over the panel's size, which is its shortest edge or, if that is
+    less, its area over its longer diagonal.
+
+    Parameters
+    ----------
+    mesh
+        Panels and edges.
+    frame
+        The reference frame.
+    flat
+        Whether it is the flat sheet.
+    diagonal
+        Diagonal of its bounding box (length).
+    tolerance
+        Allowed error of a length (length).
+    distances
+        The six distances (F, 6) of the corners of every panel.
+    reflex
+        Corners (F, 4) whose sector is above pi.
+    panel_limits, edge_limits, vertex_limits
+        Allowed errors (F,), (E,), (V,) of angles, by the smallest panel there (radians).
+    up
+        +1 or -1 (F,): whether the panel, lying level in the flat sheet, goes counter-clockwise
+        seen from +z or clockwise. Mountains and valleys are those seen from +z.
+    inner
+        Vertices (I,) that panels surround.
+    """
+
+    mesh: QuadMesh
+    frame: FoldFrame
+    flat: bool
+    diagonal: float
+    tolerance: float
+    distances: Array
+    reflex: Booleans
+    panel_limits: Array
+    edge_limits: Array
+    vertex_limits: Array
+    up: Array
+    inner: Integers
+
+    __repr__ = in_one_line
+
+    @classmethod
+    def of(cls, file: FoldFile, tolerance: float) -> Sheet:
+        """Find the reference frame and measure it.
+
+        It is the first frame that calls itself a crease pattern, or else the first one without
+        folds, or else the first one.
+
+        Parameters
+        ----------
+        tolerance
+            Allowed error of lengths relative to the diagonal.
+
+        Raises
+        ------
+        InputError
+            If a panel of it has no area.
+        """
+        mesh = file.mesh
+        patterns = [frame for frame in file.frames if "creasePattern" in frame.classes]
+        patterns += [frame for frame in file.frames if _is_unfolded(mesh, frame, tolerance)][:1]
+        frame = patterns[0] if patterns else file.frames[0]
+        diagonal, sizes = _sizes(mesh, frame.positions)
+        if diagonal < SMALLEST:
+            raise InputError(
+                "the sheet has no size",
+                where=f"{file.path}: frame {frame.number} vertices_coords",
+                got=f"a bounding box of diagonal {diagonal:.3g}",
+                expected=f"at least {SMALLEST:g}",
+            )
+        small = sizes <= NOTHING * diagonal
+        if small.any():
+            raise InputError(
+                "a panel has no area, or crosses itself",
+                where=f"{file.path}: frame {frame.number} panel {np.argmax(small)}",
+            )
+        corners = frame.positions[mesh.faces]
+        limits = tolerance * diagonal / sizes
+        vertex_limits = np.zeros(mesh.vertex_count)
+        np.maximum.at(vertex_limits, mesh.faces.ravel(), np.repeat(limits, 4))
+        return cls(
+            mesh=mesh,
+            frame=frame,
+            flat=bool(patterns),
+            diagonal=diagonal,
+            tolerance=tolerance * diagonal,
+            distances=corner_distances(corners),
+            reflex=reflex_corners(corners),
+            panel_limits=limits,
+            edge_limits=_on_edges(mesh, limits),
+            vertex_limits=vertex_limits,
+            up=_upward(mesh, frame.positions) if patterns else np.ones(len(sizes)),
+            inner=mesh.inner_vertices(),
+        )
+
+    def state(self, frame: FoldFrame) -> State:
+        """Measure the fold angles of a frame."""
+        side = np.append(self.up, 1.0)[self.mesh.edge_faces.max(axis=1)]
+        folds = side * measure_mesh_folds(self.mesh, frame.positions)
+        return State(frame, folds, bool((np.abs(folds) > self.edge_limits).any()))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class State:
+    """One frame of the file.
+
+    Parameters
+    ----------
+    frame
+        The frame.
+    folds
+        Fold angles (E,) measured from the positions, valley positive (radians).
+    folded
+        Whether any crease is folded.
+    """
+
+    frame: FoldFrame
+    folds: Array
+    folded: bool
+
+
+def _is_unfolded(mesh: QuadMesh, frame: FoldFrame, tolerance: float) -> bool:
+    diagonal, sizes = _sizes(mesh, frame.positions)
+    if (sizes <= NOTHING * diagonal).any():
+        return False
+    limits = _on_edges(mesh, tolerance * diagonal / sizes)
+    return bool((np.abs(measure_mesh_folds(mesh, frame.positions)) <= limits).all())
+
+
+def _sizes(mesh: QuadMesh, positions: Array) -> tuple[float, Array]:
+    """Diagonal of the panels' bounding box, and the size (F,) of every panel."""
+    corners = positions[mesh.faces]
+    diagonal = float(np.linalg.norm(np.ptp(corners.reshape(-1, 3), axis=0)))
+    distances = corner_distances(corners)
+    longest = np.maximum(distances.max(axis=1), np.finfo(float).tiny)
+    area = np.linalg.norm(area_vectors(corners), axis=-1)
+    return diagonal, np.minimum(distances.min(axis=1), area / longest)
+
+
+def _on_edges(mesh: QuadMesh, limits: Array) -> Array:
+    """The larger limit (E,) of the panels beside every edge."""
+    return np.asarray(np.append(limits, 0.0)[mesh.edge_faces].max(axis=1))
+
+
+def _upward(mesh: QuadMesh, positions: Array) -> Array:
+    """For every panel (F,) -1 if its piece of the sheet, lying level, goes clockwise, or 1."""
+    vectors = area_vectors(positions[mesh.faces])
+    total = np.stack([np.bincount(mesh.pieces, vectors[:, k]) for k in range(3)], axis=-1)
+    seen_from_below = total[:, 2] < -0.5 * np.linalg.norm(total, axis=1)
+    return np.asarray(np.where(seen_from_below, -1.0, 1.0)[mesh.pieces])

@@ -1,0 +1,139 @@
+"""The layout: the whole sheet on one page, or its parts on sheets of stock.
+
+A sheet larger than the stock is split into parts (:mod:`~orishell.workshop.splitting`), which get
+tabs or strips (:mod:`~orishell.workshop.joints`) and are laid on the stock
+(:mod:`~orishell.workshop.nesting`).
+"""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+
+import numpy as np
+
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.workshop.fitting import CutSheet, find_turns, require_panels_fit
+from orishell.workshop.joints import Joint, make_parts
+from orishell.workshop.nesting import nest_parts
+from orishell.workshop.outline import whole_sheet
+from orishell.workshop.part import Part
+from orishell.workshop.placing import Placement
+from orishell.workshop.settings import Workshop
+from orishell.workshop.splitting import split_sheet
+from orishell.workshop.tabs import choose_joint_width
+
+KEPT = 4
+"""Number of layouts that are kept: formats and quantities ask for the same one."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Layout:
+    """The parts of a sheet, and where they lie on the stock.
+
+    Parameters
+    ----------
+    parts
+        The whole sheet, or its parts and then the strips.
+    placements
+        Where each lies within the margins; None without stock.
+    joints
+        How parts are joined.
+    """
+
+    parts: tuple[Part, ...]
+    placements: tuple[Placement, ...] | None
+    joints: tuple[Joint, ...] = ()
+
+    @property
+    def sheets(self) -> int:
+        """Number of sheets that are cut."""
+        return 1 if self.placements is None else 1 + max(p.sheet for p in self.placements)
+
+
+def lay_out(document: Document, workshop: Workshop) -> Layout:
+    """Split the sheet as the stock asks for, and lay the parts on it.
+
+    Splitting takes long. The last layouts are kept: who asks for the same flat sheet on the same
+    stock again, whatever its states are, gets the same one.
+
+    Raises
+    ------
+    InputError
+        If there is no flat sheet, or a panel does not fit the stock.
+    """
+    if workshop.stock is None:
+        return Layout((whole_sheet(document),), None)
+    asked = Workshop(
+        stock=workshop.stock,
+        margin=workshop.margin,
+        spacing=workshop.spacing,
+        joint=workshop.joint,
+        joint_width=workshop.joint_width,
+    )
+    return _lay_on_stock(_FlatSheet.of(document), asked)
+
+
+def require_stock(document: Document, workshop: Workshop) -> None:
+    """Refuse stock that a panel does not fit, before any layout is made.
+
+    Raises
+    ------
+    InputError
+        As :func:`lay_out` does.
+    """
+    width, height = _usable(workshop)
+    if not len(find_turns(np.concatenate(whole_sheet(document).outlines), width, height)):
+        tabs = choose_joint_width(document, workshop) if workshop.joint == "tabs" else 0.0
+        require_panels_fit(document, CutSheet.of(document, width, height, tabs))
+
+
+@dataclass(frozen=True, slots=True)
+class _FlatSheet:
+    """A flat sheet, equal to another with the same panels and creases at the same places."""
+
+    digest: bytes
+    document: Document = field(compare=False)
+
+    @classmethod
+    def of(cls, document: Document) -> _FlatSheet:
+        flat, mesh = document.require_flat(), document.mesh
+        digest = hashlib.sha256(repr((document.grid_shape, len(flat), mesh.faces.shape)).encode())
+        for array in (flat, mesh.faces, mesh.edges, mesh.edge_faces, mesh.crease):
+            digest.update(array.tobytes())
+        bare = replace(document, states=(), curves={}, surface=None, distances=None, report={})
+        return cls(digest.digest(), bare)
+
+
+@lru_cache(KEPT)
+def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
+    document = sheet.document
+    whole = whole_sheet(document)
+    width, height = _usable(workshop)
+    points = np.concatenate(whole.outlines)
+    turns = find_turns(points, width, height)
+    if len(turns):
+        turned = Placement(0, float(turns[0]), np.zeros(2))
+        shift = -turned.move(points).min(axis=0)
+        return Layout((whole,), (replace(turned, shift=shift),))
+    joint = choose_joint_width(document, workshop)
+    split = split_sheet(document, width, height, joint if workshop.joint == "tabs" else 0.0)
+    parts, strips, joints = make_parts(document, split, workshop.joint, joint)
+    outlines = [part.outlines[0] for part in (*parts, *strips)]
+    return Layout((*parts, *strips), nest_parts(outlines, width, height, workshop.spacing), joints)
+
+
+def _usable(workshop: Workshop) -> tuple[float, float]:
+    if workshop.stock is None:
+        raise AssertionError("only stock has a margin")
+    width, height = (side - 2 * workshop.margin for side in workshop.stock)
+    if min(width, height) <= 0:
+        raise InputError(
+            "the margins leave nothing of the stock",
+            where="[workshop] margin",
+            got=f"{workshop.margin:g}",
+            expected=f"less than {min(workshop.stock) / 2:g}",
+        )
+    return width, height

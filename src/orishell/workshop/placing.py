@@ -1,0 +1,94 @@
+"""Turning and shifting a part to its place on a sheet of stock."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+
+from orishell.numerics.arrays import Array
+from orishell.workshop.drawing import Anchor, Circle, Line, Text
+
+Content = tuple[tuple[Line, ...], tuple[Circle, ...], tuple[Text, ...]]
+
+Mark = TypeVar("Mark", Circle, Text)
+
+OTHER_WAY: dict[Anchor, Anchor] = {"start": "end", "middle": "middle", "end": "start"}
+"""Anchors of texts that are turned half round."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Placement:
+    """Where a part lies: turned about the origin, then shifted.
+
+    Parameters
+    ----------
+    sheet
+        Number of the sheet of stock, from 0.
+    angle
+        Turn (radians, counter-clockwise).
+    shift
+        Shift (2,).
+    """
+
+    sheet: int
+    angle: float
+    shift: Array
+
+    def move(self, points: Array) -> Array:
+        """Points (k, 2) where the part lies."""
+        return turned(points, self.angle) + self.shift
+
+    def move_all(self, content: Content) -> Content:
+        """Lines, circles and texts where the part lies; no text is upside down."""
+        lines, circles, texts = content
+        return (
+            tuple(replace(line, points=self.move(line.points)) for line in lines),
+            tuple(self._moved(circle) for circle in circles),
+            tuple(self._move_text(text) for text in texts),
+        )
+
+    def _moved(self, drawn: Mark) -> Mark:
+        ((x, y),) = self.move(np.array([[drawn.x, drawn.y]])).tolist()
+        return replace(drawn, x=x, y=y)
+
+    def _move_text(self, text: Text) -> Text:
+        angle = float(np.remainder(text.angle + self.angle + np.pi, 2 * np.pi) - np.pi)
+        anchor = text.anchor
+        if not -np.pi / 2 - 1e-9 < angle <= np.pi / 2 + 1e-9:
+            angle -= float(np.copysign(np.pi, angle))
+            anchor = OTHER_WAY[anchor]
+        return replace(self._moved(text), angle=angle, anchor=anchor)
+
+
+def shifted(content: Content, x: float, y: float) -> Content:
+    """Lines, circles and texts by so much to the right and up.
+
+    Parameters
+    ----------
+    content
+        What is drawn.
+    x, y
+        The shift.
+    """
+    lines, circles, texts = content
+    return (
+        tuple(replace(line, points=line.points + np.array([x, y])) for line in lines),
+        tuple(replace(circle, x=circle.x + x, y=circle.y + y) for circle in circles),
+        tuple(replace(text, x=text.x + x, y=text.y + y) for text in texts),
+    )
+
+
+def turned(points: Array, angle: float) -> Array:
+    """Points (k, 2) turned about the origin.
+
+    Parameters
+    ----------
+    points
+        The points.
+    angle
+        The turn (radians, counter-clockwise).
+    """
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]]))

@@ -1,0 +1,98 @@
+"""Bill of quantities: how much sheet, cut and crease a shell needs, and what it weighs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.units import conversion
+from orishell.document import Document
+from orishell.workshop import Workshop
+from orishell.workshop.layout import require_stock
+from orishell.workshop.sheets import Waste, measure_waste
+
+
+@dataclass(frozen=True, slots=True)
+class CreaseLength:
+    """Length of all creases of a kind, in the document's unit.
+
+    Parameters
+    ----------
+    mountain, valley, unfolded
+        The kinds.
+    """
+
+    mountain: float
+    valley: float
+    unfolded: float
+
+
+@dataclass(frozen=True, slots=True)
+class Quantities:
+    """Totals; lengths and areas in the document's unit.
+
+    Parameters
+    ----------
+    panels
+        Number of panels.
+    area
+        Area of all panels.
+    crease_length
+        Length of the creases by their assignment.
+    outline_length
+        Length of the sheet's outline and of cuts in it.
+    stock
+        Sheets of stock, and what of them is not used; None if that was not asked for.
+    mass_kg
+        Mass of the panels; None if the areal density is not known.
+    """
+
+    panels: int
+    area: float
+    crease_length: CreaseLength
+    outline_length: float
+    stock: Waste | None
+    mass_kg: float | None
+
+    __repr__ = in_one_line
+
+
+def measure_quantities(
+    document: Document, workshop: Workshop, *, nested: bool = True
+) -> Quantities:
+    """The totals of a document for a workshop.
+
+    Parameters
+    ----------
+    nested
+        Whether the sheet is laid out on its stock, which takes most of the time.
+
+    Raises
+    ------
+    InputError
+        If only folded states are known, or a panel is larger than the stock.
+    """
+    flat, edges = document.require_flat(), document.mesh.edges
+    length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
+    letters = np.array(document.assignment)
+
+    def total(*which: str) -> float:
+        return float(length[np.isin(letters, which)].sum())
+
+    stock = None
+    if nested or workshop.stock is None:
+        stock = measure_waste(document, workshop)
+    else:
+        require_stock(document, workshop)
+    area = float(document.areas().sum())
+    in_metres = conversion(document.unit, "m")
+    return Quantities(
+        panels=len(document.mesh.faces),
+        area=area,
+        crease_length=CreaseLength(total("M"), total("V"), total("F", "U", "J")),
+        outline_length=total("B", "C"),
+        stock=stock,
+        mass_kg=area * in_metres**2 * workshop.areal_density or None,
+    )

@@ -1,0 +1,61 @@
+"""TOML from anybody: read soon, or refused soon."""
+
+from pathlib import Path
+
+import pytest
+
+from orishell.conventions.toml_file import DEEPEST, MAX_BYTES, parse_toml, read_toml
+from orishell.errors import InputError
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # 150 s in Python 3.11, which takes the square of the length
+        "a." * (MAX_BYTES // 2 - 1) + "b=1",
+        "[" + "a . " * (MAX_BYTES // 4) + "b]",
+        "x = {" + "'a'." * (MAX_BYTES // 5) + "b=1}",
+        "a = " + "[" * MAX_BYTES,
+        "a = " + "{a=" * (MAX_BYTES // 3),
+        '# "\n' + '[["' + '".".' * 1000,
+    ],
+)
+def test_what_nests_too_deeply_is_refused_before_it_is_parsed(text: str) -> None:
+    with pytest.raises(InputError, match=r"nested too deeply, at line \d; expected at most"):
+        parse_toml(text)
+
+
+@pytest.mark.parametrize("quote", ['"', "'", '"""', "'''"])
+def test_what_stands_in_texts_and_comments_does_not_nest(quote: str) -> None:
+    words = "[{." * 100
+    escaped = r"\"" + words if quote == '"' else words
+    text = f"a = {quote}{escaped}{quote} # {words}\nb = 1"
+    assert parse_toml(text) == {"a": escaped.replace("\\", ""), "b": 1}
+
+
+def test_a_design_nests_as_deep_as_it_needs_to() -> None:
+    text = "x = " + "[" * (DEEPEST - 1) + "1.5, 2.5, 1979-05-27T07:32:00.5" + "]" * (DEEPEST - 1)
+    assert list(parse_toml(text)) == ["x"]
+    many = "".join(f"[t.u{k}]\nv.w = [[1.5, 2.5]]\n" for k in range(1000))
+    assert len(parse_toml(many)["t"]) == 1000
+
+
+@pytest.mark.parametrize(
+    ("number", "got"),
+    [
+        ("0x" + "f" * 20_000, "80000 bits"),
+        ("9" * 20_000, "more than 4300 digits"),
+        (str(2**63), "64 bits"),
+        (str(-(2**63) - 1), "64 bits"),
+    ],
+)
+def test_whole_numbers_have_64_bits(number: str, got: str) -> None:
+    with pytest.raises(InputError, match=f"a whole number is too large; got {got}"):
+        parse_toml(f"[pattern]\nrows = [[{number}]]")
+    assert parse_toml(f"a = {2**63 - 1}\nb = {-(2**63)}") == {"a": 2**63 - 1, "b": -(2**63)}
+
+
+def test_the_place_is_said(tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_text("[pattern]\nrows = 0x" + "f" * 5000)
+    with pytest.raises(InputError, match=r"a\.toml: pattern\.rows: a whole number"):
+        read_toml(tmp_path / "a.toml")

@@ -1,0 +1,115 @@
+"""Pages know what the server sends: their types are written from its own, which it keeps."""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from orishell.design_file import starter_file
+from orishell.families.registry import FAMILIES
+from orishell.io.view import Header
+from orishell.studio import api
+from studio_server import running_studio
+from typescript import declarations, fits
+
+TYPES = Path(__file__).parents[2] / "frontend" / "src" / "shared" / "api-types.ts"
+HEAD = """\
+// What the server sends, from orishell.studio.api and orishell.io.view. Do not edit:
+// ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
+
+"""
+MESSAGES: tuple[Any, ...] = (
+    Header,
+    api.Info,
+    api.Ranges,
+    api.Parsed,
+    api.Written,
+    api.DroppedCurve,
+    api.Advance,
+    api.Result,
+    api.Refusal,
+)
+
+
+def test_pages_have_the_servers_types() -> None:
+    text = HEAD + declarations(*MESSAGES)
+    if os.environ.get("ORISHELL_WRITE_GOLDEN"):
+        TYPES.write_text(text)
+    assert TYPES.read_text() == text
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[httpx.Client]:
+    with (
+        running_studio() as studio,
+        httpx.Client(base_url=studio.address, timeout=100) as session,
+    ):
+        yield session
+
+
+def test_what_the_page_asks_for_first(client: httpx.Client) -> None:
+    assert fits(client.get("/api/info").json(), api.Info)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_answers_about_a_design(client: httpx.Client, family: str) -> None:
+    text = starter_file(family)
+    design = tomllib.loads(text)
+    assert fits(client.post("/api/parse", json={"text": text}).json(), api.Parsed)
+    assert fits(client.post("/api/format", json={"design": design}).json(), api.Written)
+    assert fits(client.post("/api/ranges", json={"design": design}).json(), api.Ranges)
+    *advances, result = client.post("/api/verify", json={"design": design}).text.splitlines()
+    assert all(fits(json.loads(each), api.Advance) for each in advances)
+    assert fits(json.loads(result), api.Result)
+    view = client.post("/api/design", json={"design": design}).content
+    header = json.loads(view[4 : 4 + struct.unpack("<I", view[:4])[0]])
+    assert fits(header, Header)
+    assert set(header["curves"]) == {"f", "g"}
+
+
+def test_a_dropped_curve(client: httpx.Client) -> None:
+    request = {"name": "p.csv", "content": "MCwwCjEsMQo=", "unit": "m"}
+    assert fits(client.post("/api/curve", json=request).json(), api.DroppedCurve)
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "keys"),
+    [
+        ("design", {"design": {"pattern": {"xi_deg": 170}}}, ["pattern.xi_deg"]),
+        ("design", {"design": {"pattern": {"rows": 8}}}, ["pattern.rows"]),
+        ("design", {"design": {"pattern": {"rows": 999, "columns": 999}}},
+         ["pattern.rows", "pattern.columns"]),
+        ("design", {"design": {"target": {"f": {"formula": "x +", "range": [0, 1]}}}},
+         ["target.f.formula"]),
+        ("parse", {"text": "[shell"}, []),
+        ("nothing", {}, []),
+    ],
+)  # fmt: skip
+def test_refusals_name_the_keys_that_they_are_about(
+    client: httpx.Client, path: str, body: dict[str, Any], keys: list[str]
+) -> None:
+    if "design" in body:
+        design = tomllib.loads(starter_file("parallel-repeating"))
+        for table, values in body["design"].items():
+            design[table] |= values
+        body = {"design": design}
+    refusal = client.post(f"/api/{path}", json=body).json()
+    assert fits(refusal, api.Refusal)
+    assert refusal["error"]["keys"] == keys
+
+
+def test_a_message_of_another_type_does_not_fit() -> None:
+    refusal = api.make_refusal("input", "no")
+    assert fits(refusal, api.Refusal)
+    assert not fits({**refusal, "more": 1}, api.Refusal)
+    assert not fits({}, api.Refusal)
+    assert not fits({"error": {**refusal["error"], "kind": "other"}}, api.Refusal)
+    assert not fits({"error": {**refusal["error"], "keys": [1]}}, api.Refusal)
