@@ -22,7 +22,7 @@ def measure(shell: Shell) -> dict[str, float]:
     """Sizes of the canopy, in metres, and how far the ring opens when it is flat."""
     flat, locked = (
         state.positions[:, shell.design.mechanism.inner_columns]
-        for state in (shell.motion.flat, shell.motion.locked)
+        for state in (shell.motion.flat, shell.motion.target)
     )
     radii = np.linalg.norm(locked[..., :2], axis=-1)
     return {

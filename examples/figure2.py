@@ -32,7 +32,7 @@ def main() -> None:
     shell = design()
     motion = FoldingMotion(shell.mechanism, frames=25)
     residuals, _ = measure_residuals(motion, motion.flat)
-    ground = motion.locked.positions[[0, -1], :, 2]
+    ground = motion.target.positions[[0, -1], :, 2]
     print(f"f is met to {shell.closeness['f'].max:.4f}, g to {shell.closeness['g'].max:.4f}")
     print(f"its ends stand on the ground to {np.ptp(ground):.0e}")
     print(f"panels keep their lengths to {residuals.panel_length:.1e} of the sheet's diagonal")

@@ -170,7 +170,7 @@ def draw_sections(path: Path) -> None:
     figure, axes = new_figure(12, 3.8, 3)
     for place, share in zip(axes, (1.0, 0.25), strict=False):
         design = longitudinal(share)
-        shell = design.mechanism.positions(design.mechanism.lock_drive)
+        shell = design.mechanism.positions(design.mechanism.target_drive)
         across = shell[:, design.mechanism.inner_columns][..., 1:]
         for k in range(across.shape[1]):
             place.plot(*across[:, k].T, color=str(0.15 + 0.08 * k), linewidth=0.9)

@@ -76,7 +76,7 @@ def count_freedoms(mechanism: Mechanism) -> int:
 
     About every inner vertex the rates of the four fold angles, each along its crease, add up to 0.
     """
-    points = mechanism.positions(mechanism.lock_drive / 2)
+    points = mechanism.positions(mechanism.target_drive / 2)
     rows, columns = np.array(points.shape[:2]) - 2
     row_crease = np.arange(rows * (columns + 1)).reshape(rows, columns + 1)
     column_crease = row_crease.size + np.arange((rows + 1) * columns).reshape(rows + 1, columns)
@@ -103,7 +103,7 @@ def largest_error(left: Array, right: Array) -> float:
 def shared_numbers(where: str, design: Design, m: int, n: int) -> Iterator[Number]:
     """What the paper says of both of its locking shells."""
     sheet = design.mechanism
-    flat, locked = sheet.positions(np.array([0.0, sheet.lock_drive]))
+    flat, locked = sheet.positions(np.array([0.0, sheet.target_drive]))
     yield Number(where, "rows of inner vertices, m", m, flat.shape[0] - 2)
     yield Number(where, "columns of inner vertices, n", n, flat.shape[1] - 2)
     yield Number(where, "rows, m + 2", m + 2, flat.shape[0])
@@ -115,7 +115,7 @@ def shared_numbers(where: str, design: Design, m: int, n: int) -> Iterator[Numbe
     yield Number(where, "f from x = -1 to 1: span of column 1", 2, float(span))
     crooked = np.abs(np.cross(np.diff(flat, axis=0)[:-1], np.diff(flat, axis=0)[1:])).max()
     yield Number(where, "columns are straight: area off the line", 0, float(crooked))
-    shut = np.abs(sheet.fold_angles(sheet.lock_drive).row[:, [0, -1]]).min()
+    shut = np.abs(sheet.fold_angles(sheet.target_drive).row[:, [0, -1]]).min()
     remark = "the flaps clash there; that nothing touches before is proved for the design files"
     yield Number(
         where, "fold angle of the flaps at the end", 180, float(np.rad2deg(shut)), 1e-6, remark

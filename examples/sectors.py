@@ -43,7 +43,7 @@ def main() -> None:
     motion, end = sine()
     residuals, _ = measure_residuals(motion, motion.flat)
     print(f"sine version: panels keep their lengths to {residuals.panel_length:.1e}")
-    degrees = np.rad2deg(motion.mechanism.lock_drive)
+    degrees = np.rad2deg(motion.mechanism.target_drive)
     print(f"it goes on to {degrees:.4f} degrees, where it is ended by a {end.cause}")
 
 

@@ -19,7 +19,7 @@ def design() -> Shell:
 
 def measure(shell: Shell) -> dict[str, float]:
     """Room and weight of the shelter, in metres and kilograms."""
-    locked = shell.motion.locked.positions[:, shell.design.mechanism.inner_columns]
+    locked = shell.motion.target.positions[:, shell.design.mechanism.inner_columns]
     ground = locked[[0, -1]]  # the rows on which it stands
     above = np.linalg.norm(locked[..., 1:2], axis=-1) < 0.5  # half a metre from the middle
     quantities = shell.report.quantities

@@ -19,7 +19,7 @@ def design() -> Shell:
 
 def measure(shell: Shell) -> dict[str, float]:
     """Sizes of the tunnel, in metres."""
-    locked = shell.motion.locked.positions[:, shell.design.mechanism.inner_columns]
+    locked = shell.motion.target.positions[:, shell.design.mechanism.inner_columns]
     away = np.linalg.norm(locked[..., :2] - [0, -8], axis=-1)  # from the bend's centre
     middle = locked[len(locked) // 2, :, :2]
     return {

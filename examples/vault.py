@@ -19,7 +19,7 @@ def design() -> Shell:
 
 def measure(shell: Shell) -> dict[str, float]:
     """Sizes of the vault, in metres."""
-    inner = shell.motion.locked.positions[:, shell.design.mechanism.inner_columns]
+    inner = shell.motion.target.positions[:, shell.design.mechanism.inner_columns]
     first, last = np.asarray(shell.report.parameters["radius"], float)
     return {
         "length": float(np.ptp(inner[len(inner) // 2, :, 0])),

@@ -119,7 +119,7 @@ def test_shelter(shelter: Example) -> None:
     assert size["length"] == pytest.approx(6, abs=1e-12)  # g's range
     assert 2.0 < size["headroom"] < 2.3
     assert size["uneven"] < 1e-12
-    lowest = shelter.shell.motion.locked.positions[..., 2].argmin(axis=0)
+    lowest = shelter.shell.motion.target.positions[..., 2].argmin(axis=0)
     assert set(lowest.tolist()) <= {0, shelter.shell.design.mechanism.grid.rows - 1}
 
 

@@ -92,7 +92,7 @@ def test_fold_has_world_coordinates_and_check_says_how_many_digits(
 ) -> None:
     far = shell(family, at)
     file = read_fold(written(far, "fold", tmp_path))
-    locked = far.motion.locked.positions.reshape(-1, 3)
+    locked = far.motion.target.positions.reshape(-1, 3)
     world = file.frames[-1].positions
     np.testing.assert_array_equal(world, locked + far.design.origin)
     # g is where it was drawn: its first point is the middle row's first vertex, in plan.
@@ -114,7 +114,7 @@ def test_check_says_nothing_of_digits_beside_the_origin(tmp_path: Path) -> None:
 @pytest.mark.parametrize("at", PLACES)
 def test_single_precision_formats_stay_exact(at: float, tmp_path: Path) -> None:
     far = shell("parallel-repeating", at)
-    corners = far.motion.locked.positions.reshape(-1, 3)[far.document.mesh.faces]
+    corners = far.motion.target.positions.reshape(-1, 3)[far.document.mesh.faces]
     stl = written(far, "stl", tmp_path).read_bytes()
     assert f"about ({at:g}"[:9] in stl[:80].decode()
     record = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
@@ -149,7 +149,7 @@ def test_the_view_is_drawn_about_the_shell(at: float) -> None:
     place = header["arrays"]["positions"]
     count = int(np.prod(place["shape"]))
     drawn = np.frombuffer(view, "<f4", count, 4 + size + place["offset"]).reshape(place["shape"])
-    locked = far.motion.locked.positions.reshape(-1, 3)
+    locked = far.motion.target.positions.reshape(-1, 3)
     middle = (locked.min(axis=0) + locked.max(axis=0)) / 2
     np.testing.assert_allclose(drawn[-1], locked - middle, atol=1e-5)
     np.testing.assert_array_equal(header["origin"], far.design.origin + middle)

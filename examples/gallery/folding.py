@@ -41,7 +41,7 @@ def draw_strip(path: Path) -> None:
     frames = list(figure.subplots(1, len(STRIP)))
     figure.subplots_adjust(0.005, 0.0, 0.995, 1.0, wspace=0.03)
     for axes, share in zip(frames, STRIP, strict=True):
-        draw_shell(axes, sheet.positions(share * sheet.lock_drive), camera(-20, 34), line=0.45)
+        draw_shell(axes, sheet.positions(share * sheet.target_drive), camera(-20, 34), line=0.45)
     same_scale(frames)
     figure.savefig(path, dpi=140, metadata={"Software": None})
 
@@ -72,7 +72,7 @@ def draw_animation(path: Path) -> None:
 
 def draw_frame(sheet: Mechanism, share: float) -> Image.Image:
     """One state of the shelter, standing on the ground, in a window that is always the same."""
-    positions = sheet.positions(share * sheet.lock_drive)
+    positions = sheet.positions(share * sheet.target_drive)
     positions = positions - [*positions[..., :2].mean(axis=(0, 1)), positions[..., 2].min()]
     figure = Figure(figsize=(6.8, 3.683), facecolor="white")
     FigureCanvasAgg(figure)

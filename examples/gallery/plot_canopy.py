@@ -23,7 +23,7 @@ print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees
 
 figure, frames = plt.subplots(2, 2, figsize=(10, 6), layout="constrained")
 for axes, share in zip(frames.flat, (0.0, 0.4, 0.7, LOCKED), strict=True):
-    draw_shell(axes, sheet.positions(share * sheet.lock_drive), camera(-20, 32), line=0.5)
+    draw_shell(axes, sheet.positions(share * sheet.target_drive), camera(-20, 32), line=0.5)
     axes.set_title(f"{180 * share:.0f}°")
 same_scale(list(frames.flat))
 

@@ -38,7 +38,7 @@ design = file.pattern.design(file.f, file.g)
 sheet = design.mechanism
 assert isinstance(sheet, ParallelRepeating)
 first_point, first_axis = sheet.points[0], sheet.axes[0]
-flat, locked = sheet.positions([0.0, sheet.lock_drive])
+flat, locked = sheet.positions([0.0, sheet.target_drive])
 middle, inner = sheet.grid.rows // 2, sheet.inner_columns
 
 # %%
@@ -57,7 +57,7 @@ axes.plot(*flat[middle, inner, :2].T, color=G_COLOUR, linewidth=2.5)
 figure, axes = plt.subplots(num="figure-1b", figsize=(8, 4.6), layout="constrained")
 view = camera(-70, 38)
 draw_shell(
-    axes, sheet.positions(LOCKED * sheet.lock_drive), view, signs=find_assignment(sheet), line=1.0
+    axes, sheet.positions(LOCKED * sheet.target_drive), view, signs=find_assignment(sheet), line=1.0
 )
 draw_line(axes, design.targets["f"], view, F_COLOUR, "f")
 draw_line(axes, design.targets["g"], view, G_COLOUR, "g")

@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 file = read_design_file(EXAMPLES / "figure2.toml")
 design = file.pattern.design(file.f, file.g)
 sheet = design.mechanism
-flat, locked = sheet.positions([0.0, sheet.lock_drive])
+flat, locked = sheet.positions([0.0, sheet.target_drive])
 middle, inner = sheet.grid.rows // 2, sheet.inner_columns
 
 # %%
@@ -53,7 +53,7 @@ axes.plot(*flat[middle, inner, :2].T, color=G_COLOUR, linewidth=2.5)
 figure, axes = plt.subplots(num="figure-2b", figsize=(7, 4.6), layout="constrained")
 view = camera(-62, 34)
 draw_shell(
-    axes, sheet.positions(LOCKED * sheet.lock_drive), view, signs=find_assignment(sheet), line=1.0
+    axes, sheet.positions(LOCKED * sheet.target_drive), view, signs=find_assignment(sheet), line=1.0
 )
 draw_line(axes, design.targets["f"], view, F_COLOUR, "f")
 draw_line(axes, design.targets["g"], view, G_COLOUR, "g")

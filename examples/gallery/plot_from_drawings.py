@@ -31,7 +31,7 @@ def draw(name: str, view: Camera) -> None:
     sheet = shell.design.mechanism
     _, (left, right) = plt.subplots(1, 2, figsize=(13, 4.6), layout="constrained")
     draw_pattern(left, shell.motion.flat.positions, find_assignment(sheet))
-    draw_shell(right, sheet.positions(LOCKED * sheet.lock_drive), view)
+    draw_shell(right, sheet.positions(LOCKED * sheet.target_drive), view)
     draw_line(right, shell.design.targets["f"], view, F_COLOUR, "f, from the drawing")
     draw_line(right, shell.design.targets["g"], view, G_COLOUR, "g")
     right.legend(frameon=False, loc="upper right")

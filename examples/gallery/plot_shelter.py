@@ -25,7 +25,7 @@ print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees
 
 figure, frames = plt.subplots(2, 2, figsize=(10, 6.4), layout="constrained")
 for axes, share in zip(frames.flat, (0.0, 0.3, 0.6, LOCKED), strict=True):
-    draw_shell(axes, sheet.positions(share * sheet.lock_drive), camera(-52, 22))
+    draw_shell(axes, sheet.positions(share * sheet.target_drive), camera(-52, 22))
     axes.set_title(f"{180 * share:.0f}°")
 same_scale(list(frames.flat))
 

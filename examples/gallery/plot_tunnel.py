@@ -23,7 +23,7 @@ print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees
 
 figure, frames = plt.subplots(1, 3, figsize=(12, 4), layout="constrained")
 for axes, share in zip(frames, (0.0, 0.55, LOCKED), strict=True):
-    draw_shell(axes, sheet.positions(share * sheet.lock_drive), camera(-100, 34), line=0.5)
+    draw_shell(axes, sheet.positions(share * sheet.target_drive), camera(-100, 34), line=0.5)
     axes.set_title(f"{180 * share:.0f}°")
 same_scale(list(frames))
 
@@ -31,7 +31,7 @@ same_scale(list(frames))
 # The locked tunnel, seen from its inner side.
 
 figure, axes = plt.subplots(figsize=(9, 5.4), layout="constrained")
-draw_shell(axes, sheet.positions(LOCKED * sheet.lock_drive), camera(-155, 16))
+draw_shell(axes, sheet.positions(LOCKED * sheet.target_drive), camera(-155, 16))
 
 # %%
 # The crease pattern.

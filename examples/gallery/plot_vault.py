@@ -28,7 +28,7 @@ print(f"first contact at {lock.drive_deg:.3f} degrees: {lock.first_contact.kind}
 
 figure, frames = plt.subplots(2, 2, figsize=(10, 6), layout="constrained")
 for axes, share in zip(frames.flat, (0.0, 0.35, 0.7, 1.0), strict=True):
-    draw_shell(axes, sheet.positions(share * sheet.lock_drive), camera(-62, 24))
+    draw_shell(axes, sheet.positions(share * sheet.target_drive), camera(-62, 24))
     axes.set_title(f"{share:.0%}")
 same_scale(list(frames.flat))
 
@@ -36,7 +36,7 @@ same_scale(list(frames.flat))
 # Sections of all columns, along the vault: each a polygon close to a circle.
 
 figure, axes = plt.subplots(figsize=(6, 3.6), layout="constrained")
-sections = shell.motion.locked.positions[:, sheet.inner_columns, 1:]
+sections = shell.motion.target.positions[:, sheet.inner_columns, 1:]
 for k in range(sections.shape[1]):
     axes.plot(*sections[:, k].T, ".-", color=str(0.1 + 0.06 * k), linewidth=0.9)
 axes.plot(*shell.design.targets["f"][:, 1:].T, color=LIGHT["curve-f"], linewidth=2, label="f")

@@ -64,9 +64,6 @@ class Design:
     origin
         Where the frame of all these coordinates stands in the world (3,): it is added when world
         coordinates are written, so that a shell far from the origin keeps its digits until then.
-    beyond_target
-        The mechanism to where a crease ends its motion, where that is beyond the state that meets
-        the target, and turning as little as may be while it folds; None if it ends there.
     ending_at
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
@@ -80,7 +77,6 @@ class Design:
     warnings: tuple[str, ...]
     approached: Approached | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
-    beyond_target: Mechanism | None = None
     ending_at: Callable[[float], Design] | None = None
 
     @property

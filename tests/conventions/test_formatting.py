@@ -77,7 +77,7 @@ def test_results_are_one_line(shell: Shell, tmp_path: Path) -> None:
         *(
             shell,
             shell.design.surface.lattice(1.0, 0.1),
-            motion.locked,
+            motion.target,
             list(shell.document.states),
         ),
         *(measure_residuals(motion, motion.flat), fold, document_of_fold(fold), inspect_fold(fold)),
@@ -89,7 +89,7 @@ def test_results_are_one_line(shell: Shell, tmp_path: Path) -> None:
         assert "\n" not in line
         assert " at 0x" not in line
         assert len(line) <= LONGEST, line
-    first = (shell, shell.design, shell.lock, motion, motion.locked, motion.mechanism)
+    first = (shell, shell.design, shell.lock, motion, motion.target, motion.mechanism)
     for each in (*first, shell.file.f, shell.file.g):
         assert len(repr(each)) <= RESULT, each
 

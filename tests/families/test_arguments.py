@@ -112,7 +112,7 @@ def test_numbers_of_numpy_are_numbers(make: Callable[..., Design]) -> None:
     sizes = {key: np.int64(GOOD[make][key]) for key in ("rows", "columns")}
     typed = make(**{**GOOD[make], **sizes}, flap=np.float64(0.25))
     assert typed.parameters == plain.parameters
-    drive = 0.5 * plain.mechanism.lock_drive
+    drive = 0.5 * plain.mechanism.target_drive
     assert np.array_equal(typed.mechanism.positions(drive), plain.mechanism.positions(drive))
 
 

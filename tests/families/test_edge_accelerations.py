@@ -81,8 +81,8 @@ def shares_of_bounds(
 
     Fails where one exceeds its bound.
     """
-    h = 0.5 * mechanism.lock_drive / ranges
-    drives = np.linspace(h, mechanism.lock_drive - h, count)
+    h = 0.5 * mechanism.target_drive / ranges
+    drives = np.linspace(h, mechanism.target_drive - h, count)
     bounds = mechanism.edge_accelerations(drives - h, drives + h)
     before, now, after = (mechanism.positions(drives + step) for step in (-h, 0, h))
     swing = (before - now) + (after - now)
@@ -163,7 +163,7 @@ def test_large_longitudinal_linear_repeating_sheets() -> None:
 def test_ranges_are_bounded_alike_alone_and_together(monkeypatch: pytest.MonkeyPatch) -> None:
     mechanism = sheet()
     assert mechanism is not None
-    ends = np.linspace(0.0, mechanism.lock_drive, 8)
+    ends = np.linspace(0.0, mechanism.target_drive, 8)
     together = mechanism.edge_accelerations(ends[:-1], ends[1:])
     monkeypatch.setattr(acceleration, "AT_ONCE", 1)
     alone = mechanism.edge_accelerations(ends[:-1], ends[1:])
@@ -183,8 +183,8 @@ def test_fold_rates(
     # Differences over a range are means of the derivatives in it.
     mechanism = sheet(degrees, (4, 5), first_row, solution)
     assert mechanism is not None
-    h = 0.5 * mechanism.lock_drive / ranges
-    drives = np.linspace(h, mechanism.lock_drive - h, 40)
+    h = 0.5 * mechanism.target_drive / ranges
+    drives = np.linspace(h, mechanism.target_drive - h, 40)
     kinds = flat_foldable_rows(4, first_row)
     rates = fold_rates(mechanism.columns, kinds, drives - h, drives + h)
     angles = [mechanism.fold_angles(drives + step) for step in (-h, 0.0, h)]

@@ -49,7 +49,15 @@ class Miura:
 
     grid: Grid
     gamma: float
-    lock_drive: float
+    target_drive: float
+
+    @property
+    def end_drive(self) -> float:
+        return float(np.pi)
+
+    @property
+    def flap_columns(self) -> tuple[int, ...]:
+        return ()
 
     @property
     def inner_columns(self) -> slice:

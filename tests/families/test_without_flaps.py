@@ -108,5 +108,5 @@ def test_smallest_sheets(rows: int, columns: int) -> None:
         assert max(astuple(residuals)) < 1e-12
         assert assignment == AssignmentCheck(constant=True, maekawa=True)
         for axis in (0, 1):
-            edges = np.diff(motion.locked.positions, axis=axis)
+            edges = np.diff(motion.target.positions, axis=axis)
             assert np.linalg.norm(edges, axis=-1).min() > 0.01

@@ -45,7 +45,7 @@ def test_the_paper_says_that_figures_1_and_2_lock_by_their_flaps(figure: str) ->
 @pytest.mark.parametrize("figure", ["figure1", "figure2", "figure3"])
 def test_exact_predicates_see_nothing_before_the_figures_meet_their_targets(figure: str) -> None:
     mechanism = example(figure).mechanism
-    for drive in np.linspace(0, 0.999 * mechanism.lock_drive, 41):
+    for drive in np.linspace(0, 0.999 * mechanism.target_drive, 41):
         pairs = exact_contacts(mechanism.positions(drive), mechanism.grid.faces_vertices())
         assert not len(pairs), f"at drive {drive}"
 
@@ -55,7 +55,7 @@ def test_figure_3_meets_its_target_and_then_rolls_up_until_its_rims_meet() -> No
     lock = find_lock(design)
     assert lock.cause == "clash"
     assert not lock.early
-    assert lock.target == design.mechanism.lock_drive
+    assert lock.target == design.mechanism.target_drive
     assert lock.drive is not None
     assert lock.drive > 2 * lock.target
     assert lock.first_contact is not None
@@ -155,8 +155,8 @@ def test_no_crease_is_folded_flat_before_the_end(figure: str) -> None:
     # The proof of the path leaves panels that share a vertex to this (theory/locking-and-clash).
     file = read_design_file(EXAMPLES / f"{figure}.toml")
     design = Request(file.pattern, file.target).designed()
-    mechanism = design.beyond_target or design.mechanism
-    drives = np.append(np.linspace(0, 0.999, 200), 1 - 1e-6) * mechanism.lock_drive
+    mechanism = design.mechanism
+    drives = np.append(np.linspace(0, 0.999, 200), 1 - 1e-6) * mechanism.target_drive
     angles = mechanism.fold_angles(drives)
     assert max(np.abs(angles.row).max(), np.abs(angles.column).max()) < np.pi
-    assert np.abs(mechanism.fold_angles(mechanism.lock_drive).row).max() == pytest.approx(np.pi)
+    assert np.abs(mechanism.fold_angles(mechanism.target_drive).row).max() == pytest.approx(np.pi)

@@ -58,7 +58,7 @@ def orthodiagonal(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Desig
 
 def heights(design: Design) -> tuple[float, float, float]:
     """Height of the shell, and how far its flaps reach below and above it."""
-    shell = design.mechanism.positions(design.mechanism.lock_drive)[..., 2]
+    shell = design.mechanism.positions(design.mechanism.target_drive)[..., 2]
     inner = locked_shell(design)[..., 2]
     return (
         float(np.ptp(inner)),

@@ -29,14 +29,14 @@ def test_residuals(shell: Shell) -> None:
 
 
 def test_middle_row_lies_on_g(shell: Shell) -> None:
-    row = shell.motion.locked.positions[5, 1:-1]
+    row = shell.motion.target.positions[5, 1:-1]
     np.testing.assert_allclose(row[:, 1], 5 * np.sin(np.pi * row[:, 0] / 10), atol=1e-12)
     np.testing.assert_array_equal(row[[0, -1], 0], [0, 20])
     assert not row[:, 2].any()
 
 
 def test_column_1_keeps_the_ends_of_f(shell: Shell) -> None:
-    column = shell.motion.locked.positions[:, 1]
+    column = shell.motion.target.positions[:, 1]
     # f's ends are 2 apart and equally high; column 1 is perpendicular to g's start.
     chord = column[-1] - column[0]
     slope = np.pi / 2  # g'(0)
@@ -48,7 +48,7 @@ def test_column_1_keeps_the_ends_of_f(shell: Shell) -> None:
 
 
 def test_flaps_lock(shell: Shell) -> None:
-    angles = np.array(shell.motion.locked.fold_angles.row)
+    angles = np.array(shell.motion.target.fold_angles.row)
     np.testing.assert_allclose(np.abs(angles[:, [0, -1]]), np.pi, atol=1e-12)
     assert (np.abs(angles[:, 1:-1]) < np.pi - 0.5).all()
     assert (shell.report.lock.drive_deg, shell.report.lock.cause) == (180.0, "flaps")

@@ -33,14 +33,14 @@ def test_residuals(shell: Shell) -> None:
 
 
 def test_middle_row_lies_on_g(shell: Shell) -> None:
-    row = shell.motion.locked.positions[5, 1:-1]
+    row = shell.motion.target.positions[5, 1:-1]
     np.testing.assert_allclose(row[:, 1], 0.25 * np.sin(np.pi * row[:, 0] / 2), atol=1e-12)
     np.testing.assert_array_equal(row[[0, -1], 0], [0, 4])
     assert not row[:, 2].any()
 
 
 def test_column_1_is_the_zigzag_of_f(shell: Shell) -> None:
-    column = shell.motion.locked.positions[:, 1]
+    column = shell.motion.target.positions[:, 1]
     np.testing.assert_allclose(column[:, 0], 0.0, atol=1e-12)  # heading 90: f's plane is x = 0
     # In f's axes: x to the right of g, which is -y; its ends are f's, the others 0.12 away.
     x = -(column[:, 1] - 0.5 * (column[0, 1] + column[-1, 1]))
@@ -55,14 +55,14 @@ def test_column_1_is_the_zigzag_of_f(shell: Shell) -> None:
 
 
 def test_shell_stands_on_level_ground(shell: Shell) -> None:
-    locked = shell.motion.locked.positions
+    locked = shell.motion.target.positions
     assert shell.report.parameters["ends"] == ["level", "level"]
     np.testing.assert_allclose(locked[[0, -1], :, 2], locked[0, 0, 2], atol=1e-12)
     assert locked[1:-1, :, 2].min() > locked[0, 0, 2] + 0.1
 
 
 def test_flaps_lock(shell: Shell) -> None:
-    angles = np.array(shell.motion.locked.fold_angles.row)
+    angles = np.array(shell.motion.target.fold_angles.row)
     np.testing.assert_allclose(np.abs(angles[:, [0, -1]]), np.pi, atol=1e-12)
     assert (np.abs(angles[:, 1:-1]) < np.pi - 0.5).all()
     assert (shell.report.lock.drive_deg, shell.report.lock.cause) == (180.0, "flaps")
@@ -79,7 +79,7 @@ def test_admissible_alpha_0_is_narrower_than_the_papers(shell: Shell) -> None:
 
 
 def test_all_columns_lock_at_the_angles_of_column_1(shell: Shell) -> None:
-    edges = np.diff(shell.motion.locked.positions, axis=0)
+    edges = np.diff(shell.motion.target.positions, axis=0)
     edges /= np.linalg.norm(edges, axis=-1, keepdims=True)
     cos = -(edges[1:] * edges[:-1]).sum(axis=-1)
     expected = np.deg2rad(shell.report.parameters["zigzag_deg"])

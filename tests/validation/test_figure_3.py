@@ -46,7 +46,7 @@ def test_radius_grows_to_1_67_r(shell: Shell) -> None:
     # Circular: column 1 on f, and every column near its circle seen along the line.
     assert shell.design.closeness["f"].max < 0.007
     radii = []
-    for column in np.moveaxis(shell.motion.locked.positions[:, 1:-1, 1:], 1, 0):
+    for column in np.moveaxis(shell.motion.target.positions[:, 1:-1, 1:], 1, 0):
         system = np.concatenate([column, np.ones((len(column), 1))], axis=1)
         solved = np.linalg.lstsq(system, (column**2).sum(axis=1), rcond=None)[0]
         radius = np.sqrt(solved[2] + (solved[:2] ** 2).sum() / 4)
@@ -61,7 +61,7 @@ def test_lock(shell: Shell) -> None:
     assert shell.report.lock.cause == "clash"
     assert shell.report.feasible
     assert shell.report.parameters["motion_end_deg"] == pytest.approx(119.747, abs=1e-3)
-    assert np.rad2deg(shell.motion.locked.drive) == pytest.approx(
+    assert np.rad2deg(shell.motion.target.drive) == pytest.approx(
         shell.report.parameters["stage_deg"]
     )
 

@@ -62,7 +62,7 @@ def require_agreement(design: Design, seen: Counter[str | None]) -> None:
     for drive in np.linspace(0, (1 - 1e-4) * clear, STATES):
         assert not crosses(mechanism, float(drive), counts), f"missed at {drive}: {lock}"
     if lock.cause == "clash" and lock.drive is not None:
-        end = (design.beyond_target or mechanism).lock_drive
+        end = mechanism.end_drive
         later = [min(lock.drive + end * share, end) for share in (1e-9, 1e-8, 1e-7, 1e-6)]
         anything = [crosses(mechanism, drive, lambda p: np.ones(len(p), bool)) for drive in later]
         assert any(anything) or near(mechanism, lock), f"a false alarm: {lock}"

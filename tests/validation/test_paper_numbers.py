@@ -65,7 +65,7 @@ def test_count_of_freedoms_notices_a_sheet_that_does_not_fold(name: str) -> None
     mechanism = numbers.reproduce(name).mechanism
 
     class Moved:
-        lock_drive = mechanism.lock_drive
+        target_drive = mechanism.target_drive
 
         def positions(self, drive: float) -> NDArray[np.float64]:
             points: NDArray[np.float64] = mechanism.positions(drive)

@@ -146,7 +146,7 @@ def locked_shell(design: Design) -> Array:
     Flaps and border strips are not part of it: they stand beyond the ends of g.
     """
     mechanism = design.mechanism
-    return mechanism.positions(mechanism.lock_drive)[:, mechanism.inner_columns]
+    return mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
 
 
 def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) -> Deviation:

@@ -47,7 +47,7 @@ def document_of_motion(
         mesh=build_mesh(grid.faces_vertices(), grid.vertex_count, grid.edges_vertices()),
         assignment=tuple(edges_assignment(find_assignment(motion.mechanism))),
         flat=_clean(motion.flat.positions[..., :2].reshape(-1, 2)),
-        fold_angles_deg=_degrees(motion.locked.fold_angles, states.folds),
+        fold_angles_deg=_degrees(motion.target.fold_angles, states.folds),
         states=states,
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),

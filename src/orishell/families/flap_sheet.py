@@ -39,9 +39,25 @@ class FlapSheet:
         return slice(start, start + len(self.points))
 
     @property
-    def lock_drive(self) -> float:
-        """The drive pi, at which the flaps clash; without flaps the target is met there."""
+    def flap_columns(self) -> tuple[int, ...]:
+        """The first and the last column of panels, as far as they are flaps."""
+        last = self.grid.columns - 2
+        return tuple(k for k, width in zip((0, last), self.flaps, strict=True) if width)
+
+    @property
+    def target_drive(self) -> float:
+        """Where the tightest panel column has the fold angle that its rest leaves it: pi if 0."""
+        return target_drive(self._rest)
+
+    @property
+    def end_drive(self) -> float:
+        """The drive pi, at which the tightest row creases are folded flat."""
         return float(np.pi)
+
+    @property
+    def _rest(self) -> float:
+        """How far the tightest panel column is open at the target, as the mechanism says."""
+        raise NotImplementedError
 
     @property
     def _existing(self) -> slice:
@@ -54,3 +70,8 @@ class FlapSheet:
             array = np.array(getattr(self, name))
             array.flags.writeable = False
             object.__setattr__(self, name, array)
+
+
+def target_drive(rest: float) -> float:
+    """The drive (radians) at which the tightest panel column is as open as its rest says."""
+    return float(2 * np.arctan2(1.0, rest))

@@ -49,14 +49,3 @@ def column_fold_angle(
     """
     angle: Array = np.arctan2(c * k_left, w_left) + np.arctan2(c * k_right, w_right)
     return angle
-
-
-def half_turns(drive: Array) -> tuple[Array, Array]:
-    """Sine and cosine (...) of half a drive angle; the cosine is exactly 0 at pi.
-
-    Parameters
-    ----------
-    drive
-        Drive angles (...), in [0, pi] (radians).
-    """
-    return np.sin(drive / 2), np.where(drive == np.pi, 0.0, np.cos(drive / 2))

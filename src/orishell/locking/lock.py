@@ -189,7 +189,7 @@ def lock_without_clash(
     if sheet.folded_flat is None:
         return sheet.lock(None, None, None, proof, touching)
     row, column = sheet.folded_flat
-    flaps = sheet.flaps and column in (0, sheet.columns - 1)
+    flaps = column in sheet.mechanism.flap_columns
     found = Contact(
         sheet.end,
         0.0 if proof is None else sheet.path_end,
@@ -207,21 +207,17 @@ class _Sheet:
     mechanism: Mechanism
     target: float
     end: float
-    flaps: bool
-    """Whether the first and last column of panels are flaps: made to fold flat at the end."""
     folded_flat: Panel | None
     """Row and column of the panel above a row crease that is folded flat at the end."""
 
     @classmethod
     def of(cls, design: Design) -> _Sheet:
-        mechanism = design.beyond_target or design.mechanism
-        end = mechanism.lock_drive
+        mechanism = design.mechanism
+        end = mechanism.end_drive
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)
         first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        # What goes on beyond its target is ended by a crease, wherever that is.
-        flaps = design.beyond_target is None and bool(flat[:, [0, -1]].all())
-        return cls(mechanism, design.mechanism.lock_drive, end, flaps, first)
+        return cls(mechanism, mechanism.target_drive, end, first)
 
     @property
     def columns(self) -> int:
@@ -250,14 +246,14 @@ class _Sheet:
     def designed(self, pairs: tuple[Integers, Integers]) -> Booleans:
         """Pairs with a flap, of its own column or the next: they meet at lock by design."""
         first, second = (numbers % self.columns for numbers in pairs)
-        low, high = np.minimum(first, second), np.maximum(first, second)
-        flap = (low == 0) | (high == self.columns - 1)
-        return np.asarray(flap & (high - low <= 1) & self.flaps)
+        flaps = self.mechanism.flap_columns
+        flap = np.isin(first, flaps) | np.isin(second, flaps)
+        return np.asarray(flap & (np.abs(first - second) <= 1))
 
     def kind(self, numbers: tuple[int, int]) -> Kind:
         panels = self.panels(numbers)
         rows = self.mechanism.grid.rows - 1
-        on_flap = [self.flaps and j in (0, self.columns - 1) for _, j in panels]
+        on_flap = [j in self.mechanism.flap_columns for _, j in panels]
         if all(on_flap):
             return "flap on flap" if panels[0][1] == panels[1][1] else "opposite flaps"
         if any(on_flap):

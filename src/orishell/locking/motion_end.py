@@ -51,7 +51,7 @@ def end_motion(
         return design, lock
     if design.ending_at is not None and contact.clear_until > 0:
         design = design.ending_at(contact.clear_until)
-        end = design.mechanism.lock_drive
+        end = design.mechanism.target_drive
         depth = corrugation_depth(design.mechanism.positions(end))
         return design, replace(lock, target=end, depth=depth)
     if request is not None and request.target is not None and request.pattern.flap == "auto":

@@ -37,8 +37,21 @@ class Mechanism(Protocol):
         ...
 
     @property
-    def lock_drive(self) -> float:
-        """The drive angle at which the motion ends by design; the flat sheet is drive 0."""
+    def flap_columns(self) -> tuple[int, ...]:
+        """Numbers of those columns of panels that are flaps: folded onto themselves at the target.
+
+        Where there is one, the motion ends at the target.
+        """
+        ...
+
+    @property
+    def target_drive(self) -> float:
+        """The drive angle at which the shell meets its target; the flat sheet is drive 0."""
+        ...
+
+    @property
+    def end_drive(self) -> float:
+        """The drive angle at which a crease is folded flat, at the target or beyond it."""
         ...
 
     def positions(self, drive: ArrayLike) -> Array:
@@ -48,7 +61,7 @@ class Mechanism(Protocol):
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), in closed form (radians).
 
-        Before ``lock_drive`` all of them are below pi in size: the proof of the path rests on it,
+        Before ``end_drive`` all of them are below pi in size: the proof of the path rests on it,
         where panels share a vertex.
         """
         ...
@@ -102,18 +115,22 @@ class FoldedState:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoldingMotion:
-    """States of a mechanism from flat to locked.
+    """States of a mechanism: folded up from flat to its target, or opened from its pack to flat.
 
     Parameters
     ----------
     mechanism
         The folding sheet.
     frames
-        Number of states, at least 2, at equal steps of the drive angle.
+        Number of states, at least 2, or 3 from a pack; at nearly equal steps of the drive angle.
+    pack
+        Drive angle of the pack, beyond the target (radians): the states go from there over the
+        target to the flat sheet. None if they go from the flat sheet to the target.
     """
 
     mechanism: Mechanism
     frames: int
+    pack: float | None = None
 
     def __post_init__(self) -> None:
         if not hasattr(self.mechanism, "positions"):
@@ -124,16 +141,35 @@ class FoldingMotion:
                 expected="a mechanism",
                 remedy="take design.mechanism of a design",
             )
-        if self.frames < 2:
-            raise InputError("too few frames", got=str(self.frames), expected="at least 2")
+        least = 2 if self.pack is None else 3
+        if self.frames < least:
+            raise InputError("too few frames", got=str(self.frames), expected=f"at least {least}")
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.frames} states of {self.mechanism!r})"
 
     @property
     def drives(self) -> Array:
-        """Drive angles (frames,), from 0 to the mechanism's lock (radians)."""
-        return np.linspace(0.0, self.mechanism.lock_drive, self.frames)
+        """Drive angles (frames,) of the states (radians)."""
+        target = self.mechanism.target_drive
+        if self.pack is None:
+            return np.linspace(0.0, target, self.frames)
+        opened = self.named["target"]
+        return np.concatenate(
+            [
+                np.linspace(self.pack, target, opened + 1),
+                np.linspace(target, 0.0, self.frames - opened)[1:],
+            ]
+        )
+
+    @property
+    def named(self) -> dict[str, int]:
+        """Numbers of the states that have a name: "flat", "target", and "pack" if there is one."""
+        last = self.frames - 1
+        if self.pack is None:
+            return {"flat": 0, "target": last}
+        share = 1 - self.mechanism.target_drive / self.pack
+        return {"pack": 0, "target": int(np.clip(round(share * last), 1, last - 1)), "flat": last}
 
     def __len__(self) -> int:
         return self.frames
@@ -149,14 +185,14 @@ class FoldingMotion:
         return FoldedState.of(self.mechanism, 0.0)
 
     @property
-    def locked(self) -> FoldedState:
-        """The state at lock."""
-        return FoldedState.of(self.mechanism, self.mechanism.lock_drive)
+    def target(self) -> FoldedState:
+        """The shell: the state that meets the target."""
+        return FoldedState.of(self.mechanism, self.mechanism.target_drive)
 
 
 def find_assignment(mechanism: Mechanism) -> CreaseValues:
-    """Signs of all creases at lock: +1 valley, -1 mountain, 0 unfolded."""
-    return crease_signs(mechanism.fold_angles(mechanism.lock_drive))
+    """Signs of all creases at the target: +1 valley, -1 mountain, 0 unfolded."""
+    return crease_signs(mechanism.fold_angles(mechanism.target_drive))
 
 
 def mechanism_in_one_line(mechanism: Mechanism) -> str:
@@ -164,7 +200,7 @@ def mechanism_in_one_line(mechanism: Mechanism) -> str:
     grid = mechanism.grid
     return (
         f"{type(mechanism).__name__}({grid.rows} x {grid.columns} vertices, {grid.panel_count} "
-        f"panels, drive to {in_degrees(mechanism.lock_drive)} degrees)"
+        f"panels, drive to {in_degrees(mechanism.target_drive)} degrees)"
     )
 
 

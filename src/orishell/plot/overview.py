@@ -89,8 +89,8 @@ def plot_overview(
     contact
         A contact to draw beside the other states, if there is one before lock.
     """
-    lock = motion.mechanism.lock_drive
-    locked = motion.locked.positions
+    lock = motion.mechanism.target_drive
+    locked = motion.target.positions
     camera = choose_camera(locked)
     drives = [share * lock for share in STATE_SHARES]
     if contact is not None:

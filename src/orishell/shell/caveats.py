@@ -45,7 +45,7 @@ def find_caveats(
 ) -> list[str]:
     """Warnings for whoever builds the shell."""
     mechanism = design.mechanism
-    shell = mechanism.positions(mechanism.lock_drive)
+    shell = mechanism.positions(mechanism.target_drive)
     height = float(np.ptp(shell[:, mechanism.inner_columns, 2]))
     flat = mechanism.positions(0.0)
     return [
@@ -69,9 +69,10 @@ def _of_flaps(design: Design, shell: Array, feet: Feet | None, unit: str) -> Ite
     height = shell[:, inner, 2]
     size = float(np.ptp(height))
     flaps = shell[:, [flap for flap, _ in ends], 2]
-    name = "flaps" if design.beyond_target is None else "strips beside the first and last column"
+    flapped = bool(design.mechanism.flap_columns)
+    name = "flaps" if flapped else "strips beside the first and last column"
     remedy = "make them narrower (flap)"
-    if design.beyond_target is None:
+    if flapped:
         remedy += ' or turn them to the other end of f (flap_side = "start" or "end")'
     below, above = float(height.min() - flaps.min()), float(flaps.max() - height.max())
     if below > BELOW * size:

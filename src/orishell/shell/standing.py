@@ -52,7 +52,7 @@ def find_feet(design: Design) -> Feet | None:
     if f is None or not _is_arch(f):
         return None
     mechanism = design.mechanism
-    shell = mechanism.positions(mechanism.lock_drive)[:, mechanism.inner_columns]
+    shell = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
     height, column = shell[..., 2], shell[:, 0]
     size = float(np.ptp(height))
     low = height.min(axis=1)

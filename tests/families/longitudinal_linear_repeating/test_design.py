@@ -77,7 +77,7 @@ def test_column_1_follows_f(f: Curve, length: float, first_row: str) -> None:
     size = trace_curve(f).length
     assert made.closeness["f"].max < 0.02 * size
     # Seen along g, f's x axis points to the right and its y axis is +z.
-    stage = made.mechanism.positions(made.mechanism.lock_drive)
+    stage = made.mechanism.positions(made.mechanism.target_drive)
     column = stage[:, 1]
     ends = f.position(f.stop) - f.position(f.start)
     ends = ends * np.sign(ends[0])
@@ -98,10 +98,10 @@ def test_closer_with_more_rows() -> None:
 def test_stage_turns_column_1_as_much_as_f() -> None:
     made = design()
     mechanism = mechanism_of(made)
-    section = Section.of(mechanism.columns, 7, "F", mechanism.lock_drive, 1)
+    section = Section.of(mechanism.columns, 7, "F", mechanism.target_drive, 1)
     assert abs(section.turning) == pytest.approx(2.5416, abs=1e-10)
     # Measured on the shell: turns of column 1 seen along g.
-    column = mechanism.positions(mechanism.lock_drive)[:, 1]
+    column = mechanism.positions(mechanism.target_drive)[:, 1]
     seen = -column[:, 1] + 1j * column[:, 2]
     edges = np.diff(seen)
     np.testing.assert_allclose(np.angle(edges[1:] / edges[:-1]), section.turns, atol=1e-12)
@@ -115,7 +115,7 @@ def test_stage_turns_column_1_as_much_as_f() -> None:
 def test_placement() -> None:
     slanted = pair("1 + 2*t", "2 - t", 0, 1.2)
     made = design(g=slanted)
-    stage = made.mechanism.positions(made.mechanism.lock_drive)
+    stage = made.mechanism.positions(made.mechanism.target_drive)
     start = np.array([1, 2, 0])
     forward = np.array([2, -1, 0]) / np.sqrt(5)
     # Column 1 stands at g's start; f and g where the report says they are.
@@ -131,7 +131,7 @@ def test_placement() -> None:
 
 def test_motion_does_not_jump() -> None:
     made = design(graph("x**2", -1, 1), line(1.7), rows=5, columns=6)
-    end = made.mechanism.lock_drive
+    end = made.mechanism.target_drive
     steps = [
         np.linalg.norm(
             np.diff(made.mechanism.positions(np.linspace(0.1 * end, end, n)), axis=0), axis=-1
@@ -180,9 +180,8 @@ def test_sector_angles_auto() -> None:
 def test_lock() -> None:
     made = design()
     assert lock_without_clash(made).cause == "crease"
-    assert made.beyond_target is not None
-    assert made.beyond_target.lock_drive == pytest.approx(np.deg2rad(119.747), abs=1e-4)
-    assert made.mechanism.lock_drive < made.beyond_target.lock_drive
+    assert made.mechanism.end_drive == pytest.approx(np.deg2rad(119.747), abs=1e-4)
+    assert made.mechanism.target_drive < made.mechanism.end_drive
 
 
 def test_without_the_period() -> None:

@@ -135,11 +135,11 @@ def test_sector_angles_are_those_of_figure_3() -> None:
 def test_motion_ends_where_a_crease_is_folded_flat() -> None:
     # geometry.md section 5: v_1 = 119.74 degrees, where an S row's crease reaches pi.
     mechanism = sheet()
-    assert np.rad2deg(mechanism.lock_drive) == pytest.approx(119.747, abs=1e-3)
-    end = mechanism.fold_angles(mechanism.lock_drive)
+    assert np.rad2deg(mechanism.target_drive) == pytest.approx(119.747, abs=1e-3)
+    end = mechanism.fold_angles(mechanism.target_drive)
     assert np.abs(end.row).max() == pytest.approx(np.pi, abs=1e-12)
     assert np.abs(end.row[::2]).max() < np.pi - 0.1
-    before = mechanism.fold_angles(0.999 * mechanism.lock_drive)
+    before = mechanism.fold_angles(0.999 * mechanism.target_drive)
     assert np.abs(before.row).max() < np.pi
 
 
@@ -182,7 +182,7 @@ def test_flat_sheet_is_the_mechanism_at_drive_0() -> None:
 
 def test_positions_of_many_drives_are_those_of_each() -> None:
     mechanism = sheet()
-    drives = np.linspace(0, mechanism.lock_drive, 5)
+    drives = np.linspace(0, mechanism.target_drive, 5)
     together = mechanism.positions(drives)
     assert together.shape == (5, 7, 8, 3)
     for drive, state in zip(drives, together, strict=True):
@@ -193,7 +193,7 @@ def test_positions_of_many_drives_are_those_of_each() -> None:
 
 def test_motion_is_steady() -> None:
     mechanism = sheet(rows=3, columns=4)
-    end = 0.5 * mechanism.lock_drive
+    end = 0.5 * mechanism.target_drive
     coarse = mechanism.positions(np.linspace(0.2, end, 101))
     fine = mechanism.positions(np.linspace(0.2, end, 401))
     step = np.linalg.norm(np.diff(coarse, axis=0), axis=-1).max()

@@ -75,7 +75,7 @@ def test_the_last_frame_is_where_panels_first_touch() -> None:
     assert found.first_contact is not None
     ended, lock = end_motion(made)
     assert not lock.early
-    assert lock.target == ended.mechanism.lock_drive == found.first_contact.clear_until
+    assert lock.target == ended.mechanism.target_drive == found.first_contact.clear_until
     step = found.first_contact.drive - lock.target
     assert 0 < step < 1e-9
     assert (lock.proof, lock.first_contact) == (found.proof, found.first_contact)
@@ -87,7 +87,7 @@ def test_the_last_frame_is_where_panels_first_touch() -> None:
 @pytest.mark.parametrize("first_row", ["F", "S"])
 def test_stands_as_an_arch_along_x(size: tuple[int, int], first_row: str) -> None:
     ended, _ = end_motion(design(rows=size[0], columns=size[1], first_row=first_row))
-    shell = ended.mechanism.positions(ended.mechanism.lock_drive)
+    shell = ended.mechanism.positions(ended.mechanism.target_drive)
     middle = len(shell) // 2
     np.testing.assert_allclose(shell[middle, 1:-1].mean(axis=0), 0, atol=1e-12)
     along = shell[middle, -2] - shell[middle, 1]
@@ -151,7 +151,7 @@ def test_a_given_stage() -> None:
     assert ended is made
     assert made.parameters["stage_deg"] == 5
     assert lock.drive is not None
-    assert lock.drive > lock.target == made.mechanism.lock_drive
+    assert lock.drive > lock.target == made.mechanism.target_drive
 
 
 def test_panels_that_meet_before_a_given_stage() -> None:

@@ -31,7 +31,7 @@ def mechanism_of(design: Design) -> Orthodiagonal:
 
 def heights(design: Design) -> tuple[np.ndarray, np.ndarray]:
     """Heights at lock of all vertices, and of those without flaps."""
-    height = design.mechanism.positions(design.mechanism.lock_drive)[..., 2]
+    height = design.mechanism.positions(design.mechanism.target_drive)[..., 2]
     return height, height[:, design.mechanism.inner_columns]
 
 

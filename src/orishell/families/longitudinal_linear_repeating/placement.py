@@ -109,7 +109,6 @@ def place(
         ),
         origin=np.append(line.trace.origin, 0.0),
         warnings=(),
-        beyond_target=placed.whole,
     )
 
 

@@ -87,8 +87,8 @@ class SheetRequest:
             if self.couplings == "periodic"
             else [str(each) for each in self.couplings],
             "first_row": self.first_row,
-            "stage_deg": tidy_degrees(mechanism.lock_drive),
-            "motion_end_deg": tidy_degrees(mechanism.crease_end),
+            "stage_deg": tidy_degrees(mechanism.target_drive),
+            "motion_end_deg": tidy_degrees(mechanism.end_drive),
             "longest_to_shortest": lengths.inner_ratio,
             "row_lengths": lengths.row[self.rows // 2, 1:-1].tolist(),
             "column_lengths": lengths.column[:, 0].tolist(),

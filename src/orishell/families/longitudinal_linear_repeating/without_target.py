@@ -92,13 +92,12 @@ def design_without_target(
             closeness={},
             swept=None,
             warnings=(),
-            beyond_target=placed.whole,
             ending_at=stopped if request.stage is None else None,
         )
 
     if request.stage is None:
-        return stopped(sheet.crease_end)
-    require_before_end(request.stage, sheet.crease_end)
+        return stopped(sheet.end_drive)
+    require_before_end(request.stage, sheet.end_drive)
     _require_folded(sheet, request.stage)
     return stopped(request.stage)
 
@@ -233,7 +232,7 @@ def _measures(mechanism: LongitudinalLinearRepeating) -> dict[str, Parameter]:
     measures: dict[str, Parameter] = {**measure_departures(mechanism)}
     if mechanism.columns.version == "sine":
         return measures
-    drive, rows = mechanism.lock_drive, mechanism.grid.rows - 2
+    drive, rows = mechanism.target_drive, mechanism.grid.rows - 2
     section = Section.of(mechanism.columns, rows, mechanism.first_row, drive, mechanism.side)
     across = np.stack([section.heading, np.cross(section.axis, section.heading)], axis=-1)
     seen = replace(mechanism, pose=Pose()).positions(drive) @ across

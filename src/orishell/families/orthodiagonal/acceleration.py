@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.families.orthodiagonal.columns import Columns
 from orishell.numerics import Enclosure, spinning_acceleration
 from orishell.numerics.arrays import Array
 
@@ -20,10 +21,9 @@ def bound_edges(
     tangents: Array,
     turning: Array,
     trims: tuple[float, float],
-    tilt: float,
+    tilt_rate: float,
     lengths: Array,
-    along: Array,
-    locked: Array,
+    columns: Columns,
 ) -> tuple[Array, Array]:
     """Bounds of the second derivative of edge vectors by the drive.
 
@@ -37,12 +37,12 @@ def bound_edges(
         Sign of their turns (m,).
     trims
         Growth by K of the first and of the last edge of a column.
-    tilt
-        Angle by which f's plane turns evenly in itself until lock (radians).
+    tilt_rate
+        Angle by which f's plane turns in itself per drive.
     lengths
         Lengths (m+1,) of the longest edges between two rows.
-    along, locked
-        What panel columns (n+1,), or those there are, take along K and, at lock, along n.
+    columns
+        Steps over the panel columns.
 
     Returns
     -------
@@ -50,14 +50,16 @@ def bound_edges(
         Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     start, stop = (ends[..., None] for ends in drives)
-    kappa, q = Enclosure.half_sine(start, stop), Enclosure.half_cosine(start, stop)
-    middle, rate = len(tangents) // 2, tilt / np.pi
+    kappa, advance = columns.enclosures(start, stop)
+    middle = len(tangents) // 2
     # Seen from behind, the first half turns and tilts the other way.
-    above, rising = _outwards(kappa, tangents[middle::-1], turning[middle::-1], -trims[0], -rate)
-    below, falling = _outwards(kappa, tangents[middle:], turning[middle:], trims[1], rate)
+    above, rising = _outwards(
+        kappa, tangents[middle::-1], turning[middle::-1], -trims[0], -tilt_rate
+    )
+    below, falling = _outwards(kappa, tangents[middle:], turning[middle:], trims[1], tilt_rate)
     down = lengths * np.concatenate([above[..., ::-1], below], axis=-1)
-    in_plane = np.maximum(rising, falling) * np.abs(along)
-    across = q.times(np.abs(along)).hypot(locked).second.magnitude()
+    in_plane = np.maximum(rising, falling) * np.abs(columns.k[columns.existing])
+    across = advance.second.magnitude()[..., columns.existing]
     return np.hypot(in_plane, across), np.asarray(down)
 
 

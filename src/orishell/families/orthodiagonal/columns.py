@@ -6,24 +6,85 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.families.flap_sheet import target_drive
+from orishell.numerics import Enclosure, Interval
 from orishell.numerics.arrays import Array, Complex
+
+SLIM = 1e-11
+"""The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Columns:
-    """Steps over the panel columns (n+1,), flaps at both ends."""
+    """Steps over the panel columns (n+1,), flaps at both ends, and the motion that they allow."""
 
     k: Array  # along K
-    locked: Array  # along n at lock: l sin eps
+    locked: Array  # along n at the target: l sin eps, positive but for flaps
+    existing: slice  # those that are not missing flaps
 
     @property
     def step(self) -> Array:
         """Distances (n+1,) between neighbouring columns in the flat sheet."""
         return np.hypot(self.locked, self.k)
 
-    def advance(self, q: Array) -> Array:
-        """Distances N (..., n+1) of neighbouring column planes at q = cos(rho/2) (...)."""
-        return np.hypot(self.locked, q[..., None] * self.k)
+    @property
+    def rest(self) -> float:
+        """The smallest share of a step that is along n at the target: of the tightest columns."""
+        return self._tightest[0]
+
+    @property
+    def _tightest(self) -> tuple[float, float]:
+        """Of the tightest panel column's step, the shares along n and along K at the target."""
+        step = self.step[self.existing]
+        along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
+        tightest = int(along.argmin())
+        return float(along[tightest]), float(across[tightest])
+
+    def phase(self, drive: Array) -> tuple[Array, Array]:
+        """Kappa (...) and the distances N (..., n+1) of column planes at drives (...) (radians)."""
+        rest, turn = self._tightest
+        there = drive == target_drive(rest)
+        cosine = np.where(there, rest / np.hypot(1.0, rest), np.cos(drive / 2))
+        cosine = np.maximum(cosine, SLIM if rest else 0.0)
+        omega = np.hypot(turn, rest * cosine)
+        kappa = np.where(there, 1.0, np.sin(drive / 2) / omega)
+        closing = cosine[..., None] * np.hypot(rest * self.step, self.k)
+        return kappa, np.hypot(self._fixed, closing) / omega[..., None]
+
+    def enclosures(self, start: Array, stop: Array) -> tuple[Enclosure, Enclosure]:
+        """Kappa (S, 1) and N (S, n+1) over ranges (S, 1) of the drive (radians).
+
+        N is hypot(fixed, u k) over the tightest column's share along K, with u = cos(rho/2)/omega.
+        """
+        rest, turn = self._tightest
+        sine, cosine = (
+            each(start, stop).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
+        )
+        omega = cosine.through(lambda ends: np.hypot(turn, rest * ends))
+        cube = omega.through(lambda ends: 2 * ends**3)
+        swing = cosine.over(omega).squared().times(3 * rest**2)
+        lag = sine.over(omega).squared().times(3 * rest**2)
+        kappa = Enclosure(
+            Interval(sine.low / omega.high, sine.high / omega.low),
+            cosine.over(cube),
+            sine.over(cube).times(0.5) * swing.plus(-1.0),
+        )
+        u = Enclosure(
+            Interval.between(cosine.low / omega.low, cosine.high / omega.high),
+            sine.over(cube).times(-(turn**2)),
+            cosine.over(cube).times(-0.5 * turn**2) * lag.plus(1.0),
+        )
+        share = np.abs(self.k) / (turn or 1.0)
+        return kappa, u.times(share).hypot(self._fixed / turn if turn else self.step)
+
+    @property
+    def _fixed(self) -> Array:
+        """What of omega N (n+1,) does not change; from whichever of its two forms loses less."""
+        rest, turn = self._tightest
+        whole, part = (self.locked, rest * self.step)
+        if rest > turn:
+            whole, part = turn * self.step, np.abs(self.k)
+        return np.sqrt(np.maximum((whole - part) * (whole + part), 0.0))
 
 
 def running(steps: Array) -> Array:

@@ -58,7 +58,7 @@ def depth_below_feet(mechanism: Orthodiagonal) -> float:
 def _ends(mechanism: Orthodiagonal) -> Array:
     """Vertices (m+2, 4, 3) of the first and the last column and their flaps at lock."""
     sheet = replace(mechanism, points=mechanism.points[[0, -1]])
-    return sheet.positions(sheet.lock_drive)
+    return sheet.positions(sheet.target_drive)
 
 
 def _in_plane(mechanism: Orthodiagonal) -> list[tuple[int, Complex, Complex]]:

@@ -2,8 +2,8 @@
 
 The motion in closed form:
 
-With rho the fold angle of the flap creases (0 flat, pi locked) write kappa = sin(rho/2),
-q = cos(rho/2); with beta_i the zigzag's angles, T_i = tan(beta_i/2), c_i = cot(beta_i/2). All
+Kappa is 0 in the flat sheet and 1 at the target; q^2 = 1 - kappa^2 is negative beyond it. With
+beta_i the zigzag's angles at the target write T_i = tan(beta_i/2), c_i = cot(beta_i/2). All
 columns lie in parallel planes of common normal n. Their edges between two rows are parallel, in
 every state, with the directions v_i of column 1, which turns at vertex i by twice
 arctan(kappa c_i). Row creases leave vertex i in the plane of n and the bisector t_i; along the
@@ -14,13 +14,24 @@ bisector they go by ``K_j |a_i|``, where
 s_i the sign of the turn, in complex numbers of f's plane. So a_{i+1} - a_i is a multiple of v_i
 that motion leaves alone. With k_j and N_j what panel column j takes along K and n,
 
-    k_j = l_j cos eps_j cos(beta_mid/2),     N_j = hypot(l_j sin eps_j, q k_j),
+    k_j = l_j cos eps_j cos(beta_mid/2),     N_j^2 = (l_j sin eps_j)^2 + q^2 k_j^2,
 
 for a flap k = +-width and N = q width, and K, M their running sums from column 1,
 
     X_ij = P_i + K_j a_i + M_j n,            cot alpha_{i,4j} = T_i k_j/N_j(flat),
 
 P being column 1. This is equation (3): sums of products of one factor per row and one per column.
+
+The motion ends where an N is 0. The *tightest* panel column is that of the least share of N in the
+flat sheet left at the target, the *rest* r (0 for a flap). The drive rho has
+
+    tan(rho/2) = kappa N(flat)/N of the tightest,   so   kappa = sin(rho/2)/omega,
+    omega = hypot(sqrt(1 - r^2), r cos(rho/2)),
+    (omega N_j)^2 = (N_j(target)^2 - r^2 N_j(flat)^2) + (r^2 N_j(flat)^2 + k_j^2) cos(rho/2)^2:
+
+sums of squares, so that no digits are lost near the target, at tan(rho/2) = 1/r, or near the end.
+With flaps r = 0 and kappa = sin(rho/2), as in the paper; where all rows are straight r = 1 and
+kappa = tan(rho/2), and the zigzags of the columns close.
 """
 
 from __future__ import annotations
@@ -31,10 +42,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.design import FlapSide
-from orishell.families.flap_sheet import FlapSheet
+from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.orthodiagonal.acceleration import bound_edges
 from orishell.families.orthodiagonal.columns import Columns, product, running
-from orishell.families.vertex import half_turns, row_fold_angle
+from orishell.families.vertex import row_fold_angle
 from orishell.motion import mechanism_in_one_line
 from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import alternating
@@ -116,18 +127,18 @@ class Orthodiagonal(FlapSheet):
         return np.stack([np.pi - right, np.pi - left, left, right], axis=-1)
 
     def positions(self, drive: ArrayLike) -> Array:
-        """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, pi] (radians).
+        """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, end_drive] (radians).
 
-        At lock f is upright (its y axis is +z) and the middle row lies on the points, in their
+        At the target f is upright (its y axis is +z) and the middle row lies on the points, in their
         plane z = 0 turned about n by the tilt, through the first point. In other states n and the
         length-weighted centroid of the middle row stay, and the plane of t and n is level at
         drive 0 and turns evenly with the drive. Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
-        kappa, q = half_turns(drive)
-        level = np.exp(1j * self.tilt * (drive / np.pi))
         columns = self._columns()
-        row = self._middle_row(columns, kappa, q, level)[..., self._existing, :]
+        kappa, advance = columns.phase(drive)
+        level = np.exp(1j * self.tilt * (drive / target_drive(columns.rest)))
+        row = self._middle_row(columns, kappa, advance, level)[..., self._existing, :]
         column, spread = self._column_and_spread(kappa)
 
         # Real numbers of f's plane go along t, imaginary ones upwards.
@@ -152,10 +163,9 @@ class Orthodiagonal(FlapSheet):
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
-        kappa, q = half_turns(np.asarray(drive, dtype=np.float64))
         columns = self._columns()
-        gamma = columns.k / columns.step
-        nu = columns.advance(q) / columns.step
+        kappa, advance = columns.phase(np.asarray(drive, dtype=np.float64))
+        gamma, nu = columns.k / columns.step, advance / columns.step
         c = 1 / self._tangents()
         row = row_fold_angle(kappa[..., None, None] * np.hypot(c[:, None], gamma), nu[..., None, :])
         # The panels beside a column make the angle arctan(kappa gamma/nu) with its normal n.
@@ -174,15 +184,18 @@ class Orthodiagonal(FlapSheet):
             tangents=self._tangents(),
             turning=-self.first * alternating(len(self.angles)),
             trims=self.trims,
-            tilt=self.tilt,
+            tilt_rate=self.tilt / self.target_drive,
             lengths=np.abs(self._whole_lengths()).max(axis=-1),
-            along=columns.k[self._existing],
-            locked=columns.locked[self._existing],
+            columns=columns,
         )
         # An edge of a cut flap is a mean of the edges beside it and, as much as it is cut more at
         # one end than at the other, a part of the row's.
         slanted = [np.abs(np.diff(kept)) * along[:, edge, None] for kept, edge, _ in self._cuts()]
         return along, down + np.max(slanted, axis=0) if slanted else down
+
+    @property
+    def _rest(self) -> float:
+        return self._columns().rest
 
     def _cuts(self) -> list[tuple[Array, int, int]]:
         """For each flap that is cut: the shares (m+2,) it keeps, its column, the one beside it."""
@@ -212,6 +225,7 @@ class Orthodiagonal(FlapSheet):
         return Columns(
             k=np.concatenate([[left], inner, [right]]),
             locked=np.concatenate([[0.0], segment.imag, [0.0]]),
+            existing=self._existing,
         )
 
     def _column_and_spread(self, kappa: Array) -> tuple[Complex, Complex]:
@@ -247,8 +261,8 @@ class Orthodiagonal(FlapSheet):
         last = spread[..., -1:] + self.trims[1] * direction[..., -1:]
         return column, np.concatenate([first, spread, last], axis=-1)
 
-    def _middle_row(self, columns: Columns, kappa: Array, q: Array, level: Complex) -> Array:
-        """The middle row (..., n+2, 3): exactly on the points at lock, if there is no tilt."""
+    def _middle_row(self, columns: Columns, kappa: Array, advance: Array, level: Complex) -> Array:
+        """The middle row (..., n+2, 3): on the points at the target, if there is no tilt."""
         shift = running(columns.k)
         tangent = self._tangents()[len(self.angles) // 2]
         t = np.exp(-1j * self.heading)
@@ -265,7 +279,7 @@ class Orthodiagonal(FlapSheet):
         locked = np.stack([points + along * (lock.real - 1) * t, along * lock.imag])
 
         now = np.hypot(tangent, kappa[..., None]) * shift
-        advanced = running(columns.advance(q)) - running(columns.locked)
+        advanced = running(advance) - running(columns.locked)
         level = level[..., None]
         moved = (now * level.real - along * lock.real + 1j * advanced) * t
         risen = now * level.imag - along * lock.imag

@@ -31,7 +31,7 @@ def bound_edges(
     lengths
         Lengths (n+1,) of the longest crease between two columns, flaps at both ends.
     reach
-        What column 1's edges (m+1,) take along t, per unit of spread, and upwards at lock.
+        What column 1's edges (m+1,) take along t, per unit of spread, and upwards at the target.
     drives
         Ends (S,) of ranges of the drive (radians).
 
@@ -41,8 +41,9 @@ def bound_edges(
         Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     start, stop = (ends[..., None] for ends in drives)
-    q = Enclosure.half_cosine(start, stop)
-    w = q.hypot(columns.slope[1:-1])
+    size = np.hypot(1.0, columns.rest)
+    tight = Enclosure.half_cosine(start, stop).times(size)
+    w = tight.hypot(columns.slope_beyond[1:-1])
     right = w.arctan2((columns.tau * columns.cos_right)[:-1])
     left = w.arctan2((columns.tau * columns.cos_left)[1:])
     axis = (right + left).running()
@@ -50,11 +51,11 @@ def bound_edges(
     mean = segment.mean(chords / chords.sum())
     axis, segment = axis - mean, segment - mean
 
-    first = axis.part(slice(1)) - q.arctan2((columns.tau * columns.cos_left)[:1])
-    last = axis.part(slice(-1, None)) + q.arctan2((columns.tau * columns.cos_right)[-1:])
+    first = axis.part(slice(1)) - tight.arctan2((columns.tau * columns.cos_left)[:1])
+    last = axis.part(slice(-1, None)) + tight.arctan2((columns.tau * columns.cos_right)[-1:])
     along = lengths * np.concatenate(
         [spinning_acceleration(angle) for angle in (first, segment, last)], axis=-1
     )
-    spread = turning_acceleration(q.hypot(columns.tau), axis).max(axis=-1, keepdims=True)
-    down = np.hypot(spread * reach, 0.25 * np.sin(stop / 2) * reach)
+    spread = turning_acceleration(tight.hypot(columns.tau_beyond), axis).max(axis=-1, keepdims=True)
+    down = np.hypot(spread * reach, 0.25 * size * np.sin(stop / 2) * reach)
     return along, np.asarray(down)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from orishell.numerics.arrays import Array
 
 
@@ -17,3 +19,18 @@ class Columns:
     slope: Array  # nu of every panel column, (n+1,)
     sines: Array  # sin delta_{2j-1}, (n-1,)
     sines_next: Array  # sin delta_{2j}, (n-1,)
+    rest: float  # the smallest slope of the panel columns that exist
+
+    @property
+    def slope_beyond(self) -> Array:
+        """sqrt(nu**2 - rest**2) of every panel column (n+1,); 0 for a missing flap."""
+        return _side(self.slope, self.rest)
+
+    @property
+    def tau_beyond(self) -> Array:
+        """sqrt(tau**2 - rest**2) of every column (n,)."""
+        return _side(self.tau, self.rest)
+
+
+def _side(length: Array, rest: float) -> Array:
+    return np.asarray(np.sqrt(np.maximum((length - rest) * (length + rest), 0.0)))

@@ -2,20 +2,27 @@
 
 The motion in closed form:
 
-With rho the fold angle of the flap creases (0 flat, pi locked) write kappa = sin(rho/2),
-q = cos(rho/2). At lock column j is a zigzag of angle xi_j in the vertical plane through t_j. With
+At the target column j is a zigzag of angle xi_j in the vertical plane through t_j. With
 tau_j = tan(xi_j/2) and delta the angles between row segments and t, equation (2) says that the
 *slope* of the panels between two columns,
 
     nu = tau_j sin delta_{2j-1} = tau_{j+1} sin delta_{2j},
 
-is the same seen from both; a flap has nu = 0. Over the whole motion, in units of cos(xi_j/2),
+is the same seen from both; a flap has nu = 0. The paper's motion, from kappa = 0 in the flat sheet
+to kappa = 1 at the target, goes on beyond it: with q^2 = 1 - kappa^2, in units of cos(xi_j/2),
 
     cos(psi_j/2) = kappa,   sin(psi_j/2) = sqrt(tau_j^2 + q^2),
-    cos eps sin(psi_j/2) = tau_j cos delta,   sin eps sin(psi_j/2) = sqrt(nu^2 + q^2),
+    cos eps sin(psi_j/2) = tau_j cos delta,   sin eps sin(psi_j/2) = w = sqrt(nu^2 + q^2),
 
-so that nothing but square roots of sums of squares is left: no digits are lost near lock, and
-positions are sums of products of one factor per row and one per column.
+until a w is 0: the row creases between these two columns are folded flat. The panel columns with
+the smallest slope, the *rest*, are the tightest. The drive rho is the fold angle of their row
+creases,
+
+    kappa = hypot(1, rest) sin(rho/2),   w of the tightest = hypot(1, rest) cos(rho/2),
+
+and all squares are sums of w^2 of the tightest and of what is beyond the rest, nu^2 - rest^2 or
+tau^2 - rest^2. So no digits are lost near the target, which is at tan(rho/2) = 1/rest, or near the
+end. With flaps the rest is 0 and the target the end, as in the paper.
 """
 
 from __future__ import annotations
@@ -26,10 +33,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.design import FlapSide
-from orishell.families.flap_sheet import FlapSheet
+from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.parallel_repeating.acceleration import bound_edges
 from orishell.families.parallel_repeating.columns import Columns
-from orishell.families.vertex import column_fold_angle, half_turns, row_fold_angle
+from orishell.families.vertex import column_fold_angle, row_fold_angle
 from orishell.motion import mechanism_in_one_line
 from orishell.numerics.arrays import Array, Complex
 from orishell.sheet.grid import CreaseValues
@@ -122,16 +129,16 @@ class ParallelRepeating(FlapSheet):
         return lengths
 
     def positions(self, drive: ArrayLike) -> Array:
-        """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, pi] (radians).
+        """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, end_drive] (radians).
 
-        At lock the middle row lies on the points, in z = 0. Other states are placed so that the
+        At the target the middle row lies on the points, in z = 0. Other states are placed so that the
         middle row's centroid stays where it is and its segments turn by nothing on average.
         Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
-        kappa, q = half_turns(drive)
         columns = self._columns()
-        middle, spread = self._row_and_spread(columns, q[..., None])
+        kappa, tight = self._phase(columns, drive)
+        middle, spread = self._row_and_spread(columns, tight[..., None])
         reach, height = self.column_arcs() * np.cos(self.xi / 2), self.locked_heights()
 
         grid = self.grid
@@ -144,10 +151,10 @@ class ParallelRepeating(FlapSheet):
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
-        kappa, q = half_turns(np.asarray(drive, dtype=np.float64))
         columns = self._columns()
-        c, q = kappa[..., None], q[..., None]
-        w = np.hypot(columns.slope, q)
+        kappa, tight = self._phase(columns, np.asarray(drive, dtype=np.float64))
+        c = kappa[..., None]
+        w = np.hypot(columns.slope_beyond, tight[..., None])
         row = row_fold_angle(c, w)
         column = column_fold_angle(
             c * np.cos(np.arctan(columns.tau)),
@@ -188,33 +195,48 @@ class ParallelRepeating(FlapSheet):
         ratio = right.imag / left.imag
         tau = np.tan(self.xi / 2) * np.concatenate([[1.0], np.cumprod(ratio)])
         flap = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
+        slope = np.concatenate([[0.0], tau[:-1] * right.imag, [0.0]])
         return Columns(
             tau=tau,
             cos_left=np.concatenate([flap[:1], -left.real]),
             cos_right=np.concatenate([right.real, flap[1:]]),
-            slope=np.concatenate([[0.0], tau[:-1] * right.imag, [0.0]]),
+            slope=slope,
             sines=right.imag,
             sines_next=left.imag,
+            rest=float(slope[self._existing].min()),
         )
 
-    def _row_and_spread(self, columns: Columns, q: Array) -> tuple[Complex, Complex]:
+    @property
+    def _rest(self) -> float:
+        return self._columns().rest
+
+    def _phase(self, columns: Columns, drive: Array) -> tuple[Array, Array]:
+        """Kappa and the tightest w (...), exactly 1 and the rest at the target."""
+        rest = columns.rest
+        there = drive == target_drive(rest)
+        size = np.hypot(1.0, rest)
+        kappa = np.where(there, 1.0, size * np.sin(drive / 2))
+        return kappa, np.where(there, rest, size * np.cos(drive / 2))
+
+    def _row_and_spread(self, columns: Columns, tight: Array) -> tuple[Complex, Complex]:
         """Middle row and displacement along t per unit of reach (..., columns of the grid).
 
         Parameters
         ----------
-        q
-            cos(rho/2), (..., 1).
+        tight
+            The tightest w, (..., 1).
         """
-        w = np.hypot(columns.slope, q)
-        # Turns against the locked state, of a segment from the column at its left, and of a
-        # column from the segment at its left: exp(i (eps - delta)), exactly 1 at lock.
+        rest = columns.rest
+        w = np.hypot(columns.slope_beyond, tight)
+        # Turns against the target state, of a segment from the column at its left, and of a
+        # column from the segment at its left: exp(i (eps - delta)), exactly 1 at the target.
         inner, slope = w[..., 1:-1], columns.slope[1:-1]
-        gain = q * q / (inner + slope)
+        gain = (tight - rest) * (tight + rest) / (inner + slope)
         turn = _unit(_turn(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain))
         turn_next = _unit(
             _turn(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
         )
-        ones = np.ones((*q.shape[:-1], 1), dtype=np.complex128)
+        ones = np.ones((*tight.shape[:-1], 1), dtype=np.complex128)
         of_axis = np.concatenate([ones, np.cumprod(turn * turn_next, axis=-1)], axis=-1)
         of_segment = of_axis[..., :-1] * turn
 
@@ -232,13 +254,15 @@ class ParallelRepeating(FlapSheet):
         home = (weight * self.points).sum()
         row = row * back + (home - (weight * row).sum(axis=-1, keepdims=True) * back)
 
-        half = np.hypot(columns.tau, q)
+        half = np.hypot(columns.tau_beyond, tight)
         axis = of_axis * self.axes * back
         spread = axis * half
 
         # Flap creases leave along t at lock: exp(-i eps_L) to the left, exp(i eps_R) to the right.
-        left = axis[..., :1] * (columns.tau[0] * columns.cos_left[0] - 1j * q) / half[..., :1]
-        right = axis[..., -1:] * (columns.tau[-1] * columns.cos_right[-1] + 1j * q) / half[..., -1:]
+        left = axis[..., :1] * (columns.tau[0] * columns.cos_left[0] - 1j * tight) / half[..., :1]
+        right = (
+            axis[..., -1:] * (columns.tau[-1] * columns.cos_right[-1] + 1j * tight) / half[..., -1:]
+        )
         row = np.concatenate(
             [row[..., :1] + self.flaps[0] * left, row, row[..., -1:] + self.flaps[1] * right],
             axis=-1,

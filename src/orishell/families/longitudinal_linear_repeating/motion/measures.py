@@ -38,7 +38,7 @@ def measure_departures(mechanism: LongitudinalLinearRepeating) -> dict[str, floa
     rows = mechanism.grid.rows - 2
     flat_foldable = flat_foldable_rows(rows, mechanism.first_row)
     worst = {"f_row": 0.0, "s_row": 0.0, "column": 0.0}
-    for drive in np.linspace(0.0, mechanism.lock_drive, STATES + 1)[1:]:
+    for drive in np.linspace(0.0, mechanism.target_drive, STATES + 1)[1:]:
         inner = mechanism.positions(drive)[1:-1, 1:-1]
         of_rows = departures_from_plane(inner) if inner.shape[1] > 3 else np.zeros(rows)
         of_columns = departures_from_plane(inner.swapaxes(0, 1)) if rows > 3 else np.zeros(1)

@@ -19,7 +19,7 @@ unit quaternions A + B i, with complex A = w + z k and B = x + y k.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -50,8 +50,8 @@ class Pose:
     centroid
         Centroid of the middle row's inner vertices, in every state (3,).
     turn
-        Rotation vector (3,) of the sheet's middle panel at the end of the motion (radians); in
-        the flat sheet it is not turned, in between in proportion to the drive.
+        Rotation vector (3,) of the sheet's middle panel at the target (radians); in the flat sheet
+        it is not turned, elsewhere in proportion to the drive.
     """
 
     centroid: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -75,7 +75,7 @@ class LongitudinalLinearRepeating:
     side
         Sign of v_1 below row 1.
     stop
-        Drive at which the motion is to end, at most :attr:`crease_end`, or None for that.
+        Drive at which the target is met, at most :attr:`end_drive`, or None for that.
     pose
         Where it stands.
     """
@@ -100,22 +100,22 @@ class LongitudinalLinearRepeating:
         return slice(1, 1 + len(self.columns))
 
     @property
-    def lock_drive(self) -> float:
-        """Where the motion ends: as asked for, or where the first crease reaches pi."""
-        return self.crease_end if self.stop is None else self.stop
+    def flap_columns(self) -> tuple[int, ...]:
+        """None: the strips beside the inner columns do not stop the motion."""
+        return ()
 
     @property
-    def crease_end(self) -> float:
+    def target_drive(self) -> float:
+        """Where the shell meets its target, or, without one, as far as it is folded."""
+        return self.end_drive if self.stop is None else self.stop
+
+    @property
+    def end_drive(self) -> float:
         """Drive at which the first row crease reaches pi (radians)."""
         return crease_end(self.columns, self.grid.rows - 2, self.first_row)
 
-    @property
-    def whole(self) -> LongitudinalLinearRepeating:
-        """The sheet folding to the very end of its motion, its middle panel not turning."""
-        return replace(self, stop=None, pose=Pose())
-
     def positions(self, drive: ArrayLike) -> Array:
-        """Positions (..., m+2, n+2, 3) at drive angles v_1 (...), in [0, crease_end] (radians)."""
+        """Positions (..., m+2, n+2, 3) at drive angles v_1 (...), in [0, end_drive] (radians)."""
         drive = np.asarray(drive, dtype=np.float64)
         panels = self.panels(drive)
         directions = self._directions()
@@ -165,7 +165,7 @@ class LongitudinalLinearRepeating:
             flat_foldable=halves.flat_foldable,
             signs=halves.signs,
             flat=self.positions(0.0) @ np.array([1, 1j, 0]),
-            turn=np.asarray(self.pose.turn) / self.lock_drive,
+            turn=np.asarray(self.pose.turn) / self.target_drive,
             panels=self.panels,
         )
         return bound_edges(sheet, start, stop)
@@ -186,7 +186,7 @@ class LongitudinalLinearRepeating:
         along = running_products(crossed)
         anchor = along[..., columns // 2, None]
         turn = Rotations.of_vector(
-            np.asarray(self.pose.turn) * (drive / self.lock_drive)[..., None, None]
+            np.asarray(self.pose.turn) * (drive / self.target_drive)[..., None, None]
         )
         current = (turn @ anchor.inverse() @ along).normalised()
         panels[..., middle, :] = current
