@@ -76,7 +76,7 @@ def test_a_design_is_shown_as_it_folds_with_its_surface_and_curves() -> None:
     document = document_of_design(design)
     assert (document.unit, len(document.states)) == ("unit", 25)
     np.testing.assert_array_equal(
-        document.last.positions, FoldingMotion(design.mechanism, 2).target.positions.reshape(-1, 3)
+        document.shell.positions, FoldingMotion(design.mechanism, 2).target.positions.reshape(-1, 3)
     )
     assert set(document.curves) == {"f", "g"}
     assert widget.view == dump_view(lay_surface(document, design))

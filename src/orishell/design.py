@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -64,6 +64,11 @@ class Design:
     origin
         Where the frame of all these coordinates stands in the world (3,): it is added when world
         coordinates are written, so that a shell far from the origin keeps its digits until then.
+    boards
+        The sheet with the flaps that are clipped on at the target; None if there are none. They
+        are no part of ``mechanism``.
+    largest_fold
+        How far its hinges close (radians).
     ending_at
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
@@ -77,7 +82,16 @@ class Design:
     warnings: tuple[str, ...]
     approached: Approached | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
+    boards: Mechanism | None = None
+    largest_fold: float = np.pi
     ending_at: Callable[[float], Design] | None = None
+
+    def with_clipped_flaps(self) -> Design:
+        """The design whose flaps are no part of the folding sheet: clipped on at the target."""
+        bare = self.mechanism.without_flaps()
+        if bare.grid == self.mechanism.grid:
+            return self
+        return replace(self, mechanism=bare, boards=self.mechanism)
 
     @property
     def surface(self) -> Surface:

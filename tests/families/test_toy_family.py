@@ -51,6 +51,9 @@ class Miura:
     gamma: float
     target_drive: float
 
+    def without_flaps(self) -> Miura:
+        return self
+
     @property
     def end_drive(self) -> float:
         return float(np.pi)

@@ -58,7 +58,7 @@ def test_what_is_written_is_read_back(
     size = float(np.linalg.norm(np.ptp(document.flat, axis=0)))
     if content.space is not None:
         precision = 1e-6 if format_.name in SINGLE else 1e-12
-        there, here = scale * content.space, document.last.positions
+        there, here = scale * content.space, document.shell.positions
         assert farthest(there, here) < precision * size
         assert farthest(here, there) < precision * size
     if content.plane is not None and format_.name != "origami-simulator":

@@ -109,7 +109,7 @@ def test_svg_folds_into_the_locked_shell(tmp_path: Path, family: str) -> None:
     numbers = _find_vertices(answer["vertices_coords"], document)
     found = {frozenset(numbers[face].tolist()) for face in answer["faces_vertices"]}
     assert found == {frozenset(face) for face in document.mesh.faces.tolist()}
-    locked = document.last.positions[numbers]
+    locked = document.shell.positions[numbers]
     distance = distance_after_motion(np.array(answer["folded"]), locked)
     assert distance <= SHAPE * _diagonal(document)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, state_number
+from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, state_named
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
 from orishell.cli.summary import summarize
@@ -37,7 +37,7 @@ def design(
         typer.Option("--no-clash-test", help="Do not look for contact (for very fine sheets)."),
     ] = False,
     write: Annotated[str, typer.Option(help=WRITE_HELP)] = "",
-    state: Annotated[str, typer.Option(help=STATE_HELP)] = "locked",
+    state: Annotated[str, typer.Option(help=STATE_HELP)] = "target",
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and pictures."""
     from orishell.io import OutputDirectory, Settings
@@ -48,7 +48,7 @@ def design(
     from orishell.shell.make import design_shell
 
     OutputDirectory(out).require_usable()
-    formats, number = _formats(write), state_number(state)
+    formats, number = _formats(write), state_named(state)
     if ALL in write.split(","):
         for each in FORMATS:
             if each not in formats:

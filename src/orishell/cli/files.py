@@ -12,7 +12,8 @@ from orishell.io.registry import ALL, MODULES
 
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
 
-STATE_HELP = "State for formats that show only one: flat, locked, or the number of a frame from 0."
+STATES = ("flat", "target", "pack")
+STATE_HELP = f"State for formats that show only one: {', '.join(STATES)}, or a frame's number."
 
 
 def directory(text: str) -> Path:
@@ -28,26 +29,23 @@ def directory(text: str) -> Path:
     return Path(text)
 
 
-def state_number(text: str) -> int:
-    """The number of the state that ``--state`` asks for: flat, locked, or a number.
+def state_named(text: str) -> int | str:
+    """The state that ``--state`` asks for: a name or a number.
 
     Raises
     ------
     InputError
         If it is neither.
     """
-    from orishell.io import LAST
-
-    states = {"flat": 0, "locked": LAST}
-    if text in states:
-        return states[text]
+    if text in STATES:
+        return text
     if text.isascii() and text.isdecimal() and len(text) < 10:
         return int(text)
     raise InputError(
         "there is no such state",
         where="--state",
         got=repr(text),
-        expected="flat, locked, or the number of a frame from 0",
+        expected=f"{', '.join(STATES)}, or the number of a frame from 0",
     )
 
 

@@ -25,6 +25,8 @@ from orishell.conventions.table import Number, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.conventions.units import Unit
 from orishell.curves import Curve
+from orishell.deployment import FROM_FLAT, Deployment
+from orishell.design_file.deployment import DeploymentTable
 from orishell.design_file.faults import explain
 from orishell.design_file.limits import require_memory
 from orishell.design_file.target import Target, Targets
@@ -75,6 +77,7 @@ class _File(Table):
     pattern: dict[str, Any] = Field(default_factory=dict)
     tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
+    deployment: DeploymentTable = DeploymentTable()
     workshop: WorkshopTable = WorkshopTable()
 
     @field_validator("target")
@@ -113,6 +116,8 @@ class DesignFile:
         How the flat sheet is drawn and cut.
     ground
         Where a shell that can stand is put.
+    deployment
+        How it is deployed.
     """
 
     path: Path
@@ -125,6 +130,7 @@ class DesignFile:
     contact_tolerance: float
     workshop: Workshop
     ground: Ground = "z0"
+    deployment: Deployment = FROM_FLAT
 
     __repr__ = in_one_line
 
@@ -227,6 +233,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         file.motion.contact_tolerance,
         workshop,
         file.shell.ground,
+        file.deployment.settings(),
     )
 
 
@@ -249,6 +256,7 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
         "shell": _Shell,
         "tolerance": _Tolerance,
         "motion": _Motion,
+        "deployment": DeploymentTable,
         "pattern": model,
         "workshop": WorkshopTable,
     }
@@ -263,6 +271,6 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
                 table = Target
             case _:
                 table = tables[str(location[0])]
-        return list(table.model_fields)
+        return [field.alias or name for name, field in table.model_fields.items()]
 
     return keys

@@ -22,6 +22,9 @@ from orishell.sheet.quads import area_vectors
 LARGEST = 1e36
 """Coordinates above this are refused: many formats have single precision, which ends at 3e38."""
 
+SHELL = "target"
+"""Name of the state that is the shell as it stands."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DocumentState:
@@ -83,7 +86,7 @@ class Document:
     fold_angles_deg
         Fold angles (E,) at the last state, valley positive, NaN where unknown.
     states
-        Folded states from flat to locked; may be made one by one as they are asked for.
+        Folded states in the order of the motion; may be made one by one as they are asked for.
     grid_shape
         Rows and columns of vertices, if panels and vertices are numbered row by row.
     curves
@@ -98,6 +101,8 @@ class Document:
         What is known of the shell, as in ``report.json``; empty if nothing is.
     contact
         The panels that touch first on the way, if that is known.
+    named
+        Numbers of the states that have a name: "flat", "target" (the shell), "pack".
     """
 
     title: str
@@ -114,6 +119,7 @@ class Document:
     origin: Array = field(default_factory=lambda: np.zeros(3))
     report: Mapping[str, object] = field(default_factory=dict, repr=False)
     contact: FirstContact | None = field(default=None, repr=False)
+    named: Mapping[str, int] = field(default_factory=dict)
 
     __repr__ = in_one_line
 
@@ -130,12 +136,15 @@ class Document:
             )
 
     @property
-    def last(self) -> DocumentState:
-        """The last state: the shell as it stands; the flat sheet if there is no other."""
-        return self.states[-1] if len(self.states) else self._flat_state()
+    def shell(self) -> DocumentState:
+        """The shell as it stands: the target, or the last state where none is called so."""
+        return self.state(SHELL)
 
-    def state(self, number: int) -> DocumentState:
-        """A state by its number, 0 the first, -1 the last.
+    def state(self, which: int | str) -> DocumentState:
+        """A state by its number, 0 the first, or by its name.
+
+        Where no state has a name, "flat" is the first and "target" the last; where there is none
+        at all, both are the flat sheet.
 
         Raises
         ------
@@ -143,13 +152,16 @@ class Document:
             If there is no such state.
         """
         count = len(self.states)
-        if number in (0, -1) and not count:
+        named = {"flat": 0, SHELL: max(count - 1, 0), **self.named}
+        number = named.get(which, count) if isinstance(which, str) else which
+        if number == 0 and not count:
             return self._flat_state()
-        if not -count <= number < count:
+        if not 0 <= number < count:
+            names = " or ".join(f'"{name}"' for name in named)
             raise InputError(
                 "there is no such state",
-                got=str(number),
-                expected=f"a number from 0 to {count - 1}",
+                got=str(which),
+                expected=f"{names}, or a number from 0 to {count - 1}",
             )
         return self.states[number]
 
@@ -159,11 +171,11 @@ class Document:
 
     @property
     def nearby(self) -> Array:
-        """An origin (3,) near the last state, for formats with coordinates in single precision.
+        """An origin (3,) near the shell, for formats with coordinates in single precision.
 
         In the world, and zero where the shell stands near the world's origin.
         """
-        return nearby_origin(self.in_world(self.last.positions))
+        return nearby_origin(self.in_world(self.shell.positions))
 
     def require_flat(self) -> Array:
         """The flat sheet (V, 2).
@@ -207,7 +219,7 @@ class Document:
 
     def areas(self) -> Array:
         """Area (F,) of every panel."""
-        vertices = self._flat_state() if self.flat is not None else self.last
+        vertices = self._flat_state() if self.flat is not None else self.shell
         return np.asarray(
             np.linalg.norm(area_vectors(vertices.positions[self.mesh.faces]), axis=-1)
         )

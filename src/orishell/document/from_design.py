@@ -35,7 +35,7 @@ def document_of_motion(
     title
         One line that says what it is.
     curves
-        Polylines (k, 3) that the locked shell follows, by name.
+        Polylines (k, 3) that the shell follows, by name.
     origin
         Where the motion's frame stands in the world (3,); None for the world's origin.
     """
@@ -52,6 +52,7 @@ def document_of_motion(
         grid_shape=(grid.rows, grid.columns),
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
+        named=motion.named,
     )
 
 
@@ -63,7 +64,7 @@ def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) 
     unit
         Unit of length of the coordinates; "unit" if none is known.
     frames
-        Number of states from flat to locked.
+        Number of states from flat to the target.
     """
     motion = FoldingMotion(design.mechanism, frames)
     return document_of_motion(motion, unit, curves=design.targets)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Self
+
 import numpy as np
 
 from orishell.numerics.arrays import Array, Complex
@@ -43,6 +46,10 @@ class FlapSheet:
         """The first and the last column of panels, as far as they are flaps."""
         last = self.grid.columns - 2
         return tuple(k for k, width in zip((0, last), self.flaps, strict=True) if width)
+
+    def without_flaps(self) -> Self:
+        """The sheet without its flaps; what stays meets the target as it did."""
+        return replace(self, flaps=(0.0, 0.0))  # type: ignore[type-var]
 
     @property
     def target_drive(self) -> float:

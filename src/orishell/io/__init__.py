@@ -9,11 +9,10 @@ if TYPE_CHECKING:
     from orishell.io.fold_document import document_of_fold
     from orishell.io.fold_reader import FoldFile, FoldFrame, read_fold
     from orishell.io.output import OutputDirectory
-    from orishell.io.settings import DEFAULT_SETTINGS, LAST, Settings
+    from orishell.io.settings import DEFAULT_SETTINGS, Settings
 
 __all__ = [
     "DEFAULT_SETTINGS",
-    "LAST",
     "FoldFile",
     "FoldFrame",
     "OutputDirectory",
@@ -31,6 +30,6 @@ __getattr__, __dir__ = import_on_demand(
         "orishell.io.fold_document": ("document_of_fold",),
         "orishell.io.fold_reader": ("FoldFile", "FoldFrame", "read_fold"),
         "orishell.io.output": ("OutputDirectory",),
-        "orishell.io.settings": ("DEFAULT_SETTINGS", "LAST", "Settings"),
+        "orishell.io.settings": ("DEFAULT_SETTINGS", "Settings"),
     },
 )

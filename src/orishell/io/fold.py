@@ -31,13 +31,17 @@ def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETT
     def dump(value: Any) -> bytes:
         return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
+    names = {number: name for name, number in document.named.items()}
+    titles = names if "pack" in document.named else {}
     states = iter(document.states)
     key = _flat(document) if document.flat is not None else _state(document, next(states))
     with path.open("wb") as file:
         file.write(dump({**_head(document), **key, **_mesh(document)})[:-1])
         separator = b',\n"file_frames":[\n'
-        for state in states:
+        for number, state in enumerate(states):
             frame = {**_state(document, state), "frame_parent": 0, "frame_inherit": True}
+            if number in titles:
+                frame["frame_title"] = titles[number]
             file.write(separator + dump(frame))
             separator = b",\n"
         file.write(b"}\n" if separator.startswith(b',\n"') else b"\n]}\n")

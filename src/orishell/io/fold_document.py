@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.units import MILLIMETRES
-from orishell.document import Document, DocumentState
+from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_reader import FoldFile, FoldFrame
 from orishell.numerics.arrays import Array
 from orishell.sheet.mesh import measure_mesh_folds
@@ -23,11 +23,13 @@ def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
         Unit of length to be stated instead of the file's own.
     """
     flat = _find_flat(file.frames)
+    folded = [
+        frame for frame in file.frames if frame is not flat and "creasePattern" not in frame.classes
+    ]
     states = tuple(
-        DocumentState(frame.positions, frame.fold_angles_deg, frame.drive_deg)
-        for frame in file.frames
-        if frame is not flat and "creasePattern" not in frame.classes
+        DocumentState(frame.positions, frame.fold_angles_deg, frame.drive_deg) for frame in folded
     )
+    titles = {frame.title: number for number, frame in enumerate(folded)}
     known = file.unit if file.unit in MILLIMETRES else "unit"
     return Document(
         title=file.title,
@@ -35,10 +37,11 @@ def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
         mesh=file.mesh,
         assignment=file.assignment or _guess(file),
         flat=None if flat is None else _in_plane(flat.positions),
-        fold_angles_deg=_fold_angles(file, flat, states),
+        fold_angles_deg=_fold_angles(file, flat, states[titles.get(SHELL, -1)] if states else None),
         states=states,
         grid_shape=file.grid_shape,
         curves={},
+        named={name: titles[name] for name in ("flat", SHELL, "pack") if name in titles},
     )
 
 
@@ -54,17 +57,15 @@ def _in_plane(positions: Array) -> Array:
     return flat
 
 
-def _fold_angles(
-    file: FoldFile, flat: FoldFrame | None, states: tuple[DocumentState, ...]
-) -> Array:
-    """Fold angles (E,): those the flat sheet gives, else the last state's, given or measured."""
+def _fold_angles(file: FoldFile, flat: FoldFrame | None, shell: DocumentState | None) -> Array:
+    """Fold angles (E,): those the flat sheet gives, else the shell's, given or measured."""
     if flat is not None and flat.fold_angles_deg is not None:
         return flat.fold_angles_deg
-    if states and states[-1].fold_angles_deg is not None:
-        return states[-1].fold_angles_deg
-    if states:
-        return np.rad2deg(measure_mesh_folds(file.mesh, states[-1].positions))
-    return np.full(len(file.mesh.edges), np.nan)
+    if shell is None:
+        return np.full(len(file.mesh.edges), np.nan)
+    if shell.fold_angles_deg is not None:
+        return shell.fold_angles_deg
+    return np.rad2deg(measure_mesh_folds(file.mesh, shell.positions))
 
 
 def _guess(file: FoldFile) -> tuple[str, ...]:

@@ -38,6 +38,8 @@ class FoldFrame:
         such list or inherits it. In degrees, as in the file: not a bit is lost.
     drive_deg
         Drive angle, where the frame says it.
+    title
+        Its ``frame_title``; empty if it has none.
     """
 
     number: int
@@ -45,6 +47,7 @@ class FoldFrame:
     positions: Array
     fold_angles_deg: Array | None
     drive_deg: float | None
+    title: str = ""
 
     __repr__ = in_one_line
 
@@ -123,6 +126,7 @@ def _read(path: Path, frames: Frames) -> FoldFile:
                 positions,
                 _fold_angles(frames, number, edges),
                 _drive(frames, number),
+                str(frames.own(number).get("frame_title", "")),
             )
             for number, positions in coordinates.items()
         ),

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from orishell.document import SHELL
 from orishell.workshop import DEFAULT, Workshop
-
-LAST = -1
-"""Number of the last state: the locked shell."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,12 +15,12 @@ class Settings:
     Parameters
     ----------
     state
-        Number of the state that formats with one state show: 0 flat, -1 the last.
+        The state that formats with one state show, by name or number.
     workshop
         How the flat sheet is drawn and cut.
     """
 
-    state: int = LAST
+    state: int | str = SHELL
     workshop: Workshop = DEFAULT
 
 

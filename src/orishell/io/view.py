@@ -53,7 +53,9 @@ class Header(TypedDict):
     origin
         Was subtracted from all coordinates in space before they were rounded.
     drives_deg
-        Drive of every state, the flat one first.
+        Drive of every state, in the order of the motion.
+    named
+        Numbers of the states that have a name: flat, target, pack.
     report
         The fields of ``report.json``; empty if there is none.
     curves
@@ -66,6 +68,7 @@ class Header(TypedDict):
     grid: tuple[int, int] | None
     origin: tuple[float, float, float]
     drives_deg: list[float | None]
+    named: Mapping[str, int]
     report: Mapping[str, object]
     contact: FirstContact | None
     arrays: dict[str, ArrayPlace]
@@ -79,15 +82,16 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     ----------
     document
         The sheet. Of its states at most so many are taken that :data:`MOST` coordinates are kept,
-        the first and the last among them.
+        the first, the last and those with a name among them.
     curves
         f and g as they are drawn, if the header is to have them.
     """
     import orjson
 
-    states = _thinned(document)
-    last = states[-1].positions if states else np.zeros((0, 3))
-    origin = (last.min(axis=0) + last.max(axis=0)) / 2 if len(last) else np.zeros(3)
+    numbers = _kept(document)
+    states = [document.states[number] for number in numbers]
+    shell = document.shell.positions if states else np.zeros((0, 3))
+    origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
     arrays = _arrays(document, states, origin)
     places: dict[str, ArrayPlace] = {}
     offset = 0
@@ -103,6 +107,7 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
         "grid": document.grid_shape,
         "origin": (x, y, z),
         "drives_deg": [state.drive_deg for state in states],
+        "named": {name: numbers.index(number) for name, number in document.named.items()},
         "report": dict(document.report),
         "contact": document.contact,
         "arrays": places,
@@ -115,13 +120,12 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     return b"".join([struct.pack("<I", len(text)), text, *blocks])
 
 
-def _thinned(document: Document) -> Sequence[DocumentState]:
+def _kept(document: Document) -> list[int]:
+    """Numbers of the states that are taken, those with a name among them."""
     count = len(document.states)
-    kept = max(2, MOST // (3 * document.mesh.vertex_count))
-    if count <= kept:
-        return list(document.states)
-    numbers = np.unique(np.rint(np.linspace(0, count - 1, kept)).astype(int))
-    return [document.states[int(number)] for number in numbers]
+    most = max(2, MOST // (3 * document.mesh.vertex_count))
+    numbers = np.rint(np.linspace(0, count - 1, min(count, most))).astype(int)
+    return sorted({*map(int, numbers), *document.named.values()})
 
 
 def _arrays(

@@ -10,7 +10,7 @@ from orishell.locking.lock import (
     find_lock,
     lock_without_clash,
 )
-from orishell.locking.motion_end import end_motion
+from orishell.locking.motion_end import end_motion, require_pack
 from orishell.locking.remedies import with_remedies
 from orishell.locking.request import Request
 
@@ -25,5 +25,6 @@ __all__ = [
     "find_lock",
     "lock_without_clash",
     "reaches_target",
+    "require_pack",
     "with_remedies",
 ]

@@ -5,7 +5,7 @@ Why it is one: docs/theory/locking-and-clash.md.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -14,7 +14,7 @@ from orishell.clash import PathResult, ProofRecord, find_contacts, find_first_co
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
-from orishell.motion import Mechanism, corrugation_depth, diagonal
+from orishell.motion import Mechanism, corrugation_depth, diagonal, drive_at_fold
 from orishell.numerics.arrays import Booleans, Integers
 from orishell.sheet.grid import Grid
 
@@ -39,7 +39,7 @@ Kind = Literal[
     "at the sheet's edge",
     "distant panels",
 ]
-Cause = Literal["flaps", "clash", "crease"]
+Cause = Literal["flaps", "clash", "crease", "hinges"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,8 +78,8 @@ class Lock:
     drive
         Where it ends, or None if nothing ends it (radians).
     cause
-        Flaps folded onto each other as designed, panels that clash, or another crease that is
-        folded flat.
+        Flaps folded onto each other as designed, panels that clash, another crease that is folded
+        flat, or hinges that close no further.
     first_contact
         The first contact, if there is one.
     target
@@ -87,7 +87,7 @@ class Lock:
     depth
         Depth of the corrugation in that state (length).
     touching
-        Pairs of panels, flaps and neighbours left out, that touch at the end and not before.
+        Pairs of panels, flaps and neighbours left out, that touch at the target and not before.
     proof
         How the path was examined, or None if it was not.
     """
@@ -105,6 +105,13 @@ class Lock:
         end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
         path = "path not examined" if self.proof is None else "path examined"
         return f"{type(self).__name__}({end}, {target}, {path})"
+
+    @property
+    def pack(self) -> float:
+        """As far as the motion goes, proved free of contact if its path was examined (radians)."""
+        if self.cause == "clash" and self.first_contact is not None:
+            return self.first_contact.clear_until
+        return self.target if self.drive is None else self.drive
 
     @property
     def early(self) -> bool:
@@ -154,6 +161,7 @@ def find_lock(
         )
 
     path = search(sheet.path_end, size)
+    touching = sheet.touching(design.boards, size)
     if path.contact is not None and path.contact.drive > LATE * sheet.end:
         # Panels that meet at the end, however slowly, come within any tolerance before it.
         closer = search(sheet.end * (1 - SHORT_OF_END), NARROW * size)
@@ -167,8 +175,9 @@ def find_lock(
             sheet.kind(path.contact.panels),
             corrugation_depth(mechanism.positions(drive)),
         )
-        return sheet.lock(drive, "clash", found, path.proof)
-    return lock_without_clash(design, path.proof, sheet.touching_at_end(size))
+        late = touching if drive > sheet.target else ()
+        return sheet.lock(drive, "clash", found, path.proof, late)
+    return lock_without_clash(design, path.proof, touching)
 
 
 def lock_without_clash(
@@ -187,7 +196,10 @@ def lock_without_clash(
     """
     sheet = _Sheet.of(design)
     if sheet.folded_flat is None:
-        return sheet.lock(None, None, None, proof, touching)
+        stopped = sheet.end < design.mechanism.end_drive
+        return sheet.lock(
+            sheet.end if stopped else None, "hinges" if stopped else None, None, proof, touching
+        )
     row, column = sheet.folded_flat
     flaps = column in sheet.mechanism.flap_columns
     found = Contact(
@@ -213,7 +225,7 @@ class _Sheet:
     @classmethod
     def of(cls, design: Design) -> _Sheet:
         mechanism = design.mechanism
-        end = mechanism.end_drive
+        end = drive_at_fold(mechanism, design.largest_fold)
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)
         first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
@@ -262,10 +274,16 @@ class _Sheet:
             return "at the sheet's edge"
         return "distant panels"
 
-    def touching_at_end(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
-        """Pairs of panels that touch at the end without being meant to."""
+    def touching(
+        self, boards: Mechanism | None, tolerance: float
+    ) -> tuple[tuple[Panel, Panel], ...]:
+        """Pairs of panels that touch at the target without being meant to, with its flaps."""
+        if boards is not None:
+            return replace(self, mechanism=boards).touching(None, tolerance)
+        if not self.mechanism.flap_columns and self.end > self.target:
+            return ()
         faces = self.mechanism.grid.faces_vertices()
-        points = self.mechanism.positions(self.end).reshape(-1, 3)
+        points = self.mechanism.positions(self.target).reshape(-1, 3)
         pairs = find_contacts(points, faces, tolerance)
         shared = (faces[pairs[:, 0]][:, :, None] == faces[pairs[:, 1]][:, None]).any(axis=(1, 2))
         pairs = pairs[~shared & ~self.designed((pairs[:, 0], pairs[:, 1]))]

@@ -9,12 +9,14 @@ import numpy as np
 from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
-from orishell.errors import ClashError, Remedy
+from orishell.errors import ClashError, DesignError, Remedy
 from orishell.locking.flap_widths import flap_width, widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, Lock, find_lock
 from orishell.locking.request import Request
 from orishell.motion import corrugation_depth
 
+NO_PACK = 1e-3
+"""A motion that goes on beyond the target by less than this share is of no use."""
 DIGITS = 6
 """Digits of a drive that may be offered for the target state."""
 
@@ -62,6 +64,25 @@ def end_motion(
     if lock.early and not allow_clash:
         raise _clash(design, lock)
     return design, lock
+
+
+def require_pack(lock: Lock) -> None:
+    """Refuse a shell that is to be opened from a pack, and does not close beyond its target.
+
+    Raises
+    ------
+    DesignError
+        If it does not.
+    """
+    if lock.pack > lock.target * (1 + NO_PACK):
+        return
+    contact = lock.first_contact
+    raise DesignError(
+        "the shell does not close beyond its target, so that it cannot be opened from a pack",
+        keys=("deployment.from",),
+        size="" if contact is None else f"panels meet there ({contact.kind})",
+        candidates=[Remedy({"deployment.from": "flat"})],
+    )
 
 
 def _clash(design: Design, lock: Lock) -> ClashError:

@@ -6,13 +6,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
-from orishell.conventions.formatting import in_one_line
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees, in_one_line, rounded
 from orishell.curves import Curve, curve_from_formulas, parse_formula
 from orishell.design import Design
-from orishell.errors import Remedy, Value
+from orishell.errors import DesignError, Remedy, Value
 from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES
 from orishell.locking.lock import CONTACT_TOLERANCE
+from orishell.motion import largest_fold
+
+ROUNDING = 1e-9
+"""By so much a fold angle at the target may exceed what hinges allow (radians)."""
+UP = 5e-4
+"""A fold angle that is offered is so much above what is needed (degrees)."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,11 +35,17 @@ class Request:
         The target curves f and g, or None.
     tolerance
         Distance at which panels touch, relative to the diagonal of the flat sheet.
+    clipped
+        Whether flaps are clipped on at the target, and no part of the folding sheet.
+    largest_fold
+        How far hinges close (radians).
     """
 
     pattern: Pattern
     target: tuple[Curve, Curve] | None
     tolerance: float = CONTACT_TOLERANCE
+    clipped: bool = False
+    largest_fold: float = np.pi
 
     __repr__ = in_one_line
 
@@ -46,9 +60,15 @@ class Request:
 
     def designed(self) -> Design:
         """The design that is asked for, before its path is examined for contact."""
-        if self.target is None:
-            return self.pattern.design_without_target()
-        return self.pattern.design(*self.target)
+        design = (
+            self.pattern.design_without_target()
+            if self.target is None
+            else self.pattern.design(*self.target)
+        )
+        design = replace(design, largest_fold=self.largest_fold)
+        design = design.with_clipped_flaps() if self.clipped else design
+        _require_hinges(design)
+        return design
 
     def changed(self, remedy: Remedy) -> Self:
         """The request with other values at keys of the design file."""
@@ -58,8 +78,13 @@ class Request:
             tables.setdefault(table, {})[name] = value
         family = tables.get("shell", {}).get("family")
         model = type(self.pattern) if family is None else FAMILIES[str(family)].pattern
+        deployment = tables.get("deployment", {})
+        fold = deployment.get("largest_fold_deg", np.rad2deg(self.largest_fold))
+        assert isinstance(fold, float | int)
         return replace(
             self,
+            clipped=deployment.get("flap_attachment", None) == "clipped" or self.clipped,
+            largest_fold=float(np.deg2rad(fold)),
             pattern=self.pattern.changed(tables.get("pattern", {}), model),
             target=self.target
             and (
@@ -67,6 +92,25 @@ class Request:
                 _changed(self.target[1], tables.get("target.g", {})),
             ),
         )
+
+
+def _require_hinges(design: Design) -> None:
+    """Refuse hinges that do not close as far as the target asks."""
+    mechanism, limit = design.mechanism, design.largest_fold
+    if limit >= np.pi:
+        return
+    needed = float(largest_fold(mechanism, np.array([mechanism.target_drive]))[0])
+    if needed <= limit + ROUNDING:
+        return
+    clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if mechanism.flap_columns else []
+    asked = rounded(float(np.rad2deg(needed)) + UP, 6)
+    raise DesignError(
+        "hinges do not close as far as the target asks",
+        keys=("deployment.largest_fold_deg",),
+        size=f"a crease folds by {in_degrees(needed)} degrees there, hinges by at most "
+        f"{in_degrees(limit)}",
+        candidates=[*clipped, Remedy({"deployment.largest_fold_deg": min(asked, 180.0)})],
+    )
 
 
 def _changed(curve: Curve, values: Mapping[str, Value | None]) -> Curve:

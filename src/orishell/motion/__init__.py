@@ -1,5 +1,6 @@
-"""The folding sheet as a mechanism: its states from flat to locked, and their sizes."""
+"""The folding sheet as a mechanism: its states from flat over the target to the pack."""
 
+from orishell.motion.hinges import drive_at_fold, largest_fold
 from orishell.motion.mechanism import (
     RESOLUTION,
     FoldedState,
@@ -20,8 +21,10 @@ __all__ = [
     "Mechanism",
     "corrugation_depth",
     "diagonal",
+    "drive_at_fold",
     "extents",
     "find_assignment",
+    "largest_fold",
     "measure_fold_angles",
     "mechanism_in_one_line",
     "panel_normals",

@@ -44,6 +44,10 @@ class Mechanism(Protocol):
         """
         ...
 
+    def without_flaps(self) -> Mechanism:
+        """The sheet without its flaps, which goes on beyond its target; itself if it has none."""
+        ...
+
     @property
     def target_drive(self) -> float:
         """The drive angle at which the shell meets its target; the flat sheet is drive 0."""

@@ -23,14 +23,15 @@ from orishell.document.from_design import document_of_motion
 from orishell.errors import DesignError, InputError, VerificationError, printable
 from orishell.locking import (
     Lock,
-    Request,
     end_motion,
     lock_without_clash,
+    require_pack,
     with_remedies,
 )
 from orishell.motion import FoldedState, FoldingMotion, extents, sheet_area
 from orishell.shell.caveats import find_caveats, warn_of_lock
 from orishell.shell.choice import Choice
+from orishell.shell.deployment_report import describe_deployment
 from orishell.shell.deviation_report import describe_deviation
 from orishell.shell.lock_report import describe_lock
 from orishell.shell.report import (
@@ -149,7 +150,7 @@ def make_shell(
     feet = find_feet(design)
     if file.ground == "z0":
         design = stand(design, feet)
-    motion = FoldingMotion(design.mechanism, file.frames)
+    motion = _motion(file, design, lock)
     boxes: list[tuple[float, tuple[float, float, float]]] = []
 
     def recorded(states: Iterable[FoldedState]) -> Iterable[FoldedState]:
@@ -174,6 +175,7 @@ def make_shell(
         quantities = measure_quantities(document, file.workshop, nested=nested)
     except InputError as error:
         raise error.located(f"{file.path}:") from None
+    _, deployed = boxes[motion.named["target"]]
     drive, packed = min(boxes, key=lambda entry: math.hypot(*entry[1]))
     width, height, _ = extents(flat.positions)
     report = Report(
@@ -202,7 +204,8 @@ def make_shell(
         stands=describe_feet(design, feet),
         deviation=describe_deviation(design, deviation, approach) if compared else None,
         sheet=SheetReport(width, height, sheet_area(flat.positions)),
-        deployed=BoxReport(*boxes[-1][1]),
+        deployed=BoxReport(*deployed),
+        deployment=describe_deployment(design, file.deployment, lock),
         packed=PackedReport(tidy_degrees(drive), *packed),
         quantities=quantities,
     )
@@ -221,7 +224,7 @@ def _designed(
             pattern, choice = meet_tolerance(file, file.tolerance, progress)
             file = replace(file, pattern=pattern)
             clock.lap("choose")
-        request = Request(file.pattern, file.target, file.contact_tolerance)
+        request = request_of(replace(file, tolerance=None))
         design = request.designed()
         clock.lap("design")
         if clash == "unexamined":
@@ -231,6 +234,8 @@ def _designed(
                 design, request, allow_clash=clash == "allowed", progress=progress
             )
             clock.lap("clash")
+        if file.deployment.start == "pack":
+            require_pack(lock)
     except DesignError as error:
         if clash == "unexamined":
             raise
@@ -238,6 +243,12 @@ def _designed(
     except InputError as error:
         raise error.located(f"{file.path}:") from None
     return file, design, lock, choice
+
+
+def _motion(file: DesignFile, design: Design, lock: Lock) -> FoldingMotion:
+    if file.deployment.start == "flat":
+        return FoldingMotion(design.mechanism, file.frames)
+    return FoldingMotion(design.mechanism, file.frames, lock.pack)
 
 
 def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Document:

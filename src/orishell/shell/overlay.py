@@ -29,7 +29,7 @@ def lay_surface(document: Document, design: Design, *, measured: bool = True) ->
     if not measured:
         return document
     grid, inner = design.mechanism.grid, design.mechanism.inner_columns
-    shell = document.last.positions.reshape(grid.rows, grid.columns, 3)
+    shell = document.shell.positions.reshape(grid.rows, grid.columns, 3)
     distances = np.full((grid.rows, grid.columns), np.nan)
     distances[:, inner] = measure_points(shell[:, inner], surface)
     return replace(document, distances=distances.ravel())

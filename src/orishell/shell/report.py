@@ -16,6 +16,7 @@ from orishell.design import Design, Parameter
 from orishell.families.pattern import Tolerance
 from orishell.motion import find_assignment
 from orishell.shell.choice import Choice, Trial
+from orishell.shell.deployment_report import DeploymentReport
 from orishell.shell.deviation_report import DeviationReport
 from orishell.shell.lock_report import LockReport
 from orishell.shell.standing import Feet
@@ -172,7 +173,9 @@ class Report:
     deviation
         How close it is to its target; None without one.
     sheet, deployed, packed
-        Sizes of the flat sheet, of the last state, and of the smallest state.
+        Sizes of the flat sheet, of the shell, and of the smallest state.
+    deployment
+        How it is deployed and held.
     quantities
         Bill of quantities.
     """
@@ -193,6 +196,7 @@ class Report:
     deviation: DeviationReport | None
     sheet: SheetReport
     deployed: BoxReport
+    deployment: DeploymentReport
     packed: PackedReport
     quantities: Quantities
 

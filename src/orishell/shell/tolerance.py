@@ -76,7 +76,7 @@ class SearchRequest(Request):
 
     Parameters
     ----------
-    pattern, target, tolerance
+    pattern, target, tolerance, clipped, largest_fold
         As for any request.
     file
         The design file.
@@ -107,12 +107,19 @@ class SearchRequest(Request):
         assert isinstance(self.pattern, FamilyPattern)
         file = replace(self.file, pattern=self.pattern, target=self.target)
         pattern, _ = meet_tolerance(file, self.limits)
-        return Request(pattern, self.target, self.tolerance)
+        return Request(pattern, self.target, self.tolerance, self.clipped, self.largest_fold)
 
 
 def request_of(file: DesignFile) -> Request:
     """The request of a design file, with a search for rows and columns if it has a tolerance."""
-    limits, values = file.tolerance, (file.pattern, file.target, file.contact_tolerance)
+    limits, deployment = file.tolerance, file.deployment
+    values = (
+        file.pattern,
+        file.target,
+        file.contact_tolerance,
+        deployment.flap_attachment == "clipped",
+        deployment.largest_fold,
+    )
     return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 
 

@@ -19,8 +19,9 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import Curve, trace_curve
 from orishell.design_file import DesignFile, check_design
+from orishell.document import SHELL
 from orishell.errors import ClashError, InputError, OrishellError
-from orishell.io import LAST, Settings
+from orishell.io import Settings
 from orishell.io.all_formats import find_formats
 from orishell.io.view import Curves, Drawn, dump_view
 from orishell.shell.export import write_format
@@ -247,11 +248,9 @@ def _sampled(curve: Curve, name: str) -> Drawn:
     return [(float(x), float(y)) for x, y in points]
 
 
-def _state(value: object) -> int:
-    if value in (None, "locked"):
-        return LAST
-    if value == "flat":
-        return 0
-    if isinstance(value, int) and not isinstance(value, bool) and value >= 0:
+def _state(value: object) -> int | str:
+    if value is None:
+        return SHELL
+    if isinstance(value, int | str) and not isinstance(value, bool):
         return value
     raise InputError("there is no such state", where="state", got=repr(value))

@@ -184,7 +184,7 @@ def test_flat_sheet_alone_does_not_move(tmp_path: Path) -> None:
     flat = flat_only(DEMO)
     scene = read(tmp_path, flat)
     assert not scene.file.animations
-    expected = wanted(flat, flat.last)
+    expected = wanted(flat, flat.shell)
     assert np.abs(placed(scene.shapes, *scene.rest) - expected).max() < 1e-6 * size(expected)
 
 
@@ -193,7 +193,7 @@ def test_states_alone(tmp_path: Path) -> None:
     scene = read(tmp_path, folded)
     assert len(scene.times) == len(DEMO.states) - 1
     assert scene.times[0] == 0
-    expected = wanted(folded, folded.last)
+    expected = wanted(folded, folded.shell)
     assert np.abs(placed(scene.shapes, *scene.rest) - expected).max() < 1e-6 * size(expected)
 
 

@@ -225,4 +225,4 @@ def test_figures(browser: Browser, tmp_path: Path) -> None:
         figures = page.locator("dl").inner_text()
     assert f"{len(document.mesh.faces)}" in figures
     assert f"{document.areas().sum():.3g} m\u00b2" in figures
-    assert f"{np.ptp(document.last.positions[:, 2]):.3g} m" in figures
+    assert f"{np.ptp(document.shell.positions[:, 2]):.3g} m" in figures

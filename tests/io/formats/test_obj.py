@@ -29,7 +29,7 @@ def test_geometry_to_the_bit_with_y_up(family: str, tmp_path: Path) -> None:
     faces = np.concatenate([block.data for block in mesh.cells])
     np.testing.assert_array_equal(faces, document.mesh.faces)
     x, y, z = mesh.points.T
-    np.testing.assert_array_equal(np.stack([x, -z, y], axis=1), document.last.positions)
+    np.testing.assert_array_equal(np.stack([x, -z, y], axis=1), document.shell.positions)
 
 
 def test_one_group_for_each_row(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ def write(path: Path, document: Document) -> Path:
 def test_geometry_to_the_bit(family: str, tmp_path: Path) -> None:
     document = demo_document(family)
     mesh = meshio.read(write(tmp_path, document))
-    np.testing.assert_array_equal(mesh.points, document.last.positions)
+    np.testing.assert_array_equal(mesh.points, document.shell.positions)
     assert [block.type for block in mesh.cells] == ["quad"]
     np.testing.assert_array_equal(mesh.cells[0].data, document.mesh.faces)
 
@@ -42,5 +42,5 @@ def test_flat_sheet_alone_and_states_alone(tmp_path: Path) -> None:
     assert not points[:, 2].any()
     folded = folded_only(DEMO)
     np.testing.assert_array_equal(
-        meshio.read(write(tmp_path, folded)).points, folded.last.positions
+        meshio.read(write(tmp_path, folded)).points, folded.shell.positions
     )

@@ -49,11 +49,11 @@ def test_shell_as_mesh_and_as_panels(family: str, tmp_path: Path) -> None:
     _, found = read(tmp_path, document)
     mesh = found["shell::mesh"]["shell"].Geometry
     points = [coordinates(mesh.Vertices.Point3dAt(k)) for k in range(len(mesh.Vertices))]
-    np.testing.assert_array_equal(points, document.last.positions)
+    np.testing.assert_array_equal(points, document.shell.positions)
     np.testing.assert_array_equal(
         [mesh.Faces[k] for k in range(len(mesh.Faces))], document.mesh.faces
     )
-    corners = document.last.positions[document.mesh.faces]
+    corners = document.shell.positions[document.mesh.faces]
     panels = found["shell::panels"]
     assert list(panels) == [f"panel {document.panel_name(k)}" for k in range(len(corners))]
     for entry, (a, b, c, d) in zip(panels.values(), corners, strict=True):

@@ -36,7 +36,7 @@ def facets(file: Path) -> NDArray[Any]:
 def test_two_triangles_for_each_panel(family: str, tmp_path: Path) -> None:
     document = demo_document(family)
     mesh = meshio.read(write(tmp_path, document))
-    corners = document.last.positions[document.mesh.faces]
+    corners = document.shell.positions[document.mesh.faces]
     expected = corners[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
     assert [block.type for block in mesh.cells] == ["triangle"]
     np.testing.assert_array_equal(

@@ -247,7 +247,7 @@ def _animation(
     }
     panels = range(len(along))
     return {
-        "name": "flat to locked",
+        "name": "pack to flat" if "pack" in document.named else "flat to target",
         "samplers": [
             {"input": times, "output": first + panel, "interpolation": "LINEAR"}
             for first in paths.values()

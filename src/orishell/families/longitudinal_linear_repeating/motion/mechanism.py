@@ -104,6 +104,10 @@ class LongitudinalLinearRepeating:
         """None: the strips beside the inner columns do not stop the motion."""
         return ()
 
+    def without_flaps(self) -> LongitudinalLinearRepeating:
+        """The sheet itself."""
+        return self
+
     @property
     def target_drive(self) -> float:
         """Where the shell meets its target, or, without one, as far as it is folded."""
