@@ -16,7 +16,6 @@ from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, part
 from orishell.polylines import (
     Staircase,
-    choose_theta,
     choose_xi,
     fit_staircase,
     theta_interval,
@@ -39,8 +38,9 @@ class Followed:
         "f" or "g".
     xi, theta
         Keys of the angle between the staircase's edges and of the curve's rotation.
-    unturned
-        What the key of the rotation says where there is none (radians).
+    unturned, farthest
+        What the key of the rotation says where there is none, and how far it reaches from that
+        to either side (radians).
     axis
         What the staircase's axis is.
     instead
@@ -53,27 +53,31 @@ class Followed:
     xi: str
     theta: str
     unturned: float
+    farthest: float
     axis: str
     instead: Remedy
     unless_it_turns: str
 
-    def choose_theta(self, trace: Trace, xi: float | None, edges: int) -> float:
-        """The rotation of the closest staircase; refuse a curve that has none.
+    def turns(self, trace: Trace, xi: float | None) -> tuple[float, float]:
+        """The rotations at which a curve has a staircase: an open interval (radians).
 
         Parameters
         ----------
         trace
             The curve, not turned.
         xi
-            The angle between edges (radians), or None for the best one.
-        edges
-            Their number.
+            The angle between edges (radians), or None for any.
+
+        Raises
+        ------
+        DesignError
+            If there is none.
         """
         low, high = trace.heading_range()
-        begin, end = theta_interval(low, high, xi or 0.0)
+        begin, end = self._interval(low, high, xi)
         if end - begin <= NARROWEST_XI:
             raise self._too_much_turning(trace, high - low, xi)
-        return choose_theta(trace, edges, xi)
+        return begin, end
 
     def fit(self, trace: Trace, theta: float, xi: float | None, edges: int) -> Staircase:
         """The staircase of a turned curve.
@@ -113,7 +117,7 @@ class Followed:
         if (NARROWEST_XI if xi is None else xi) < limit:
             return
         reached = f"its tangents reach {in_degrees(max(-low, high))} degrees from {self.axis}"
-        begin, end = theta_interval(low - theta, high - theta, xi or 0.0)
+        begin, end = self._interval(low - theta, high - theta, xi)
         shift = self.unturned
         turns = angles(self.theta, begin + shift, end + shift, theta + shift)
         place = self._steepest_place(trace, theta)
@@ -137,6 +141,10 @@ class Followed:
             f"{in_degrees(begin + shift)} and {in_degrees(end + shift)}",
             candidates=turns,
         )
+
+    def _interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
+        begin, end = theta_interval(low, high, xi or 0.0)
+        return max(begin, -self.farthest), min(end, self.farthest)
 
     def _too_much_turning(self, trace: Trace, spread: float, xi: float | None) -> DesignError:
         allowed = np.pi - (xi or 0.0)

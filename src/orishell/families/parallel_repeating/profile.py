@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.errors import Remedy
 from orishell.families.parameters import Auto
 from orishell.families.staircases import Followed
-from orishell.polylines import Closeness, Staircase, measure_closeness
+from orishell.polylines import Closeness, Staircase, choose_theta, measure_closeness
 
 ORTHODIAGONAL = Remedy(
     {
@@ -24,6 +26,7 @@ F = Followed(
     xi="xi_deg",
     theta="theta_deg",
     unturned=0.0,
+    farthest=np.inf,
     axis="the axis",
     instead=ORTHODIAGONAL,
     unless_it_turns="; the orthodiagonal family takes such an f",
@@ -66,7 +69,8 @@ def fit_profile(f: Curve, edges: int, xi: float | Auto, theta: float | Auto) -> 
     angle = None if xi == "auto" else xi
     trace = run_along_axis(trace_curve(f, "f").in_own_frame(), 0.0 if theta == "auto" else theta)
     if theta == "auto":
-        theta = F.choose_theta(trace, angle, edges)
+        F.turns(trace, angle)
+        theta = choose_theta(trace, edges, angle)
     trace = trace.rotated(theta)
     staircase = F.fit(trace, theta, angle, edges)
     return Profile(trace, theta, staircase, measure_closeness(trace, staircase.vertices))
