@@ -58,6 +58,19 @@ class Followed:
     instead: Remedy
     unless_it_turns: str
 
+    def interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
+        """The rotations that its key can say at which a curve has a staircase.
+
+        Parameters
+        ----------
+        low, high
+            Range of the curve's tangent directions, not turned (radians).
+        xi
+            The angle between edges (radians), or None for any.
+        """
+        begin, end = theta_interval(low, high, xi or 0.0)
+        return max(begin, -self.farthest), min(end, self.farthest)
+
     def turns(self, trace: Trace, xi: float | None) -> tuple[float, float]:
         """The rotations at which a curve has a staircase: an open interval (radians).
 
@@ -74,7 +87,7 @@ class Followed:
             If there is none.
         """
         low, high = trace.heading_range()
-        begin, end = self._interval(low, high, xi)
+        begin, end = self.interval(low, high, xi)
         if end - begin <= NARROWEST_XI:
             raise self._too_much_turning(trace, high - low, xi)
         return begin, end
@@ -117,7 +130,7 @@ class Followed:
         if (NARROWEST_XI if xi is None else xi) < limit:
             return
         reached = f"its tangents reach {in_degrees(max(-low, high))} degrees from {self.axis}"
-        begin, end = self._interval(low - theta, high - theta, xi)
+        begin, end = self.interval(low - theta, high - theta, xi)
         shift = self.unturned
         turns = angles(self.theta, begin + shift, end + shift, theta + shift)
         place = self._steepest_place(trace, theta)
@@ -141,10 +154,6 @@ class Followed:
             f"{in_degrees(begin + shift)} and {in_degrees(end + shift)}",
             candidates=turns,
         )
-
-    def _interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
-        begin, end = theta_interval(low, high, xi or 0.0)
-        return max(begin, -self.farthest), min(end, self.farthest)
 
     def _too_much_turning(self, trace: Trace, spread: float, xi: float | None) -> DesignError:
         allowed = np.pi - (xi or 0.0)

@@ -115,7 +115,7 @@ def _fit(g: Curve, columns: int, heading: float | Auto, angle: float | Auto) -> 
     staircase = G.fit(turned, theta, xi, edges)
     cos, sin = np.cos(theta), np.sin(theta)
     vertices = staircase.vertices @ np.array([[cos, -sin], [sin, cos]])
-    turns = G.turns(trace, staircase.xi)
+    turns = G.interval(*trace.heading_range(), staircase.xi)
     found: dict[str, Parameter] = {
         "row": "zigzag",
         "row_angle_deg": tidy_degrees(staircase.xi),
