@@ -6,7 +6,9 @@ is asked of columns 2 ... n-1: creases of columns 1 and n meet the flaps, which 
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -261,6 +263,19 @@ def test_what_does_not_go_together_is_refused_alike(
     make = parallel_repeating if family is ParallelRepeatingPattern else orthodiagonal
     with pytest.raises(InputError, match=rf": {key.removesuffix('_deg')}: this value does not fit"):
         make(PARABOLA, RIPPLE, **asked).design()
+
+
+@pytest.mark.parametrize(
+    ("page", "request_"),
+    [
+        ("parallel-repeating", parallel_repeating(PARABOLA, WAVE, **SIZE, planes="bisector")),
+        ("orthodiagonal", orthodiagonal(PARABOLA, RIPPLE, **SIZE, depth=0.2, row="zigzag")),
+    ],
+)
+def test_the_guide_explains_what_the_report_says_of_them(page: str, request_: Request) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "guide" / f"{page}.md").read_text("utf-8")
+    for key in request_.design().parameters:
+        assert re.search(rf"(?m)^\| .*`{key}`.* \|", text), key
 
 
 def test_what_goes_together_is_taken() -> None:
