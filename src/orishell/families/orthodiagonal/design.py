@@ -93,7 +93,15 @@ def design_orthodiagonal(
         their mean angle 90 degrees, or takes 0.9 of f's smallest radius of curvature if less.
     heading
         Angle from f's plane to g's x axis, in [0, pi] (radians); "auto" takes a right angle if
-        that is admissible, otherwise the middle of the widest admissible interval.
+        that is admissible, otherwise the middle of the widest admissible interval; with a zigzag
+        row it makes f's plane square to g's chord from end to end, or nearly.
+    row
+        "chords": the middle row's edges are chords of g. "zigzag": they lie alternately at one
+        angle to either side of the normal of f's plane, so that the crease pattern is
+        flat-foldable: without flaps all row creases close at once. It needs 3 columns.
+    row_angle
+        Angle between adjacent edges of a zigzag row (radians); "auto" takes the widest that g
+        admits, at most 150 degrees, whose shortest edge keeps a quarter of the mean.
     flap
         Width of the flaps in the flat sheet; "auto" takes the mean length of column 1's creases,
         or half of what there is room for if that is less. 0 leaves them out: then nothing locks the
