@@ -45,12 +45,12 @@ def brute_hausdorff(trace: Trace, vertices: np.ndarray) -> float:
 
 
 @settings(max_examples=80)
-@given(curves(), numbers(0.05, 0.97), st.integers(1, 20))
-def test_staircase_of_any_curve(curve: Curve, share: float, half: int) -> None:
+@given(curves(), numbers(0.05, 0.97), st.integers(2, 40))
+def test_staircase_of_any_curve(curve: Curve, share: float, count: int) -> None:
     trace = along_axis(curve)
     limit = xi_limit(*trace.heading_range())
     xi = share * limit
-    staircase = fit_staircase(trace, xi, 2 * half)
+    staircase = fit_staircase(trace, xi, count)
     size = trace.length
     # Ends kept, angle constant, edges positive and alternating.
     np.testing.assert_allclose(

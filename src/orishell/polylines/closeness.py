@@ -107,8 +107,8 @@ def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str
         Number n of the polyline's vertices.
     """
     size = extent_across(trace.points)
-    if distance <= COARSE_SHARE * size + 1e-9 * trace.length:
-        return ()
+    if distance <= COARSE_SHARE * size + 1e-9 * trace.length or size <= 1e-9 * trace.length:
+        return ()  # a straight g has no shape to show
     return (
         f"the polyline of g with {columns} columns leaves g by {distance:.4g}, "
         f"{distance / size:.0%} of g's rise of {size:.4g} (more than {COARSE_SHARE:.0%}): "

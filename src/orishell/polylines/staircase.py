@@ -79,7 +79,7 @@ def fit_staircase(trace: Trace, xi: float, edges: int) -> Staircase:
     xi
         Angle between adjacent edges, in (0, limit) (radians).
     edges
-        Number of edges, even and at least 2.
+        Number of edges, at least 2.
 
     Returns
     -------
@@ -124,6 +124,12 @@ class _Levels:
         return cls(trace, xi, first, edges, up, down, u, v)
 
     @property
+    def last(self) -> tuple[float, float]:
+        """The level of the last edge, and where on it the curve ends."""
+        u, v = float(self.u[-1]), float(self.v[-1])
+        return (v, u) if self.edges % 2 else (u, v)
+
+    @property
     def side(self) -> Array:
         """+1 for odd corners, -1 for even ones (m,)."""
         return alternating(self.edges - 1)
@@ -158,12 +164,12 @@ class _Levels:
             np.interp(crossing, progress, self.v),
             np.interp(crossing, progress, self.u),
         )
-        level[0], level[-1] = 0.0, self.u[-1]
+        level[0], level[-1] = 0.0, self.last[0]
         return level
 
     def staircase(self, level: Array, distance: float, balanced: bool) -> Staircase:
         """The polyline: each edge runs between its neighbours' levels, or the curve's ends."""
-        ends = np.concatenate([[0.0], level, [self.v[-1]]])
+        ends = np.concatenate([[0.0], level, [self.last[1]]])
         lengths = ends[2:] - ends[:-2]
         directions = np.where((np.arange(self.edges) % 2 == 0)[:, None], self.up, self.down)
         along = np.cumsum(lengths[:, None] * directions, axis=0)

@@ -20,12 +20,12 @@ from orishell.families.orthodiagonal.flap_cuts import cut_flaps, depth_below_fee
 from orishell.families.orthodiagonal.headings import (
     HeadingConditions,
     SideChoice,
-    nearest_interval,
-    union,
+    describe_heading,
 )
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
 from orishell.families.orthodiagonal.refusal import refuse
+from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind
 from orishell.families.orthodiagonal.target import approach, sweep
 from orishell.families.parameters import (
     Auto,
@@ -42,15 +42,15 @@ from orishell.polylines import (
     Placement,
     Spacing,
     Zigzag,
-    measure_chords,
     measure_closeness,
-    place_chords,
     warn_of_coarse_row,
 )
 
 HEADING: Final[Limits] = {"ge": 0, "le": 180}
-"""Limits of the angle (degrees)."""
+ROW_ANGLE: Final[Limits] = {"ge": 0.1, "le": 179.9}
+"""Limits of the angles (degrees)."""
 Heading = Annotated[Number, Field(**radians(HEADING))]
+RowAngle = Annotated[Number, Field(**radians(ROW_ANGLE))]
 ChosenSides = Annotated[Sequence[FlapSide | Auto], Field(min_length=2, max_length=2)]
 """Where the left and the right flap fold to, chosen if "auto"."""
 
@@ -62,7 +62,7 @@ LEVEL = 1e-12
 """A middle row that rises by less than this is level (radians)."""
 
 
-@checked()
+@checked(require_one_kind("row_angle"))
 def design_orthodiagonal(
     f: Curve,
     g: Curve,
@@ -71,6 +71,8 @@ def design_orthodiagonal(
     columns: ColumnCount,
     depth: Length | Auto = "auto",
     heading: Heading | Auto = np.pi / 2,
+    row: RowKind = "chords",
+    row_angle: RowAngle | Auto = "auto",
     flap: Width | Auto = "auto",
     flap_sides: ChosenSides = ("auto", "auto"),
     spacing: Spacing = "curvature",
@@ -91,7 +93,15 @@ def design_orthodiagonal(
         their mean angle 90 degrees, or takes 0.9 of f's smallest radius of curvature if less.
     heading
         Angle from f's plane to g's x axis, in [0, pi] (radians); "auto" takes a right angle if
-        that is admissible, otherwise the middle of the widest admissible interval.
+        that is admissible, otherwise the middle of the widest admissible interval; with a zigzag
+        row it makes f's plane square to g's chord from end to end, or nearly.
+    row
+        "chords": the middle row's edges are chords of g. "zigzag": they lie alternately at one
+        angle to either side of the normal of f's plane, so that the crease pattern is
+        flat-foldable: without flaps all row creases close at once. It needs 3 columns.
+    row_angle
+        Angle between adjacent edges of a zigzag row (radians); "auto" takes the widest that g
+        admits, at most 150 degrees, whose shortest edge keeps a quarter of the mean.
     flap
         Width of the flaps in the flat sheet; "auto" takes the mean length of column 1's creases,
         or half of what there is room for if that is less. 0 leaves them out: then nothing locks the
@@ -100,7 +110,7 @@ def design_orthodiagonal(
         End of f to which the left and the right flap fold; "auto" is where there is more room,
         unless they would reach below the feet there and not at the other end.
     spacing
-        How g's vertices are spread along g.
+        How the vertices of chords are spread along g.
     placement
         Whether they lie on g or as far beyond it as the edges stay behind.
 
@@ -129,13 +139,14 @@ def design_orthodiagonal(
     >>> design.mechanism.positions(np.pi).shape
     (11, 15, 3)
     """
-    f_trace, g_trace = (
-        run_along_axis(trace_curve(curve, name).in_own_frame())
-        for curve, name in ((f, "f"), (g, "g"))
+    f_trace = run_along_axis(trace_curve(f, "f").in_own_frame())
+    middle = (
+        Row.of_chords(g, columns, heading, spacing, placement)
+        if row == "chords"
+        else Row.of_zigzag(g, columns, heading, row_angle)
     )
+    g_trace, vertices, heading = middle.trace, middle.vertices, middle.heading
     zigzags = require_zigzags(f_trace, rows, depth)
-    chords = place_chords(g_trace, columns, spacing, placement)
-    vertices = chords.vertices
     left, right = (None if side == "auto" else side for side in flap_sides)
     width = None if flap == "auto" else flap
     demands = [headings_of(zigzag, vertices, width, (left, right)) for zigzag in zigzags]
@@ -147,34 +158,22 @@ def design_orthodiagonal(
         if headings.admit(heading)
     ]
     if not candidates:
-        raise refuse(f_trace, g_trace, zigzags, demands, heading)
+        raise refuse(f_trace, g_trace, zigzags, demands, heading, refitted=row == "zigzag")
     zigzag, headings, mechanism, ends = max(candidates, key=lambda each: _footing(*each[2:]))
     require_resolution(mechanism, chain(fewer("rows", rows), fewer("columns", columns)))
 
-    # Any of the zigzags would do: a heading is admissible where one of them admits it.
-    admissible = union(np.concatenate([each.intervals() for each in demands]))
-    interval = nearest_interval(admissible, heading) or (heading, heading)
-    closeness = {
-        "f": measure_closeness(f_trace, zigzag.vertices),
-        "g": measure_chords(g_trace, chords),
-    }
-    of_zigzag = headings.interval(heading)
-    alpha = [_alpha_0(headings, zigzag, angle) for angle in (heading, *of_zigzag)]
+    closeness = {"f": measure_closeness(f_trace, zigzag.vertices), "g": middle.closeness}
     return Design(
         mechanism=mechanism,
         parameters={
             "depth": zigzag.depth,
             "zigzag_deg": [tidy_degrees(angle) for angle in zigzag.angles],
-            "heading_deg": tidy_degrees(heading),
-            "heading_interval_deg": [tidy_degrees(angle) for angle in interval],
-            "alpha_0_deg": tidy_degrees(alpha[0]),
-            "alpha_0_interval_deg": [tidy_degrees(angle) for angle in alpha[1:]],
+            **describe_heading(heading, zigzag, headings, demands, refitted=row == "zigzag"),
             "flap": mechanism.flaps[0],
             "flap_side": [str(side) for side in mechanism.flap_sides],
             "ends": [str(end) for end in ends],
             "tilt_deg": tidy_degrees(mechanism.tilt),
-            "spacing": spacing,
-            "placement": placement,
+            **middle.parameters,
         },
         targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
         closeness=closeness,
@@ -183,6 +182,7 @@ def design_orthodiagonal(
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
+            *middle.warnings,
             *warn_of_no_lock(mechanism.flaps[0]),
         ),
     )
@@ -271,12 +271,6 @@ def _footing(mechanism: Orthodiagonal, ends: list[End]) -> float:
     """A score of how well a shell stands: on level ends, on straight ones, not on its flaps."""
     value = {"level": 1.0, "square": 0.6, "untrimmed": 0.0}
     return sum(value[end] for end in ends) - (1.0 if depth_below_feet(mechanism) else 0.0)
-
-
-def _alpha_0(headings: HeadingConditions, zigzag: Zigzag, heading: float) -> float:
-    """The paper's alpha_0 (step 3): cos alpha_0 = sin(beta_mid/2) cos eps_1."""
-    eps = headings.eps(heading)[0]
-    return float(np.arccos(np.sin(zigzag.angles[len(zigzag.angles) // 2] / 2) * np.cos(eps)))
 
 
 def _place_targets(

@@ -9,11 +9,13 @@ positive length. The paper's condition pi/2 < alpha_0 < (pi + beta_mid)/2 is nei
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from orishell.design import FlapSide
+from orishell.conventions.formatting import tidy_degrees
+from orishell.design import FlapSide, Parameter
 from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import Zigzag
 
@@ -147,6 +149,46 @@ class HeadingConditions:
         """Phases and radii of columns 2 ... n: K of a column is radius cos(heading + phase)."""
         from_first = self.gain * (self.points[1:] - self.points[0])
         return np.angle(from_first), np.abs(from_first)
+
+
+def describe_heading(
+    heading: float,
+    zigzag: Zigzag,
+    headings: HeadingConditions,
+    demands: Sequence[HeadingConditions],
+    *,
+    refitted: bool,
+) -> dict[str, Parameter]:
+    """What the report says of a heading, and of the paper's alpha_0 (step 3).
+
+    Parameters
+    ----------
+    heading
+        The heading (radians).
+    zigzag, headings
+        The zigzag of f that was taken, and its conditions.
+    demands
+        Those of all zigzags: a heading is admissible where one of them admits it.
+    refitted
+        Whether g's polyline is another one at another heading, so that there is no interval.
+    """
+
+    def alpha_0(heading: float) -> float:
+        """cos alpha_0 = sin(beta_mid/2) cos eps_1."""
+        sine = np.sin(zigzag.angles[len(zigzag.angles) // 2] / 2)
+        return tidy_degrees(float(np.arccos(sine * np.cos(headings.eps(heading)[0]))))
+
+    found: dict[str, Parameter] = {"heading_deg": tidy_degrees(heading)}
+    if refitted:
+        return {**found, "alpha_0_deg": alpha_0(heading)}
+    admissible = union(np.concatenate([each.intervals() for each in demands]))
+    interval = nearest_interval(admissible, heading) or (heading, heading)
+    return {
+        **found,
+        "heading_interval_deg": [tidy_degrees(angle) for angle in interval],
+        "alpha_0_deg": alpha_0(heading),
+        "alpha_0_interval_deg": [alpha_0(angle) for angle in headings.interval(heading)],
+    }
 
 
 def union(intervals: Array) -> Array:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
-from orishell.families.orthodiagonal.design import HEADING, design_orthodiagonal
+from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
+from orishell.families.orthodiagonal.row import RowKind, require_one_kind
 from orishell.families.parameters import (
     FLAP_SIDE,
     PLACEMENT,
@@ -47,12 +48,32 @@ class OrthodiagonalPattern(Pattern):
         Annotated[Number, Field(**HEADING)] | Auto,
         Knob.angle("Heading", "Angle between f's plane and g's x axis", (0, 180)),
     ] = 90.0
+    row: Annotated[
+        RowKind,
+        Knob(
+            "Middle row",
+            "Chords of g, or a zigzag of two headings: then the shell folds flat without flaps",
+            "choice",
+            choices=("chords", "zigzag"),
+        ),
+    ] = "chords"
+    row_angle_deg: Annotated[
+        Annotated[Number, Field(**ROW_ANGLE)] | Auto,
+        Knob.angle(
+            "Row angle", "Angle between the edges of a zigzag row; wider is closer to g", (1, 179)
+        ),
+    ] = "auto"
     spacing: Annotated[Spacing, SPACING] = "curvature"
     placement: Annotated[Placement, PLACEMENT] = "inscribed"
 
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        require_one_kind("row_angle_deg")(self)
+        return self
+
     def variants(self, tolerance: Tolerance) -> list[Self]:
         """As for parallel repeating, and with zigzags somewhat less deep than the tolerance."""
-        ways = placement_variants(self, tolerance)
+        ways = [self] if self.row == "zigzag" else placement_variants(self, tolerance)
         if "depth" in self.model_fields_set:
             return ways
         depths = [share * tolerance.surface for share in (0.9, 0.7)]

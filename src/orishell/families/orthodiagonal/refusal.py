@@ -41,6 +41,8 @@ def refuse(
     zigzags: Sequence[Zigzag],
     demands: Sequence[HeadingConditions],
     heading: float,
+    *,
+    refitted: bool,
 ) -> DesignError:
     """The error that names the first condition that fails at a heading, and what would work.
 
@@ -50,6 +52,8 @@ def refuse(
         Zigzags of f, that of the widest reach first, and what they ask of a heading.
     heading
         The heading that none of them admits (radians).
+    refitted
+        Whether g's polyline is another one at another heading, so that no limits can be named.
     """
     zigzag, headings = zigzags[0], demands[0]
     crossing = nearest_interval(headings.crossing_intervals(), heading)
@@ -57,7 +61,7 @@ def refuse(
         return _turns_too_far(g, headings)
     search = _Search(f, g.curve, zigzag, headings, heading)
     admissible = union(np.concatenate([each.intervals() for each in demands]))
-    limits = _limits(nearest_interval(admissible, heading))
+    limits = "" if refitted else _limits(nearest_interval(admissible, heading))
     if not holds(crossing, heading):
         return _does_not_cross(
             headings,
@@ -83,6 +87,7 @@ def refuse(
         chain(
             search.run(admissible),
             (each | NARROWER for each in search.without_flaps().run(free)) if headings.flap else (),
+            (Remedy({"pattern.heading_deg": "auto"}),) if refitted else (),
         ),
     )
 

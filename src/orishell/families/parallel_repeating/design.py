@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from collections.abc import Callable
+from typing import Annotated, Any, Final
 
 import numpy as np
 from pydantic import Field
+from pydantic_core import PydanticCustomError
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, trace_curve
-from orishell.design import Design, FlapSide, warn_of_no_lock
+from orishell.design import Design, FlapSide, Parameter, warn_of_no_lock
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
-from orishell.families.parallel_repeating.profile import fit_profile
-from orishell.families.parallel_repeating.row import Row
+from orishell.families.parallel_repeating.profile import F, fit_profile
+from orishell.families.parallel_repeating.row import Planes, Row
 from orishell.families.parallel_repeating.sheet import (
     require_flat_sheet,
     require_resolution,
     require_row_edges,
     warn_of_stretched_columns,
-    warn_of_unbalanced_staircase,
 )
 from orishell.families.parallel_repeating.target import approach, sweep
 from orishell.families.parameters import (
@@ -53,7 +54,30 @@ Theta = Annotated[Number, Field(**radians(THETA))]
 Plane = Annotated[Number, Field(**radians(PLANE))]
 
 
-@checked()
+def require_square(planes: str, plane: str, right: float) -> Callable[[Any], None]:
+    """The rule that planes which bisect the polyline's angles are not oblique as well.
+
+    Parameters
+    ----------
+    planes, plane
+        Names of the two: keys of the table [pattern], or arguments.
+    right
+        The right angle in the unit of ``plane``.
+    """
+
+    def rule(asked: Any) -> None:
+        angle = getattr(asked, plane)
+        if getattr(asked, planes) == "bisector" and angle != right:
+            raise PydanticCustomError(
+                "oblique",
+                '{right} beside {planes} = "bisector"',
+                {"right": f"{right:g}", "planes": planes, "key": plane, "got": angle},
+            )
+
+    return rule
+
+
+@checked(require_square("planes", "plane", np.pi / 2))
 def design_parallel_repeating(
     f: Curve,
     g: Curve,
@@ -64,6 +88,7 @@ def design_parallel_repeating(
     xi: Xi | Auto = "auto",
     theta: Theta | Auto = 0.0,
     plane: Plane = np.pi / 2,
+    planes: Planes = "tangent",
     flap_sides: FlapSides = ("end", "end"),
     spacing: Spacing = "curvature",
     placement: Placement = "inscribed",
@@ -87,6 +112,10 @@ def design_parallel_repeating(
         Rotation of f in its plane, counter-clockwise (radians), or "auto".
     plane
         Angle from f's plane to g's tangent, in (0, pi) (radians).
+    planes
+        "tangent": all columns stand at that angle. "bisector": the planes of columns 2 ... n-1
+        bisect the angles of g's polyline, so that the crease pattern is flat-foldable: without
+        flaps all row creases close at once. Columns 1 and n stay square to g.
     flap_sides
         End of f to which the left and the right flap fold.
     spacing
@@ -117,7 +146,7 @@ def design_parallel_repeating(
     staircase, xi = profile.staircase, profile.staircase.xi
 
     g_trace = trace_curve(g, "g").in_own_frame()
-    row = Row.on(g_trace, columns, plane, spacing, placement)
+    row = Row.on(g_trace, columns, plane, planes, spacing=spacing, placement=placement)
     row.require_crossing(g_trace, spacing, placement)
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
     sides = flap_sides[0], flap_sides[1]
@@ -143,6 +172,7 @@ def design_parallel_repeating(
             "theta_deg": tidy_degrees(theta),
             "theta_interval_deg": [tidy_degrees(angle) for angle in interval],
             "plane_deg": tidy_degrees(plane),
+            **_of_planes(row),
             "column_scale": [float(scales.min()), float(scales.max())],
             "flap": width,
             "flap_side": [str(side) for side in flap_sides],
@@ -157,10 +187,17 @@ def design_parallel_repeating(
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
             *warn_of_stretched_columns(mechanism, plane),
-            *warn_of_unbalanced_staircase(staircase),
+            *F.warn_of_imbalance(staircase),
             *warn_of_no_lock(width),
         ),
     )
+
+
+def _of_planes(row: Row) -> dict[str, Parameter]:
+    """What the report says of planes that do not follow g's tangent."""
+    if row.planes == "tangent":
+        return {}
+    return {"plane": row.planes, "plane_off_deg": tidy_degrees(row.off)}
 
 
 def _assemble(

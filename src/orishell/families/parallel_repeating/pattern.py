@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Self
+from typing import Annotated, Any, Self
 
-from pydantic import Field
+import numpy as np
+from pydantic import Field, model_validator
 
 from orishell.conventions.table import Number
 from orishell.curves import Curve
@@ -15,7 +16,9 @@ from orishell.families.parallel_repeating.design import (
     THETA,
     XI,
     design_parallel_repeating,
+    require_square,
 )
+from orishell.families.parallel_repeating.row import Planes
 from orishell.families.parameters import (
     FLAP_SIDE,
     PLACEMENT,
@@ -53,8 +56,27 @@ class ParallelRepeatingPattern(Pattern):
         Field(**PLANE),
         Knob.angle("Plane angle", "Angle from f's plane to g's tangent", (20, 160), auto=False),
     ] = 90.0
+    plane: Annotated[
+        Planes,
+        Knob(
+            "Planes follow",
+            "g's tangent, or the angles of its polyline: then the shell folds flat without flaps",
+            "choice",
+            choices=("tangent", "bisector"),
+        ),
+    ] = "tangent"
     spacing: Annotated[Spacing, SPACING] = "curvature"
     placement: Annotated[Placement, PLACEMENT] = "inscribed"
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        require_square("plane", "plane_deg", 90.0)(self)
+        return self
+
+    def arguments(self) -> dict[str, Any]:
+        """The keys as the function takes them, see :meth:`Pattern.arguments`."""
+        angle = float(np.deg2rad(self.plane_deg))
+        return {**super().arguments(), "planes": self.plane, "plane": angle}
 
     def variants(self, tolerance: Tolerance) -> list[Self]:
         """Vertices of g balanced; where panels must not be long, also equally far apart."""

@@ -156,13 +156,6 @@ def warn_of_stretched_columns(mechanism: ParallelRepeating, plane: float) -> tup
     )
 
 
-def warn_of_unbalanced_staircase(staircase: Staircase) -> tuple[str, ...]:
-    """Warn of a staircase that is not proved to be the closest."""
-    if staircase.balanced:
-        return ()
-    return (f"a staircase closer to f than {staircase.distance:.4g} may exist; it was not found",)
-
-
 def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
     flat = mechanism.positions(0.0)
     return _is_simple(flat if flaps else flat[:, mechanism.inner_columns])

@@ -1,0 +1,165 @@
+"""The curve g that f is swept along: the middle row, by chords or by a zigzag of two headings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.formatting import tidy_degrees
+from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
+from orishell.design import Parameter
+from orishell.errors import DesignError, Remedy
+from orishell.families.parameters import Auto
+from orishell.families.staircases import Followed
+from orishell.numerics.arrays import Array
+from orishell.polylines import (
+    Closeness,
+    Placement,
+    Spacing,
+    measure_chords,
+    measure_closeness,
+    place_chords,
+    xi_limit,
+)
+
+RowKind = Literal["chords", "zigzag"]
+FEWEST = 3
+"""Columns of a zigzag: it has a corner."""
+MORE = (3, 5, 9)
+"""Numbers of columns tried where there are fewer."""
+MARGIN = 0.1
+"""How far "auto" keeps from headings at which g has no zigzag, relative to their interval."""
+SQUARE = np.pi / 2
+"""The heading at which g is not turned before its zigzag is sought (radians)."""
+G = Followed(
+    name="g",
+    xi="row_angle_deg",
+    theta="heading_deg",
+    unturned=SQUARE,
+    farthest=SQUARE,
+    axis="the normal of f's plane",
+    instead=Remedy({"pattern.row": "chords", "pattern.row_angle_deg": "auto"}),
+    unless_it_turns="",
+)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Row:
+    """The middle row at lock.
+
+    Parameters
+    ----------
+    trace
+        g, run through along its x axis.
+    vertices
+        Vertices (n, 2) of g's polyline.
+    closeness
+        The polyline's distance from g.
+    heading
+        Angle from f's plane to g's x axis (radians), or "auto" where the row leaves it open.
+    parameters
+        What the report says of it.
+    warnings
+        Sentences a user should read.
+    """
+
+    trace: Trace
+    vertices: Array
+    closeness: Closeness
+    heading: float | Auto
+    parameters: Mapping[str, Parameter]
+    warnings: tuple[str, ...] = ()
+
+    @classmethod
+    def of_chords(
+        cls, g: Curve, columns: int, heading: float | Auto, spacing: Spacing, placement: Placement
+    ) -> Row:
+        """The row whose edges are chords of g, or nearly."""
+        trace = _traced(g)
+        chords = place_chords(trace, columns, spacing, placement)
+        found: dict[str, Parameter] = {"spacing": spacing, "placement": placement}
+        return cls(trace, chords.vertices, measure_chords(trace, chords), heading, found)
+
+    @classmethod
+    def of_zigzag(cls, g: Curve, columns: int, heading: float | Auto, angle: float | Auto) -> Row:
+        """The row whose edges lie alternately at one angle to either side of f's normal.
+
+        It is the staircase of g, turned so that the normal of f's plane is the x axis. The heading
+        "auto" brings that normal as near to g's chord from end to end as the zigzag allows.
+
+        Raises
+        ------
+        DesignError
+            If g has none.
+        """
+        if columns < FEWEST:
+            raise DesignError(
+                'row = "zigzag" needs a corner',
+                keys=("pattern.columns",),
+                size=f"there are {columns} columns, and must be at least {FEWEST}",
+                candidates=(Remedy({"pattern.columns": count}) for count in MORE),
+            )
+        return _fit(g, columns, heading, angle)
+
+
+@remembered
+def _fit(g: Curve, columns: int, heading: float | Auto, angle: float | Auto) -> Row:
+    trace, edges = _traced(g), columns - 1
+    xi = None if angle == "auto" else angle
+    theta = _along_the_chord(trace, xi) if heading == "auto" else heading - SQUARE
+    turned = trace.rotated(theta)
+    staircase = G.fit(turned, theta, xi, edges)
+    cos, sin = np.cos(theta), np.sin(theta)
+    vertices = staircase.vertices @ np.array([[cos, -sin], [sin, cos]])
+    turns = G.interval(*trace.heading_range(), staircase.xi)
+    found: dict[str, Parameter] = {
+        "row": "zigzag",
+        "row_angle_deg": tidy_degrees(staircase.xi),
+        "row_angle_limit_deg": tidy_degrees(xi_limit(*turned.heading_range())),
+        "row_heading_interval_deg": [tidy_degrees(SQUARE + turn) for turn in turns],
+    }
+    closeness = measure_closeness(trace, vertices)
+    return Row(trace, vertices, closeness, SQUARE + theta, found, G.warn_of_imbalance(staircase))
+
+
+def _along_the_chord(trace: Trace, xi: float | None) -> float:
+    """The rotation that brings g's chord from end to end nearest to the zigzag's axis (radians).
+
+    Rows then shift the least along f.
+    """
+    begin, end = G.turns(trace, xi)
+    margin = MARGIN * (end - begin)
+    along, across = trace.points[-1] - trace.points[0]
+    return float(np.clip(-np.arctan2(across, along), begin + margin, end - margin))
+
+
+def _traced(g: Curve) -> Trace:
+    return run_along_axis(trace_curve(g, "g").in_own_frame())
+
+
+def require_one_kind(angle: str) -> Callable[[Any], None]:
+    """The rule that a row has only what its kind has: chords no angle, a zigzag no spacing.
+
+    Parameters
+    ----------
+    angle
+        Name of the zigzag's angle: a key of the table [pattern], or an argument.
+    """
+
+    def rule(asked: Any) -> None:
+        other = "zigzag" if asked.row == "chords" else "chords"
+        usual = {"spacing": "curvature", "placement": "inscribed"}
+        for key, value in ({angle: "auto"} if other == "zigzag" else usual).items():
+            got = getattr(asked, key)
+            if got != value:
+                raise PydanticCustomError(
+                    "other_row",
+                    "'{value}', or row = \"{other}\"",
+                    {"value": value, "other": other, "key": key, "got": got},
+                )
+
+    return rule

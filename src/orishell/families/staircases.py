@@ -1,0 +1,183 @@
+"""Staircases that take a curve's place: which exist, and what would work where none does.
+
+f has one in the parallel repeating family, g in the orthodiagonal one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import chain
+
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees
+from orishell.curves import Trace
+from orishell.errors import DesignError, Remedy
+from orishell.families.candidates import angles, part
+from orishell.polylines import (
+    Staircase,
+    choose_xi,
+    fit_staircase,
+    theta_interval,
+    xi_limit,
+)
+
+NARROWEST_XI = np.deg2rad(0.1)
+"""Angles below this are not offered: the corrugation would be deeper than the shell is wide."""
+ROOM = (0.95, 0.8, 0.6)
+"""Shares of the admissible turning that parts of a curve use: some must be left for xi."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Followed:
+    """How a family speaks of a curve that a staircase follows.
+
+    Parameters
+    ----------
+    name
+        "f" or "g".
+    xi, theta
+        Keys of the angle between the staircase's edges and of the curve's rotation.
+    unturned, farthest
+        What the key of the rotation says where there is none, and how far it reaches from that
+        to either side (radians).
+    axis
+        What the staircase's axis is.
+    instead
+        What else takes a curve that turns too much for it.
+    unless_it_turns
+        How the message says so, where the curve turns by 180 degrees or more.
+    """
+
+    name: str
+    xi: str
+    theta: str
+    unturned: float
+    farthest: float
+    axis: str
+    instead: Remedy
+    unless_it_turns: str
+
+    def interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
+        """The rotations that its key can say at which a curve has a staircase.
+
+        Parameters
+        ----------
+        low, high
+            Range of the curve's tangent directions, not turned (radians).
+        xi
+            The angle between edges (radians), or None for any.
+        """
+        begin, end = theta_interval(low, high, xi or 0.0)
+        return max(begin, -self.farthest), min(end, self.farthest)
+
+    def turns(self, trace: Trace, xi: float | None) -> tuple[float, float]:
+        """The rotations at which a curve has a staircase: an open interval (radians).
+
+        Parameters
+        ----------
+        trace
+            The curve, not turned.
+        xi
+            The angle between edges (radians), or None for any.
+
+        Raises
+        ------
+        DesignError
+            If there is none.
+        """
+        low, high = trace.heading_range()
+        begin, end = self.interval(low, high, xi)
+        if end - begin <= NARROWEST_XI:
+            raise self._too_much_turning(trace, high - low, xi)
+        return begin, end
+
+    def fit(self, trace: Trace, theta: float, xi: float | None, edges: int) -> Staircase:
+        """The staircase of a turned curve.
+
+        Parameters
+        ----------
+        trace
+            The curve, turned.
+        theta
+            By how much (radians).
+        xi
+            The angle between edges (radians), or None for the best one.
+        edges
+            Their number.
+
+        Raises
+        ------
+        DesignError
+            If there is none: every tangent must lie within (pi - xi)/2 of the axis, which is the
+            paper's condition under equation (1). Without xi, some xi must satisfy it.
+        """
+        self._require(trace, xi, theta)
+        return fit_staircase(trace, choose_xi(trace, edges) if xi is None else xi, edges)
+
+    def warn_of_imbalance(self, staircase: Staircase) -> tuple[str, ...]:
+        """Warn of a staircase that is not proved to be the closest."""
+        if staircase.balanced:
+            return ()
+        return (
+            f"a staircase closer to {self.name} than {staircase.distance:.4g} may exist; it was "
+            "not found",
+        )
+
+    def _require(self, trace: Trace, xi: float | None, theta: float) -> None:
+        low, high = trace.heading_range()
+        limit = xi_limit(low, high)
+        if (NARROWEST_XI if xi is None else xi) < limit:
+            return
+        reached = f"its tangents reach {in_degrees(max(-low, high))} degrees from {self.axis}"
+        begin, end = self.interval(low - theta, high - theta, xi)
+        shift = self.unturned
+        turns = angles(self.theta, begin + shift, end + shift, theta + shift)
+        place = self._steepest_place(trace, theta)
+        if limit > NARROWEST_XI and xi is not None:
+            raise DesignError(
+                f"{self.xi} = {in_degrees(xi)} is too large for {self.name}",
+                keys=(f"pattern.{self.xi}",),
+                place=place,
+                size=f"{reached} and may reach only {in_degrees((np.pi - xi) / 2)}; {self.xi} must "
+                f"stay below {in_degrees(limit)}",
+                candidates=chain(angles(self.xi, 0.0, limit, xi), turns),
+            )
+        if end - begin <= NARROWEST_XI:
+            raise self._too_much_turning(trace, high - low, xi)
+        raise DesignError(
+            f"{self.name} has no staircase for {self.theta} = {in_degrees(theta + shift)}, "
+            f"whatever {self.xi} is",
+            keys=(f"pattern.{self.theta}",),
+            place=place,
+            size=f"{reached} and must stay below 90; {self.theta} must lie between "
+            f"{in_degrees(begin + shift)} and {in_degrees(end + shift)}",
+            candidates=turns,
+        )
+
+    def _too_much_turning(self, trace: Trace, spread: float, xi: float | None) -> DesignError:
+        allowed = np.pi - (xi or 0.0)
+        both = np.stack([trace.heading, trace.arriving])
+        so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
+        rotated = Remedy({f"pattern.{self.theta}": "auto"})
+        candidates = []
+        if xi is not None and np.pi - spread > NARROWEST_XI:
+            candidates += [each | rotated for each in angles(self.xi, 0.0, np.pi - spread, xi)]
+        for room in ROOM:
+            k = int(np.flatnonzero(so_far < room * allowed)[-1])
+            candidates.append(part(self.name, trace.curve, trace.t[0], trace.t[k]) | rotated)
+        walls = spread >= np.pi
+        candidates.insert(0 if walls else len(candidates), self.instead)
+        return DesignError(
+            f"{self.name} turns too much for a staircase, whatever its rotation",
+            size=f"its tangents spread over {in_degrees(spread)} degrees and may spread over less "
+            f"than {in_degrees(allowed)}" + (self.unless_it_turns if walls else ""),
+            candidates=candidates,
+        )
+
+    def _steepest_place(self, trace: Trace, theta: float) -> str:
+        """Where on the curve, as it was drawn, the tangent is farthest from the axis."""
+        k = int(np.argmax(np.maximum(np.abs(trace.heading), np.abs(trace.arriving))))
+        drawn = trace.rotated(-theta)
+        x, y = drawn.points[k] + drawn.origin
+        return f"at the point ({x:.6g}, {y:.6g}) of {self.name}"
