@@ -39,7 +39,7 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
         f"rigid     panel lengths to {residuals.panel_length:.1e}, fold angles to "
         f"{residuals.fold_angle_rad:.1e} rad over {len(shell.motion)} states"
     )
-    yield _lock(shell)
+    yield from _held(shell)
     yield from (f"wrote     {text}" for text in shortened(written))
     yield from (f"removed   {text}, from an earlier run" for text in shortened(removed))
 
@@ -71,23 +71,41 @@ def _deviation(deviation: DeviationReport, unit: str) -> Iterator[str]:
         yield f"approach  {approached.what}{found}"
 
 
-def _lock(shell: Shell) -> str:
+def _held(shell: Shell) -> Iterator[str]:
+    """What the motion is proved to do, and what holds the shell at its target."""
     from orishell.conventions.formatting import in_degrees
 
     lock, contact = shell.lock, shell.lock.first_contact
+    aim = "target" if shell.design.swept is not None else "stage"
     if lock.proof is None:
-        return "not checked: " + "; ".join(shell.report.not_checked)
-    proved = f"proved over the whole path by bounds between {lock.proof.states} states"
-    if lock.drive is None or contact is None:
-        return f"lock      none; no panels touch before {in_degrees(lock.target)} deg, {proved}"
-    if lock.cause == "clash":
-        first, second = (list(panel) for panel in contact.panels)
-        aim = "target" if shell.design.swept is not None else "stage"
-        beyond = not lock.early and shell.design.ending_at is None
-        met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
-        return (
-            f"lock      at {in_degrees(lock.drive)} deg{met}: panels {first} and {second} clash "
-            f"({contact.kind}), none before: {proved}"
+        yield "not checked: " + "; ".join(shell.report.not_checked)
+    else:
+        proved = f"proved over the whole path by bounds between {lock.proof.states} states"
+        if lock.cause == "clash" and contact is not None:
+            first, second = (list(panel) for panel in contact.panels)
+            beyond = not lock.early and shell.design.ending_at is None
+            met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
+            yield (
+                f"path      panels {first} and {second} meet at {in_degrees(contact.drive)} deg"
+                f"{met} ({contact.kind}), none before: {proved}"
+            )
+        else:
+            yield f"path      clear from flat to {in_degrees(lock.pack)} deg: {proved}"
+    held = shell.report.deployment
+    if not lock.early:
+        yield (
+            f"held      at {in_degrees(lock.target)} deg: from closing by {HOLDING[held.closing]}, "
+            f"from opening by {HOLDING[held.opening]}"
         )
-    what = "by its flaps" if lock.cause == "flaps" else "by a crease folded flat"
-    return f"lock      at {in_degrees(lock.drive)} deg {what}, no contact before: {proved}"
+
+
+HOLDING = {
+    "flaps": "its flaps",
+    "clipped flaps": "flaps clipped on",
+    "crease": "a crease folded flat",
+    "clash": "panels that meet",
+    "hinges": "its hinges",
+    "ties": "its ties",
+    None: "its supports only",
+}
+"""Words for what holds a shell at its target."""

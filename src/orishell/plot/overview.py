@@ -1,4 +1,4 @@
-"""The overview picture: crease pattern, three states, the locked shell on its target curves."""
+"""The overview picture: crease pattern, the shell on its target curves, states on the way."""
 
 from __future__ import annotations
 
@@ -41,7 +41,9 @@ RIM, CONTACT = LIGHT["border-crease"], LIGHT["contact"]
 PAPER, BACK = np.array(rgb("panel-front")), np.array(rgb("panel-back"))
 LAMP = np.array([-0.45, -0.55, 0.70])
 STATE_SHARES = (0.25, 0.5, 0.75)
-"""States shown between flat and locked, as shares of the drive at lock."""
+"""States shown between flat and target, as shares of the drive at the target."""
+OPENING = (1.0, 0.8, 0.4)
+"""States shown of a shell that is opened from its pack, as shares of the way from the target."""
 PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 """Rows or columns drawn at most; a finer sheet is drawn with every k-th of them."""
 
@@ -77,22 +79,24 @@ def plot_overview(
     Parameters
     ----------
     motion
-        Its flat, half folded and locked states are shown.
+        Some of its states are shown, its pack among them if it has one.
     targets
-        Target curves "f" and "g" (N, 3), drawn with the locked shell; may be empty.
+        Target curves "f" and "g" (N, 3), drawn with the shell; may be empty.
     title
         Heading.
     last
-        What the last state is, for example "Locked".
+        What the target state is, for example "Locked".
     unit
         Unit of length, for the sizes under the heading.
     contact
         A contact to draw beside the other states, if there is one before lock.
     """
-    lock = motion.mechanism.target_drive
+    target = motion.mechanism.target_drive
     locked = motion.target.positions
     camera = choose_camera(locked)
-    drives = [share * lock for share in STATE_SHARES]
+    drives = [share * target for share in STATE_SHARES]
+    if motion.pack is not None:
+        drives = [target + share * (motion.pack - target) for share in OPENING] + drives[-1:]
     if contact is not None:
         drives.append(contact.drive)
     states = [motion.mechanism.positions(drive) for drive in drives]
@@ -101,7 +105,8 @@ def plot_overview(
     sheet = _landscape(motion.flat.positions[..., :2])
     above = row_height(width / 2, [sheet, camera.project(locked)[0]])
     count = len(states)
-    below = row_height(width / count, [camera.project(positions)[0] for positions in states])
+    spans = [np.ptp(camera.project(each)[0].reshape(-1, 2), axis=0) for each in states]
+    below = row_height(width / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
     foot = BORDER + below + TITLE + LEGEND
     figure = new_figure(foot + above + TITLE + HEADING, title)
 
@@ -120,7 +125,8 @@ def plot_overview(
     ]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
         _draw_shell(axes, positions, camera, width / count)
-        set_title(axes, f"Drive {np.rad2deg(drive):.3g}°")
+        packed = "Pack, drive" if drive == motion.pack else "Drive"
+        set_title(axes, f"{packed} {np.rad2deg(drive):.3g}°")
     if contact is not None:
         _mark_panels(frames[-1], states[-1], contact, camera)
     _same_scale(frames)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from orishell.conventions.formatting import in_one_line, tidy_degrees
 from orishell.deployment import Attachment, Deployment, Start
 from orishell.design import Design
-from orishell.locking import Lock
+from orishell.locking import Cause, Lock
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,8 +33,8 @@ class DeploymentReport:
     flap_attachment: Attachment | None
     largest_fold_deg: float
     end_drive_deg: float
-    closing: str | None
-    opening: str | None
+    closing: Cause | Literal["clipped flaps"] | None
+    opening: Literal["ties"] | None
 
     __repr__ = in_one_line
 
