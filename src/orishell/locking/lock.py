@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 
 from orishell.clash import PathResult, ProofRecord, find_contacts, find_first_contact
+from orishell.clash.result import PathContact
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
@@ -112,7 +113,7 @@ class Lock:
         return (
             self.cause == "clash"
             and self.first_contact is not None
-            and self.first_contact.drive <= self.target
+            and self.first_contact.drive < self.target
         )
 
 
@@ -137,7 +138,8 @@ def find_lock(
     Where creases are folded flat at the end, panels beside them come as near as one likes before
     it: there the path is proved up to a millionth of it, and flaps count as touching within a
     ten-thousandth of the tolerance. So do other panels that come within the tolerance in the last
-    thousandth only; if they touch at the end, they are named as touching there.
+    thousandth only; if they touch at the end, they are named as touching there. Panels that so
+    meet at the target end the motion there.
     """
     sheet = _Sheet.of(design)
     mechanism = sheet.mechanism
@@ -154,21 +156,21 @@ def find_lock(
         )
 
     path = search(sheet.path_end, size)
-    if path.contact is not None and path.contact.drive > LATE * sheet.end:
-        # Panels that meet at the end, however slowly, come within any tolerance before it.
-        closer = search(sheet.end * (1 - SHORT_OF_END), NARROW * size)
-        path = closer if closer.contact is None else path
+    for meeting in (sheet.target, sheet.end):
+        if path.contact is None or not LATE * meeting < path.contact.drive <= meeting:
+            continue
+        # Panels that meet there, however slowly, come within any tolerance before it.
+        clear = meeting * (1 - SHORT_OF_END)
+        closer = search(clear, NARROW * size)
+        if closer.contact is None and meeting == sheet.end:
+            path = closer
+        elif closer.contact is None and (touching := sheet.touching(meeting, size)):
+            found = sheet.contact(PathContact(meeting, clear, path.contact.panels))
+            return sheet.lock(meeting, "clash", found, closer.proof, touching)
     if path.contact is not None:
-        drive = path.contact.drive
-        found = Contact(
-            drive,
-            path.contact.clear_until,
-            sheet.panels(path.contact.panels),
-            sheet.kind(path.contact.panels),
-            corrugation_depth(mechanism.positions(drive)),
-        )
-        return sheet.lock(drive, "clash", found, path.proof)
-    return lock_without_clash(design, path.proof, sheet.touching_at_end(size))
+        found = sheet.contact(path.contact)
+        return sheet.lock(found.drive, "clash", found, path.proof)
+    return lock_without_clash(design, path.proof, sheet.touching(sheet.end, size))
 
 
 def lock_without_clash(
@@ -239,6 +241,11 @@ class _Sheet:
         depth = corrugation_depth(self.mechanism.positions(self.target))
         return Lock(drive, cause, contact, self.target, depth, touching, proof)
 
+    def contact(self, found: PathContact) -> Contact:
+        depth = corrugation_depth(self.mechanism.positions(found.drive))
+        panels, kind = self.panels(found.panels), self.kind(found.panels)
+        return Contact(found.drive, found.clear_until, panels, kind, depth)
+
     def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
         first, second = sorted(divmod(number, self.columns) for number in numbers)
         return first, second
@@ -262,10 +269,10 @@ class _Sheet:
             return "at the sheet's edge"
         return "distant panels"
 
-    def touching_at_end(self, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
-        """Pairs of panels that touch at the end without being meant to."""
+    def touching(self, drive: float, tolerance: float) -> tuple[tuple[Panel, Panel], ...]:
+        """Pairs of panels that touch in a state without being meant to."""
         faces = self.mechanism.grid.faces_vertices()
-        points = self.mechanism.positions(self.end).reshape(-1, 3)
+        points = self.mechanism.positions(drive).reshape(-1, 3)
         pairs = find_contacts(points, faces, tolerance)
         shared = (faces[pairs[:, 0]][:, :, None] == faces[pairs[:, 1]][:, None]).any(axis=(1, 2))
         pairs = pairs[~shared & ~self.designed((pairs[:, 0], pairs[:, 1]))]
