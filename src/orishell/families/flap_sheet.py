@@ -10,6 +10,9 @@ import numpy as np
 from orishell.numerics.arrays import Array, Complex
 from orishell.sheet.grid import Grid
 
+ALIKE = 1e-14
+"""Lengths that differ by less than this share are alike but for rounding."""
+
 
 class FlapSheet:
     """A grid whose first and last column of panels are flaps, or which has none there.
@@ -82,3 +85,12 @@ class FlapSheet:
 def target_drive(rest: float) -> float:
     """The drive (radians) at which the tightest panel column is as open as its rest says."""
     return float(2 * np.arctan2(1.0, rest))
+
+
+def other_side(whole: Array, part: Array | float) -> Array:
+    """sqrt(whole**2 - part**2) of lengths (...), 0 where they are alike but for rounding.
+
+    A rounding error would be as large as its square root: creases that close together would not.
+    """
+    side = np.sqrt(np.maximum((whole - part) * (whole + part), 0.0))
+    return np.asarray(np.where(whole - part <= ALIKE * whole, 0.0, side))

@@ -28,7 +28,7 @@ ROOM = (0.95, 0.8, 0.6)
 """Shares of the admissible turning that parts of a curve use: some must be left for xi."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Followed:
     """How a family speaks of a curve that a staircase follows.
 

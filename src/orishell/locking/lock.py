@@ -6,20 +6,17 @@ Why it is one: docs/theory/locking-and-clash.md.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
 from orishell.clash import PathResult, ProofRecord, find_contacts, find_first_contact
-from orishell.conventions.formatting import in_degrees
+from orishell.clash.result import PathContact
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
+from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
 from orishell.motion import Mechanism, corrugation_depth, diagonal, drive_at_fold
 from orishell.numerics.arrays import Booleans, Integers
 from orishell.sheet.grid import Grid
-
-Panel = tuple[int, int]
-"""Row and column of a panel."""
 
 CONTACT_TOLERANCE = 1e-9
 """Distance at which panels touch, relative to the diagonal of the flat sheet."""
@@ -30,97 +27,6 @@ LATE, NARROW = 1 - 1e-3, 1e-4
 that still do not touch meet at the end, not before."""
 FOLDED_FLAT = 1e-9
 """A crease whose fold angle is this near to pi is folded flat (radians)."""
-
-Kind = Literal[
-    "flap on flap",
-    "opposite flaps",
-    "flap on panel",
-    "neighbours",
-    "at the sheet's edge",
-    "distant panels",
-]
-Cause = Literal["flaps", "clash", "crease", "hinges"]
-
-
-@dataclass(frozen=True, slots=True)
-class Contact:
-    """Two panels that touch.
-
-    Parameters
-    ----------
-    drive
-        Where they touch (radians).
-    clear_until
-        Up to here no panels touch, proved: 0 if the path was not examined (radians).
-    panels
-        The two panels.
-    kind
-        Two flaps of one column (neighbours of these at the end of the motion are what the design
-        means), or of both; a flap on another panel; neighbours about a crease that is folded flat;
-        a panel of the sheet's border on another; panels inside it.
-    depth
-        Depth of the corrugation there (length).
-    """
-
-    drive: float
-    clear_until: float
-    panels: tuple[Panel, Panel]
-    kind: Kind
-    depth: float
-
-
-@dataclass(frozen=True, slots=True)
-class Lock:
-    """How a motion ends.
-
-    Parameters
-    ----------
-    drive
-        Where it ends, or None if nothing ends it (radians).
-    cause
-        Flaps folded onto each other as designed, panels that clash, another crease that is folded
-        flat, or hinges that close no further.
-    first_contact
-        The first contact, if there is one.
-    target
-        Drive of the target state (radians).
-    depth
-        Depth of the corrugation in that state (length).
-    touching
-        Pairs of panels, flaps and neighbours left out, that touch at the target and not before.
-    proof
-        How the path was examined, or None if it was not.
-    """
-
-    drive: float | None
-    cause: Cause | None
-    first_contact: Contact | None
-    target: float
-    depth: float
-    touching: tuple[tuple[Panel, Panel], ...]
-    proof: ProofRecord | None
-
-    def __repr__(self) -> str:
-        target = f"target at {in_degrees(self.target)} degrees"
-        end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
-        path = "path not examined" if self.proof is None else "path examined"
-        return f"{type(self).__name__}({end}, {target}, {path})"
-
-    @property
-    def pack(self) -> float:
-        """As far as the motion goes, proved free of contact if its path was examined (radians)."""
-        if self.cause == "clash" and self.first_contact is not None:
-            return self.first_contact.clear_until
-        return self.target if self.drive is None else self.drive
-
-    @property
-    def early(self) -> bool:
-        """Whether panels clash before the target is met."""
-        return (
-            self.cause == "clash"
-            and self.first_contact is not None
-            and self.first_contact.drive <= self.target
-        )
 
 
 def find_lock(
@@ -144,7 +50,8 @@ def find_lock(
     Where creases are folded flat at the end, panels beside them come as near as one likes before
     it: there the path is proved up to a millionth of it, and flaps count as touching within a
     ten-thousandth of the tolerance. So do other panels that come within the tolerance in the last
-    thousandth only; if they touch at the end, they are named as touching there.
+    thousandth only; if they touch at the end, they are named as touching there. Panels that so
+    meet at the target end the motion there.
     """
     sheet = _Sheet.of(design)
     mechanism = sheet.mechanism
@@ -161,23 +68,24 @@ def find_lock(
         )
 
     path = search(sheet.path_end, size)
-    touching = sheet.touching(design.boards, size)
-    if path.contact is not None and path.contact.drive > LATE * sheet.end:
-        # Panels that meet at the end, however slowly, come within any tolerance before it.
-        closer = search(sheet.end * (1 - SHORT_OF_END), NARROW * size)
-        path = closer if closer.contact is None else path
-    if path.contact is not None:
-        drive = path.contact.drive
-        found = Contact(
-            drive,
-            path.contact.clear_until,
-            sheet.panels(path.contact.panels),
-            sheet.kind(path.contact.panels),
-            corrugation_depth(mechanism.positions(drive)),
-        )
-        late = touching if drive > sheet.target else ()
-        return sheet.lock(drive, "clash", found, path.proof, late)
-    return lock_without_clash(design, path.proof, touching)
+    for meeting in (sheet.target, sheet.end):
+        near = path.contact
+        if near is None or not LATE * meeting < near.drive <= meeting:
+            continue
+        # Panels that meet there, however slowly, come within any tolerance before it.
+        clear = meeting * (1 - SHORT_OF_END)
+        closer = search(clear, NARROW * size)
+        if closer.contact is None and meeting == sheet.end:
+            path = closer
+        elif closer.contact is None and (touching := sheet.touching(None, size)):
+            found = sheet.contact(PathContact(meeting, clear, near.panels))
+            return sheet.lock(meeting, "clash", found, closer.proof, touching)
+    early = path.contact is not None and path.contact.drive < sheet.target
+    touching = () if early else sheet.touching(design.boards, size)
+    if path.contact is None:
+        return lock_without_clash(design, path.proof, touching)
+    found = sheet.contact(path.contact)
+    return sheet.lock(found.drive, "clash", found, path.proof, touching)
 
 
 def lock_without_clash(
@@ -251,6 +159,11 @@ class _Sheet:
         depth = corrugation_depth(self.mechanism.positions(self.target))
         return Lock(drive, cause, contact, self.target, depth, touching, proof)
 
+    def contact(self, found: PathContact) -> Contact:
+        depth = corrugation_depth(self.mechanism.positions(found.drive))
+        panels, kind = self.panels(found.panels), self.kind(found.panels)
+        return Contact(found.drive, found.clear_until, panels, kind, depth)
+
     def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
         first, second = sorted(divmod(number, self.columns) for number in numbers)
         return first, second
@@ -280,8 +193,6 @@ class _Sheet:
         """Pairs of panels that touch at the target without being meant to, with its flaps."""
         if boards is not None:
             return replace(self, mechanism=boards).touching(None, tolerance)
-        if not self.mechanism.flap_columns and self.end > self.target:
-            return ()
         faces = self.mechanism.grid.faces_vertices()
         points = self.mechanism.positions(self.target).reshape(-1, 3)
         pairs = find_contacts(points, faces, tolerance)

@@ -11,8 +11,9 @@ from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.errors import ClashError, DesignError, Remedy
 from orishell.locking.flap_widths import flap_width, widest_flap
-from orishell.locking.lock import CONTACT_TOLERANCE, Lock, find_lock
+from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.request import Request
+from orishell.locking.result import Lock
 from orishell.motion import corrugation_depth
 
 NO_PACK = 1e-3

@@ -53,7 +53,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
 ) -> None:
     # Every request works, or works with the nearest value that the error names.
     mechanism = mechanism_of(request.feasible())
-    drives = np.array([share * np.pi, np.pi])
+    drives = np.array([share * np.pi, mechanism.target_drive, np.pi])
     states = [FoldedState.of(mechanism, float(drive)) for drive in drives]
     residuals, assignment = measure_residuals(states, FoldedState.of(mechanism, 0.0))
     assert residuals.panel_length < 1e-12
@@ -78,7 +78,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
 @given(orthodiagonal_requests())
 def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     mechanism = mechanism_of(request.feasible())
-    locked = mechanism.positions(np.pi)
+    locked = mechanism.positions(mechanism.target_drive)
     plan = locked[..., :2] @ np.array([1, 1j])
     size = diagonal(mechanism.positions(0.0)) + np.abs(locked).max()
     middle = (locked.shape[0] - 1) // 2
@@ -101,7 +101,7 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     assert np.abs(across).max() < 1e-12 * size
     # The flaps are closed: their creases at 180 degrees, measured.
     if mechanism.flaps[0]:
-        measured = measure_fold_angles(mechanism.positions(np.pi)).row
+        measured = measure_fold_angles(mechanism.positions(mechanism.target_drive)).row
         np.testing.assert_allclose(np.abs(measured[:, [0, -1]]), np.pi, atol=1e-6)
 
 

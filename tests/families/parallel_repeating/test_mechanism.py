@@ -41,7 +41,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
 ) -> None:
     # Every request works, or works with the nearest value that the error names.
     mechanism = mechanism_of(request.feasible())
-    drives = np.array([share * np.pi, np.pi])
+    drives = np.array([share * np.pi, mechanism.target_drive, np.pi])
     states = [FoldedState.of(mechanism, float(drive)) for drive in drives]
     residuals, assignment = measure_residuals(states, FoldedState.of(mechanism, 0.0))
     assert residuals.panel_length < 1e-12
@@ -64,7 +64,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
 @given(requests())
 def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     mechanism = mechanism_of(request.feasible())
-    locked = mechanism.positions(np.pi)
+    locked = mechanism.positions(mechanism.target_drive)
     middle = (locked.shape[0] - 1) // 2
     row = locked[middle, mechanism.inner_columns]
     size = diagonal(mechanism.positions(0.0))

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.families.flap_sheet import target_drive
+from orishell.families.flap_sheet import other_side, target_drive
 from orishell.numerics import Enclosure, Interval
 from orishell.numerics.arrays import Array, Complex
 
-SLIM = 1e-11
+SLIM = 1e-13
 """The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""
 
 
@@ -37,7 +37,8 @@ class Columns:
         """Of the tightest panel column's step, the shares along n and along K at the target."""
         step = self.step[self.existing]
         along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
-        tightest = int(along.argmin())
+        # Nearly straight rows differ in what they take across only, the others along only.
+        tightest = int(along.argmin() if along.min() < across.max() else across.argmax())
         return float(along[tightest]), float(across[tightest])
 
     def phase(self, drive: Array) -> tuple[Array, Array]:
@@ -84,7 +85,7 @@ class Columns:
         whole, part = (self.locked, rest * self.step)
         if rest > turn:
             whole, part = turn * self.step, np.abs(self.k)
-        return np.sqrt(np.maximum((whole - part) * (whole + part), 0.0))
+        return other_side(whole, part)
 
 
 def running(steps: Array) -> Array:

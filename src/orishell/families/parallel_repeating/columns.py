@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
+from orishell.families.flap_sheet import other_side
 from orishell.numerics.arrays import Array
 
 
@@ -24,13 +23,9 @@ class Columns:
     @property
     def slope_beyond(self) -> Array:
         """sqrt(nu**2 - rest**2) of every panel column (n+1,); 0 for a missing flap."""
-        return _side(self.slope, self.rest)
+        return other_side(self.slope, self.rest)
 
     @property
     def tau_beyond(self) -> Array:
         """sqrt(tau**2 - rest**2) of every column (n,)."""
-        return _side(self.tau, self.rest)
-
-
-def _side(length: Array, rest: float) -> Array:
-    return np.asarray(np.sqrt(np.maximum((length - rest) * (length + rest), 0.0)))
+        return other_side(self.tau, self.rest)

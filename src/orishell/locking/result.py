@@ -1,0 +1,103 @@
+"""What is found of a motion: how it ends, and what touches first."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from orishell.clash import ProofRecord
+from orishell.conventions.formatting import in_degrees
+
+Panel = tuple[int, int]
+"""Row and column of a panel."""
+
+Kind = Literal[
+    "flap on flap",
+    "opposite flaps",
+    "flap on panel",
+    "neighbours",
+    "at the sheet's edge",
+    "distant panels",
+]
+Cause = Literal["flaps", "clash", "crease", "hinges"]
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Two panels that touch.
+
+    Parameters
+    ----------
+    drive
+        Where they touch (radians).
+    clear_until
+        Up to here no panels touch, proved: 0 if the path was not examined (radians).
+    panels
+        The two panels.
+    kind
+        Two flaps of one column (neighbours of these at the end of the motion are what the design
+        means), or of both; a flap on another panel; neighbours about a crease that is folded flat;
+        a panel of the sheet's border on another; panels inside it.
+    depth
+        Depth of the corrugation there (length).
+    """
+
+    drive: float
+    clear_until: float
+    panels: tuple[Panel, Panel]
+    kind: Kind
+    depth: float
+
+
+@dataclass(frozen=True, slots=True)
+class Lock:
+    """How a motion ends.
+
+    Parameters
+    ----------
+    drive
+        Where it ends, or None if nothing ends it (radians).
+    cause
+        Flaps folded onto each other as designed, panels that clash, another crease that is folded
+        flat, or hinges that close no further.
+    first_contact
+        The first contact, if there is one.
+    target
+        Drive of the target state (radians).
+    depth
+        Depth of the corrugation in that state (length).
+    touching
+        Pairs of panels, flaps and neighbours left out, that touch at the target and not before.
+    proof
+        How the path was examined, or None if it was not.
+    """
+
+    drive: float | None
+    cause: Cause | None
+    first_contact: Contact | None
+    target: float
+    depth: float
+    touching: tuple[tuple[Panel, Panel], ...]
+    proof: ProofRecord | None
+
+    def __repr__(self) -> str:
+        target = f"target at {in_degrees(self.target)} degrees"
+        end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
+        path = "path not examined" if self.proof is None else "path examined"
+        return f"{type(self).__name__}({end}, {target}, {path})"
+
+    @property
+    def pack(self) -> float:
+        """As far as the motion goes, proved free of contact if its path was examined (radians)."""
+        if self.cause == "clash" and self.first_contact is not None:
+            return self.first_contact.clear_until
+        return self.target if self.drive is None else self.drive
+
+    @property
+    def early(self) -> bool:
+        """Whether panels clash before the target is met."""
+        return (
+            self.cause == "clash"
+            and self.first_contact is not None
+            and self.first_contact.drive < self.target
+        )
