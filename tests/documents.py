@@ -36,4 +36,4 @@ def flat_only(document: Document) -> Document:
 
 def folded_only(document: Document) -> Document:
     """States in space alone."""
-    return replace(document, flat=None, curves={}, states=tuple(document.states)[1:])
+    return replace(document, flat=None, curves={}, states=tuple(document.states)[1:], named={})
