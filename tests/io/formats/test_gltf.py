@@ -47,7 +47,7 @@ class Scene:
         return placed(self.shapes, place, turn.as_quat())
 
 
-def read(path: Path, document: Document, state: int = -1) -> Scene:
+def read(path: Path, document: Document, state: int | str = "target") -> Scene:
     write_gltf(path / "shell.glb", document, Settings(state=state))
     file = pygltflib.GLTF2().load(str(path / "shell.glb"))
     blob = file.binary_blob()
@@ -122,7 +122,7 @@ def test_every_state_at_its_key(family: str, unit: str, tmp_path: Path) -> None:
         assert np.abs(found - expected).max() < 1e-6 * size(expected)
 
 
-@pytest.mark.parametrize("state", [0, 3, -1])
+@pytest.mark.parametrize("state", [0, 3, "target"])
 def test_nodes_stand_in_the_chosen_state(state: int, tmp_path: Path) -> None:
     scene = read(tmp_path, DEMO, state)
     expected = wanted(DEMO, DEMO.states[state])

@@ -16,7 +16,7 @@ from orishell.io.settings import Settings
 DEMO = demo_document()
 
 
-def read(path: Path, document: Document, state: int = -1) -> meshio.Mesh:
+def read(path: Path, document: Document, state: int | str = "target") -> meshio.Mesh:
     write_obj(path / "shell.obj", document, Settings(state=state))
     return meshio.read(path / "shell.obj")
 

@@ -20,7 +20,7 @@ DEMO = demo_document()
 Objects = dict[str, dict[str, Any]]
 
 
-def read(path: Path, document: Document, state: int = -1) -> tuple[Any, Objects]:
+def read(path: Path, document: Document, state: int | str = "target") -> tuple[Any, Objects]:
     """The file, and its objects by layer and name."""
     import rhino3dm
 

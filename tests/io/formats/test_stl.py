@@ -19,7 +19,7 @@ DEMO = demo_document()
 FACET = np.dtype([("normal", "<f4", (3,)), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])
 
 
-def write(path: Path, document: Document, state: int = -1) -> Path:
+def write(path: Path, document: Document, state: int | str = "target") -> Path:
     write_stl(path / "shell.stl", document, Settings(state=state))
     return path / "shell.stl"
 

@@ -1,0 +1,163 @@
+"""The smallest box, in any direction, that points fit into."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array
+from orishell.sheet.quads import lengths
+
+FLAT = 1e-9
+"""Points that leave a plane, or a line, by less than this share of their extent are in it."""
+BATCH = 64
+"""Directions that are examined at once."""
+MOST_EDGES = 3000
+"""Of a hull whose edges are paired; with more, faces stand so close that they do."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Box:
+    """A box in any direction.
+
+    Parameters
+    ----------
+    length, width, height
+        Its sides, the longest first (length).
+    axes
+        Unit directions (3, 3) of the sides, one per row, in their order.
+    """
+
+    length: float
+    width: float
+    height: float
+    axes: Array
+
+    __repr__ = in_one_line
+
+    @classmethod
+    def along(cls, axes: Array, points: Array) -> Box:
+        """The box of points (N, 3) along three directions at right angles, axes (3, 3)."""
+        sides = np.ptp(points @ axes.T, axis=0)
+        order = np.argsort(-sides, kind="stable")
+        length, width, height = sides[order].tolist()
+        return cls(length, width, height, axes[order])
+
+    @property
+    def volume(self) -> float:
+        """The product of the sides."""
+        return self.length * self.width * self.height
+
+
+def smallest_box(points: Array) -> Box:
+    """Return the box of least volume that holds points; of least area where they are in a plane.
+
+    Parameters
+    ----------
+    points
+        Points (N, 3), one at least, in any unit.
+
+    Notes
+    -----
+    Of points in a plane or on a line, the box is the smallest there is. Of a body it is the smallest
+    of those where a side cannot be made less by turning it a little, and another lies along an edge
+    of the body's shadow in that direction: one face of the box lies on a face of the convex hull, or
+    two opposite ones on edges that cross. A box that rests on edges with all its faces, and can be made
+    shorter in every direction, may be smaller still: by an eighth for an octahedron, by a few per cent
+    for few random bodies.
+    """
+    centred = points - points.mean(axis=0)
+    _, spread, axes = np.linalg.svd(centred, full_matrices=len(points) < 3)
+    axes = axes[:3]
+    extent = np.ptp(centred @ axes.T, axis=0)
+    rank = int((extent > FLAT * extent.max()).sum()) if extent.max() > 0 else 0
+    if rank == 3:
+        return _box_of_body(points)
+    if rank == 2:
+        axes = _turned_to_edge(centred, axes)
+    return Box.along(axes, points)
+
+
+def _turned_to_edge(points: Array, axes: Array) -> Array:
+    """Axes (3, 3), the first two turned so that the rectangle along them is the smallest.
+
+    It has a side on an edge of the points' outline.
+    """
+    from scipy.spatial import ConvexHull
+
+    plane = points @ axes[:2].T
+    outline = plane[ConvexHull(plane).vertices]
+    edge = np.roll(outline, -1, axis=0) - outline
+    along = edge / np.hypot(edge[:, 0], edge[:, 1])[:, None]
+    across = np.stack([-along[:, 1], along[:, 0]], axis=-1)
+    area = np.ptp(along @ outline.T, axis=1) * np.ptp(across @ outline.T, axis=1)
+    best = int(area.argmin())
+    turn = np.stack([along[best], across[best]])
+    return np.concatenate([turn @ axes[:2], axes[2:]])
+
+
+def _box_of_body(points: Array) -> Box:
+    """The smallest box of points (N, 3) that are in no plane, see :func:`smallest_box`."""
+    from scipy.spatial import ConvexHull
+
+    hull = ConvexHull(points)
+    corners, normals = points[hull.vertices], hull.equations[:, :3]
+    # Edges of the hull by the faces at both sides; those inside a plane face are none.
+    face, opposite = np.nonzero(np.arange(len(normals))[:, None] < hull.neighbors)
+    beside = hull.neighbors[face, opposite]
+    triangle = points[hull.simplices]
+    edges = triangle[face, opposite - 1] - triangle[face, opposite - 2]
+    edges /= lengths(edges)[:, None]
+    left, right = normals[face], normals[beside]
+    real = lengths(np.cross(left, right)) > FLAT
+    edges, left, right = edges[real], left[real], right[real]
+
+    directions = normals
+    if len(edges) <= MOST_EDGES:
+        directions = np.concatenate([normals, _crossing(edges, left, right)])
+    # No box is smaller than its height times the body's shadow in that direction.
+    areas = 0.5 * lengths(
+        np.cross(triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0])
+    )
+    shadow = 0.5 * np.abs(directions @ normals.T) @ areas
+    least = np.ptp(directions @ corners.T, axis=1) * shadow
+    order = np.argsort(least)
+    best, axes = np.inf, np.eye(3)
+    for batch in np.split(order, np.arange(BATCH, len(order), BATCH)):
+        if least[batch[0]] >= best:
+            break
+        up = directions[batch]
+        seen, outline = np.nonzero((up @ left.T) * (up @ right.T) <= FLAT)
+        along = edges[outline] - up[seen] * np.einsum("ij,ij->i", edges[outline], up[seen])[:, None]
+        size = lengths(along)
+        upright = size < FLAT
+        seen, along = seen[~upright], along[~upright] / size[~upright, None]
+        frames = np.stack([up[seen], along, np.cross(up[seen], along)], axis=1)
+        volumes = np.ptp(frames @ corners.T, axis=-1).prod(axis=-1)
+        if volumes.min() < best:
+            best, axes = float(volumes.min()), frames[int(volumes.argmin())]
+    return Box.along(axes, points)
+
+
+def _crossing(edges: Array, left: Array, right: Array) -> Array:
+    """Directions (D, 3) square to two edges of a hull between which it can be held.
+
+    Parameters
+    ----------
+    edges
+        Unit directions (E, 3).
+    left, right
+        Outward unit normals (E, 3) of the faces at both sides.
+    """
+    # On the sphere of normals each edge is an arc from left to right, in the plane square to it.
+    # The hull is held between two where one arc crosses the other's antipode.
+    parted = (edges @ left.T) * (edges @ right.T) < 0
+    first, second = np.nonzero(np.triu(parted & parted.T, 1))
+    direction = np.cross(edges[first], edges[second])
+    outward = left + right
+    facing = np.einsum("ij,ij->i", direction, outward[first])
+    held = facing * np.einsum("ij,ij->i", direction, outward[second]) < 0
+    direction = direction[held]
+    return np.asarray(direction / lengths(direction)[:, None])

@@ -1,0 +1,203 @@
+"""What a shell's own weight does to it on the way from flat to packed, by virtual work.
+
+With V the potential energy of the panels over the feet and L the distance of the feet,
+both functions of the drive, the feet push outwards by
+
+    thrust = -dV/dL:
+
+positive where gravity opens the shell and ties must hold the feet, negative where it closes it and
+flaps must keep them apart. Panels are rigid: with a panel's two triangles of areas a and b,
+
+    (a + b) centroid = a (p + q + r)/3 + b (p + r + s)/3,
+
+so every vertex carries a share of the area that never changes.
+
+V is an analytic function of L but at the flat sheet, even where the drive is a poor variable: at
+the target of a shell with flaps both are stationary in it. There the thrust is the derivative of a
+polynomial through V against L. In the flat sheet L is stationary and V is not: no force at the feet
+raises it, only a push from below, and what raising takes is given as work.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array
+from orishell.sheet.quads import dots, grid_corners, lengths
+
+NODES = 9
+"""States that the polynomial of V against L goes through."""
+REACH = 0.02
+"""It covers this much of the drive to either side (radians), and at most a tenth of the drive.
+
+With these the thrust is right to some 1e-9 of the weight.
+"""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OwnWeight:
+    """A shell under its own weight, from flat to packed.
+
+    Forces and energies are in the unit of force that the weight was given in, and in it times the
+    unit of length.
+
+    Parameters
+    ----------
+    total
+        Weight of all panels.
+    drives
+        Drive angles (N,) from flat to the pack, the target's among them (radians).
+    energy
+        Potential energy (N,) of the panels over the feet.
+    span
+        Distance (N,) of the feet, the mean of all inner columns.
+    thrust
+        Force (N,) by which the feet push outwards, all together. Not a number in the flat sheet,
+        and where the distance of the feet is stationary.
+    target_thrust
+        The same at the target.
+    largest_force
+        The largest size of it from the pack to the target.
+    tipping
+        Drives (radians) where the energy is largest: there the shell would fall to either side.
+    work_from_flat, work_from_pack
+        What raising it to the target takes, without what is to be held back on the way.
+    """
+
+    total: float
+    drives: Array
+    energy: Array
+    span: Array
+    thrust: Array
+    target_thrust: float
+    largest_force: float
+    tipping: tuple[float, ...]
+    work_from_flat: float
+    work_from_pack: float
+
+    __repr__ = in_one_line
+
+    @property
+    def opens(self) -> bool:
+        """Whether gravity opens the shell at its target, so that ties carry it, not flaps."""
+        return self.target_thrust > 0
+
+
+def measure_weight(
+    mechanism: Mechanism,
+    feet_rows: tuple[int, int],
+    weight_per_area: float,
+    *,
+    pack: float | None = None,
+    states: int = 91,
+) -> OwnWeight:
+    """Return what a shell's own weight does along its motion.
+
+    The feet move on ground that rises from one to the other as it does at the target. Heights are
+    measured over the middle between them; states that are tilted against that are turned back. Flaps
+    weigh as much as other panels, as far as the mechanism has them.
+
+    Parameters
+    ----------
+    feet_rows
+        Rows of vertices that are its feet.
+    weight_per_area
+        Weight of the panels (force per length squared).
+    pack
+        Drive angle of the pack (radians); None for the end of the motion.
+    states
+        Number of states from flat to the pack, the target not counted.
+    """
+    body = _Body.of(mechanism, feet_rows, weight_per_area)
+    target = mechanism.target_drive
+    end = mechanism.end_drive if pack is None else pack
+    drives = np.union1d(np.linspace(0.0, end, states), [target])
+    energy, span = (np.concatenate(each) for each in zip(*map(body.at, drives[:, None])))
+    thrust = np.array([body.thrust(drive) for drive in drives.tolist()])
+    there = int(np.searchsorted(drives, target))
+    return OwnWeight(
+        total=weight_per_area * float(body.shares.sum()),
+        drives=drives,
+        energy=energy,
+        span=span,
+        thrust=thrust,
+        target_thrust=float(thrust[there]),
+        largest_force=float(np.nanmax(np.abs(thrust[there:]))),
+        tipping=_tipping(drives, energy),
+        work_from_flat=_climb(energy[: there + 1]),
+        work_from_pack=_climb(energy[there:][::-1]),
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Body:
+    """A mechanism, its feet, the area (rows, columns) that its vertices carry.
+
+    And the sine and the cosine of the slope of the ground.
+    """
+
+    mechanism: Mechanism
+    feet_rows: tuple[int, int]
+    weight: float
+    shares: Array
+    slope: Array
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, feet_rows: tuple[int, int], weight: float) -> _Body:
+        grid = mechanism.grid
+        corners = grid_corners(mechanism.positions(0.0)).reshape(-1, 4, 3)
+        shares = np.zeros(grid.vertex_count)
+        for triangle in ([0, 1, 2], [0, 2, 3]):
+            p, q, r = (corners[:, k] for k in triangle)
+            area = 0.5 * np.cross(q - p, r - p)[:, 2]
+            np.add.at(shares, grid.faces_vertices()[:, triangle], area[:, None] / 3)
+        feet = mechanism.positions(mechanism.target_drive)[list(feet_rows), mechanism.inner_columns]
+        line = (feet[1] - feet[0]).mean(axis=0)
+        slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
+        return cls(mechanism, feet_rows, weight, shares.reshape(grid.rows, grid.columns), slope)
+
+    def at(self, drives: Array) -> tuple[Array, Array]:
+        """Energy and span (N,) at drives (N,)."""
+        positions = self.mechanism.positions(drives)
+        centre = np.einsum("rc,...rcx->...x", self.shares, positions) / self.shares.sum()
+        first, last = self.feet_rows
+        feet = positions[..., self.mechanism.inner_columns, :]
+        apart = feet[..., last, :, :] - feet[..., first, :, :]
+        along = apart.mean(axis=-2)
+        along /= lengths(along)[..., None]
+        square = np.array([0.0, 0.0, 1.0]) - along[..., 2:] * along
+        square /= lengths(square)[..., None]
+        up = self.slope[0] * along + self.slope[1] * square
+        height = dots(centre - feet[..., [first, last], :, :].mean(axis=(-3, -2)), up)
+        return self.weight * self.shares.sum() * height, lengths(apart).mean(axis=-1)
+
+    def thrust(self, drive: float) -> float:
+        """The thrust -dV/dL at a drive; not a number where L is stationary on the way."""
+        reach = min(REACH, 0.1 * drive)
+        low, high = drive - reach, min(drive + reach, self.mechanism.end_drive)
+        nodes = 0.5 * (low + high - (high - low) * np.cos(np.pi * np.linspace(0, 1, NODES)))
+        energy, span = self.at(np.append(nodes, drive))
+        step = np.diff(span[:-1])
+        if not ((step > 0).all() or (step < 0).all()):
+            return float("nan")
+        curve = np.polynomial.Chebyshev.fit(span[:-1], energy[:-1], NODES - 1)
+        return -float(curve.deriv()(span[-1]))
+
+
+def _climb(energy: Array) -> float:
+    """Sum of all rises of the energy (N,)."""
+    return float(np.maximum(np.diff(energy), 0).sum())
+
+
+def _tipping(drives: Array, energy: Array) -> tuple[float, ...]:
+    """Drives where the energy (N,) is largest between two others: tops of parabolas."""
+    found = []
+    for k in 1 + np.flatnonzero((energy[1:-1] > energy[:-2]) & (energy[1:-1] >= energy[2:])):
+        near = slice(k - 1, k + 2)
+        curve = np.polynomial.Polynomial.fit(drives[near], energy[near], 2)
+        found.append(float(curve.deriv().roots()[0]))
+    return tuple(found)
