@@ -5,7 +5,7 @@ vertices are apart at the target is slack before it and taut there, if their dis
 from the pack over the target to the flat sheet. That is proved here: its square is enclosed with
 its derivatives by the drive, over ranges that are halved until in each of them
 
-- the first derivative is negative, or
+- the first derivative is negative (by its own bounds or by those of the second), or
 - the second one is, in a range that begins with the flat sheet, or
 - the second one is positive, in a range that ends at a drive of pi.
 
@@ -77,8 +77,8 @@ class Tie:
     fails_at
         If it is not proved, the drive nearest to the target about which it is not (radians).
     shrinks
-        If it is disproved, the widest range found of the drive (radians) over which the distance
-        does not grow towards the flat sheet; None if the proof was left undecided.
+        If it is disproved, the range of the drive (radians), of several the nearest to the target,
+        over which the distance does not grow towards the flat sheet; None if it is left undecided.
     """
 
     ends: tuple[Vertex, Vertex]
@@ -199,8 +199,7 @@ def _examine(
     while True:
         parts = [slice(first, first + BATCH) for first in range(0, len(left.start), BATCH)]
         found = [
-            _growth(mechanism.column_distances(rows, columns, start, stop), start, stop)
-            for start, stop in ((left.start[part], left.stop[part]) for part in parts)
+            _growth(mechanism, rows, columns, left.start[part], left.stop[part]) for part in parts
         ]
         grows, shrinks = (np.concatenate(each) for each in zip(*found, strict=True))
         shrinking.append(_Ranges(left.start, left.stop, left.pairs & shrinks))
@@ -213,15 +212,23 @@ def _examine(
         left = left.halved()
 
 
-def _growth(square: Enclosure, start: Array, stop: Array) -> tuple[Booleans, Booleans]:
+def _growth(
+    mechanism: ColumnDistances, rows: Integers, columns: Integers, start: Array, stop: Array
+) -> tuple[Booleans, Booleans]:
     """Whether distances grow towards the flat sheet all over ranges (S,), or nowhere: (S, P)."""
+    square = mechanism.column_distances(rows, columns, start, stop)
+    second = square.second
+    # The first derivative is near its value halfway, too: within half a range times the second.
+    halfway = 0.5 * (start + stop)
+    middle = mechanism.column_distances(rows, columns, halfway, halfway).first
+    swing = (0.5 * (stop - start))[:, None] * second.magnitude()
+    low = np.maximum(square.first.low, middle.low - swing)
+    high = np.minimum(square.first.high, middle.high + swing)
+
     margin = ROUNDING * square.value.high
     flat, closed = (start == 0.0)[:, None], (stop == np.pi)[:, None]
-    first, second = square.first, square.second
-    grows = (
-        (first.high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
-    )
-    shrinks = (first.low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))
+    grows = (high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
+    shrinks = (low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))
     return grows, shrinks
 
 
@@ -230,12 +237,18 @@ def _verdict(shrinking: Array, undecided: Array, target: float) -> dict[str, Any
     doubtful = np.concatenate([shrinking, undecided], axis=1)
     if not doubtful.size:
         return {"grows": True}
-    nearest = np.clip(target, *doubtful)
-    verdict: dict[str, Any] = {
-        "grows": False,
-        "fails_at": float(nearest[np.abs(nearest - target).argmin()]),
-    }
+    verdict: dict[str, Any] = {"grows": False, "fails_at": _nearest(doubtful, target)[1]}
     if shrinking.size:
-        widest = shrinking[:, np.ptp(shrinking, axis=0).argmax()]
-        verdict["shrinks"] = tuple(widest.tolist())
+        # Ranges one after the other are one range.
+        start, stop = np.sort(shrinking, axis=1)
+        between = start[1:] > stop[:-1]
+        runs = np.stack([start[np.append(True, between)], stop[np.append(between, True)]])
+        verdict["shrinks"] = tuple(runs[:, _nearest(runs, target)[0]].tolist())
     return verdict
+
+
+def _nearest(ranges: Array, target: float) -> tuple[int, float]:
+    """Which of ranges (2, K) is the nearest to the target, and which drive in it."""
+    drives = np.clip(target, *ranges)
+    number = int(np.abs(drives - target).argmin())
+    return number, float(drives[number])
