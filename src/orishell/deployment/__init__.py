@@ -1,5 +1,26 @@
 """Travel and own weight: the pack, ties and what carries the shell."""
 
+from orishell.deployment.box import Box, smallest_box
+from orishell.deployment.pack import Pack, count_layers, find_pack
 from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start, VertexPair
+from orishell.deployment.ties import ColumnDistances, Tie, feet_ties, find_ties
+from orishell.deployment.weight import OwnWeight, measure_weight
 
-__all__ = ["FROM_FLAT", "Attachment", "Deployment", "Start", "VertexPair"]
+__all__ = [
+    "FROM_FLAT",
+    "Attachment",
+    "Box",
+    "ColumnDistances",
+    "Deployment",
+    "OwnWeight",
+    "Pack",
+    "Start",
+    "Tie",
+    "VertexPair",
+    "count_layers",
+    "feet_ties",
+    "find_pack",
+    "find_ties",
+    "measure_weight",
+    "smallest_box",
+]

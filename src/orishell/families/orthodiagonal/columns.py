@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.families.flap_sheet import other_side, target_drive
 from orishell.numerics import Enclosure, Interval
-from orishell.numerics.arrays import Array, Complex
+from orishell.numerics.arrays import Array
 
 SLIM = 1e-13
 """The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""
@@ -78,6 +78,28 @@ class Columns:
         share = np.abs(self.k) / (turn or 1.0)
         return kappa, u.times(share).hypot(self._fixed / turn if turn else self.step)
 
+    def whole_angle(self, start: Array, stop: Array) -> Enclosure:
+        """The angle 2 arctan(kappa) (S, 1) over ranges (S, 1) of the drive (radians).
+
+        It is the drive itself where all rows are straight. With s, c the sine and the cosine of
+        rho/2 and w = 1/(1 + turn^2 s^2) its derivatives are w c/omega and
+        -turn^2 s (1/(2 omega^3) + w c^2/omega) w.
+        """
+        if (turn := self._tightest[1]) <= SLIM:
+            return Enclosure.variable(start, stop)
+        sine, cosine = (
+            each(start, stop).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
+        )
+        omega = cosine.through(lambda ends: np.hypot(turn, self.rest * ends))
+        cube = omega.through(lambda ends: 2 * ends**3)
+        share = Interval(1 / (1 + (turn * sine.high) ** 2), 1 / (1 + (turn * sine.low) ** 2))
+        bend = cosine.squared().over(omega) * share + Interval(1 / cube.high, 1 / cube.low)
+        return Enclosure(
+            Interval(2 * np.arctan2(sine.low, omega.high), 2 * np.arctan2(sine.high, omega.low)),
+            Interval(cosine.low / omega.low, cosine.high / omega.high) * share,
+            sine.times(-(turn**2)) * share * bend,
+        )
+
     @property
     def _fixed(self) -> Array:
         """What of omega N (n+1,) does not change; from whichever of its two forms loses less."""
@@ -92,9 +114,3 @@ def running(steps: Array) -> Array:
     """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
     sums = np.cumsum(steps[..., 1:], axis=-1)
     return np.concatenate([-steps[..., :1], np.zeros_like(steps[..., :1]), sums], axis=-1)
-
-
-def product(turns: Complex) -> Complex:
-    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
-    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
-    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))

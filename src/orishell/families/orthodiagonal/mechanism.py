@@ -44,10 +44,12 @@ from numpy.typing import ArrayLike
 from orishell.design import FlapSide
 from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.orthodiagonal.acceleration import bound_edges
-from orishell.families.orthodiagonal.columns import Columns, product, running
+from orishell.families.orthodiagonal.column_shape import column_and_spread, squared_distances
+from orishell.families.orthodiagonal.columns import Columns, running
 from orishell.families.vertex import row_fold_angle
 from orishell.motion import mechanism_in_one_line
-from orishell.numerics.arrays import Array, Complex
+from orishell.numerics import Enclosure
+from orishell.numerics.arrays import Array, Complex, Integers
 from orishell.polylines import alternating
 from orishell.sheet.grid import CreaseValues
 
@@ -139,7 +141,9 @@ class Orthodiagonal(FlapSheet):
         kappa, advance = columns.phase(drive)
         level = np.exp(1j * self.tilt * (drive / target_drive(columns.rest)))
         row = self._middle_row(columns, kappa, advance, level)[..., self._existing, :]
-        column, spread = self._column_and_spread(kappa)
+        column, spread = column_and_spread(
+            kappa, self._tangents(), self._turning(), self.lengths, self.trims
+        )
 
         # Real numbers of f's plane go along t, imaginary ones upwards.
         t = np.exp(-1j * self.heading)
@@ -171,10 +175,9 @@ class Orthodiagonal(FlapSheet):
         # The panels beside a column make the angle arctan(kappa gamma/nu) with its normal n.
         lean = np.arctan2(kappa[..., None] * gamma, nu)
         column = -self.first * np.diff(lean, axis=-1)
-        turning = -self.first * alternating(len(c))
         side = alternating(len(self.lengths))
         row, column = row[..., self._existing], column[..., None, self._existing]
-        return CreaseValues(row=turning[:, None] * row, column=side[:, None] * column)
+        return CreaseValues(row=self._turning()[:, None] * row, column=side[:, None] * column)
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the acceleration of edge vectors, see :class:`~orishell.motion.Mechanism`."""
@@ -182,7 +185,7 @@ class Orthodiagonal(FlapSheet):
         along, down = bound_edges(
             (start, stop),
             tangents=self._tangents(),
-            turning=-self.first * alternating(len(self.angles)),
+            turning=self._turning(),
             trims=self.trims,
             tilt_rate=self.tilt / self.target_drive,
             lengths=np.abs(self._whole_lengths()).max(axis=-1),
@@ -192,6 +195,14 @@ class Orthodiagonal(FlapSheet):
         # one end than at the other, a part of the row's.
         slanted = [np.abs(np.diff(kept)) * along[:, edge, None] for kept, edge, _ in self._cuts()]
         return along, down + np.max(slanted, axis=0) if slanted else down
+
+    def column_distances(
+        self, rows: Integers, columns: Integers, start: Array, stop: Array
+    ) -> Enclosure:
+        """Squared distances of vertices, see :class:`~orishell.deployment.ColumnDistances`."""
+        whole = self._columns().whole_angle(start[:, None], stop[:, None])
+        lengths = self._whole_lengths()[:, columns].T
+        return squared_distances(whole, self._tangents(), self._turning(), lengths, rows)
 
     @property
     def _rest(self) -> float:
@@ -215,6 +226,10 @@ class Orthodiagonal(FlapSheet):
         """T = tan(beta/2), (m,)."""
         return np.asarray(np.tan(self.angles / 2))
 
+    def _turning(self) -> Array:
+        """The signs s of the turns (m,)."""
+        return -self.first * alternating(len(self.angles))
+
     def _columns(self) -> Columns:
         """The steps of every panel column along K and along n."""
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
@@ -227,39 +242,6 @@ class Orthodiagonal(FlapSheet):
             locked=np.concatenate([[0.0], segment.imag, [0.0]]),
             existing=self._existing,
         )
-
-    def _column_and_spread(self, kappa: Array) -> tuple[Complex, Complex]:
-        """P (..., m+2) from the middle vertex, and a (..., m+2) less its middle value.
-
-        In complex numbers whose real axis is the middle row's t. The outermost rows continue a
-        column's end edges, trimmed.
-        """
-        kappa = kappa[..., None]
-        tangents = self._tangents()
-        middle = len(tangents) // 2
-        turning = -self.first * alternating(len(tangents))
-        half = tangents + 1j * (turning * kappa)
-        half /= np.hypot(half.real, half.imag)
-        turn = half * half
-        after = half[..., middle, None] * product(turn[..., middle + 1 :])
-        before = half[..., middle, None] * product(turn[..., :middle][..., ::-1])
-        direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
-        edges = self.lengths * direction
-        column = np.concatenate(
-            [
-                -np.cumsum(edges[..., : middle + 1][..., ::-1], axis=-1)[..., ::-1],
-                np.zeros((*edges.shape[:-1], 1)),
-                np.cumsum(edges[..., middle + 1 :], axis=-1),
-            ],
-            axis=-1,
-        )
-
-        spread = direction[..., 1:] * (tangents - 1j * (turning * kappa))
-        spread -= np.hypot(tangents[middle], kappa)
-        spread[..., middle] = 0.0
-        first = spread[..., :1] - self.trims[0] * direction[..., :1]
-        last = spread[..., -1:] + self.trims[1] * direction[..., -1:]
-        return column, np.concatenate([first, spread, last], axis=-1)
 
     def _middle_row(self, columns: Columns, kappa: Array, advance: Array, level: Complex) -> Array:
         """The middle row (..., n+2, 3): on the points at the target, if there is no tilt."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from orishell.families.flap_sheet import other_side
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Complex
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,3 +31,17 @@ class Columns:
     def tau_beyond(self) -> Array:
         """sqrt(tau**2 - rest**2) of every column (n,)."""
         return other_side(self.tau, self.rest)
+
+
+def turned(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:
+    """exp(i (eps - delta)) up to a positive factor; ``gain`` is w - tau sin(delta)."""
+    turn: Complex = tau * cosine**2 + w * sine + 1j * (cosine * gain)
+    return turn
+
+
+def unit(z: Complex) -> Complex:
+    """Numbers of modulus 1; exactly 1 where z is real and positive (complex division is not)."""
+    size = np.hypot(z.real, z.imag)
+    unit = np.empty_like(z)
+    unit.real, unit.imag = z.real / size, z.imag / size
+    return unit

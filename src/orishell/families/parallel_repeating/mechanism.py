@@ -35,10 +35,12 @@ from numpy.typing import ArrayLike
 from orishell.design import FlapSide
 from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.parallel_repeating.acceleration import bound_edges
-from orishell.families.parallel_repeating.columns import Columns
+from orishell.families.parallel_repeating.columns import Columns, turned, unit
+from orishell.families.parallel_repeating.distances import squared_distances
 from orishell.families.vertex import column_fold_angle, row_fold_angle
 from orishell.motion import mechanism_in_one_line
-from orishell.numerics.arrays import Array, Complex
+from orishell.numerics import Enclosure
+from orishell.numerics.arrays import Array, Complex, Integers
 from orishell.sheet.grid import CreaseValues
 
 
@@ -182,6 +184,14 @@ class ParallelRepeating(FlapSheet):
         )
         return along[..., self._existing], down
 
+    def column_distances(
+        self, rows: Integers, columns: Integers, start: Array, stop: Array
+    ) -> Enclosure:
+        """Squared distances of vertices, see :class:`~orishell.deployment.ColumnDistances`."""
+        inner = columns - self.inner_columns.start
+        edges = self._rising() * self.lengths * np.cos(self.xi / 2)
+        return squared_distances(self._columns(), edges, rows, inner, (start, stop))
+
     def _rising(self) -> Array:
         """+1 for edges of the first column that rise at lock, -1 for those that fall (m+1,)."""
         return self.first * np.where(np.arange(len(self.lengths)) % 2 == 0, 1.0, -1.0)
@@ -232,9 +242,9 @@ class ParallelRepeating(FlapSheet):
         # column from the segment at its left: exp(i (eps - delta)), exactly 1 at the target.
         inner, slope = w[..., 1:-1], columns.slope[1:-1]
         gain = (tight - rest) * (tight + rest) / (inner + slope)
-        turn = _unit(_turn(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain))
-        turn_next = _unit(
-            _turn(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
+        turn = unit(turned(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain))
+        turn_next = unit(
+            turned(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
         )
         ones = np.ones((*tight.shape[:-1], 1), dtype=np.complex128)
         of_axis = np.concatenate([ones, np.cumprod(turn * turn_next, axis=-1)], axis=-1)
@@ -269,20 +279,6 @@ class ParallelRepeating(FlapSheet):
         )
         spread = np.concatenate([spread[..., :1], spread, spread[..., -1:]], axis=-1)
         return row[..., self._existing], spread[..., self._existing]
-
-
-def _turn(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:
-    """exp(i (eps - delta)) up to a positive factor; ``gain`` is w - tau sin(delta)."""
-    turn: Complex = tau * cosine**2 + w * sine + 1j * (cosine * gain)
-    return turn
-
-
-def _unit(z: Complex) -> Complex:
-    """Numbers of modulus 1; exactly 1 where z is real and positive (complex division is not)."""
-    size = np.hypot(z.real, z.imag)
-    unit = np.empty_like(z)
-    unit.real, unit.imag = z.real / size, z.imag / size
-    return unit
 
 
 def _from_middle(steps: Array) -> Array:

@@ -1,0 +1,254 @@
+"""Ties: cables between two vertices of one column, which go taut at the target.
+
+Flaps stop the motion from the flat sheet, ties stop it from the pack: a tie as long as its two
+vertices are apart at the target is slack before it and taut there, if their distance grows strictly
+from the pack over the target to the flat sheet. That is proved here: its square is enclosed with
+its derivatives by the drive, over ranges that are halved until in each of them
+
+- the first derivative is negative (by its own bounds or by those of the second), or
+- the second one is, in a range that begins with the flat sheet, or
+- the second one is positive, in a range that ends at a drive of pi.
+
+At both of these drives the first derivative vanishes, for the motion goes back as it came.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+
+from orishell.errors import InputError
+from orishell.motion import Mechanism
+from orishell.numerics import Enclosure
+from orishell.numerics.arrays import Array, Booleans, Integers
+
+SMALLEST = 2.0**-44
+"""No range is halved that is a smaller part than this of the way from flat to pack."""
+MOST = 4096
+"""No ranges are halved when there are more than this of one size that leave something open."""
+BATCH = 64
+"""Ranges that are enclosed together: memory grows with it."""
+ROUNDING = 1e-13
+"""Rounding of a derivative relative to the square itself, which no proof may rest on."""
+
+Vertex = tuple[int, int]
+"""A vertex by row and column of the grid."""
+
+
+@runtime_checkable
+class ColumnDistances(Protocol):
+    """A mechanism that encloses the distances of vertices of one column."""
+
+    def column_distances(
+        self, rows: Integers, columns: Integers, start: Array, stop: Array
+    ) -> Enclosure:
+        """Squared distances (S, P) of pairs of vertices as functions of the drive.
+
+        Parameters
+        ----------
+        rows
+            Rows of the two vertices of every pair (P, 2).
+        columns
+            Their column (P,), an inner one, as the grid counts it.
+        start, stop
+            Ends (S,) of ranges of the drive (radians).
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Tie:
+    """A cable between two vertices of one column, taut at the target.
+
+    Parameters
+    ----------
+    ends
+        Row and column of both vertices, counted from 0 in the whole grid.
+    length
+        Their distance at the target, in the unit of the sheet.
+    flat, packed
+        Their distance in the flat sheet and at the pack (length).
+    grows
+        Whether it is proved that the distance grows strictly all the way from the pack to the
+        flat sheet; None if that was not examined, because the family does not say.
+    fails_at
+        If it is not proved, the drive nearest to the target about which it is not (radians).
+    shrinks
+        If it is disproved, the range of the drive (radians), of several the nearest to the target,
+        over which the distance does not grow towards the flat sheet; None if it is left undecided.
+    """
+
+    ends: tuple[Vertex, Vertex]
+    length: float
+    flat: float
+    packed: float
+    grows: bool | None = None
+    fails_at: float | None = None
+    shrinks: tuple[float, float] | None = None
+
+
+def feet_ties(mechanism: Mechanism, rows: tuple[int, int]) -> list[tuple[Vertex, Vertex]]:
+    """One pair of vertices for each inner column, in two rows of the grid.
+
+    Parameters
+    ----------
+    rows
+        The two rows, such as those of the feet.
+    """
+    columns = range(mechanism.grid.columns)[mechanism.inner_columns]
+    return [((rows[0], column), (rows[1], column)) for column in columns]
+
+
+def find_ties(
+    mechanism: Mechanism, pairs: Iterable[tuple[Vertex, Vertex]], limit: float
+) -> tuple[Tie, ...]:
+    """Ties between pairs of vertices, and whether each is proved to be taut at the target only.
+
+    Parameters
+    ----------
+    pairs
+        Row and column of both vertices of every tie, in the whole grid.
+    limit
+        The drive of the pack, at least that of the target (radians).
+
+    Raises
+    ------
+    InputError
+        If a pair is not of two vertices of one inner column.
+    """
+    chosen = [_require_pair(mechanism, *pair) for pair in pairs]
+    if not chosen:
+        return ()
+    ends = np.array(chosen)
+    rows, columns = ends[..., 0], ends[:, 0, 1]
+    states = mechanism.positions(np.array([mechanism.target_drive, 0.0, limit]))
+    first, second = (states[:, row, columns] for row in rows.T)
+    distances = np.linalg.norm(second - first, axis=-1).T.tolist()
+    ties = tuple(Tie(pair, *each) for pair, each in zip(chosen, distances, strict=True))
+    if not isinstance(mechanism, ColumnDistances):
+        return ties
+    shrinking, undecided = _examine(mechanism, rows, columns, limit)
+    return tuple(
+        replace(tie, **_verdict(shrinking.of(pair), undecided.of(pair), mechanism.target_drive))
+        for pair, tie in enumerate(ties)
+    )
+
+
+def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> tuple[Vertex, Vertex]:
+    """The two vertices, if a tie can join them."""
+    grid = mechanism.grid
+    inner = range(grid.columns)[mechanism.inner_columns]
+    (row, column), (other_row, other) = first, second
+    fault = None
+    if not all(0 <= each < grid.rows for each in (row, other_row)):
+        fault = "a tie ends beyond the rows of the grid"
+    elif column != other:
+        fault = "a tie joins vertices of two columns"
+    elif column not in inner:
+        fault = "a tie is not at an inner column"
+    elif row == other_row:
+        fault = "a tie joins a vertex to itself"
+    if fault:
+        raise InputError(
+            fault,
+            where="[deployment] ties",
+            got=f"rows and columns {list(first)}, {list(second)}",
+            expected=f"two rows of 0 to {grid.rows - 1} in one column of {inner[0]} to {inner[-1]}",
+            remedy="take two vertices of one column between the flaps, such as its feet",
+        )
+    return first, second
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Ranges:
+    """Ranges of the drive, and the pairs of which something holds there."""
+
+    start: Array  # (S,)
+    stop: Array  # (S,)
+    pairs: Booleans  # (S, P)
+
+    def of(self, pair: int) -> Array:
+        """Ends (2, K) of the ranges of one pair."""
+        return np.stack([self.start, self.stop])[:, self.pairs[:, pair]]
+
+    def halved(self) -> _Ranges:
+        middle = 0.5 * (self.start + self.stop)
+        return _joined(
+            [_Ranges(self.start, middle, self.pairs), _Ranges(middle, self.stop, self.pairs)]
+        )
+
+
+def _joined(ranges: Sequence[_Ranges]) -> _Ranges:
+    return _Ranges(
+        np.concatenate([each.start for each in ranges]),
+        np.concatenate([each.stop for each in ranges]),
+        np.concatenate([each.pairs for each in ranges]),
+    )
+
+
+def _examine(
+    mechanism: ColumnDistances, rows: Integers, columns: Integers, limit: float
+) -> tuple[_Ranges, _Ranges]:
+    """Ranges in which distances do not grow towards the flat sheet, and those left undecided."""
+    cuts = np.linspace(0.0, limit, BATCH + 1)
+    left = _Ranges(cuts[:-1], cuts[1:], np.ones((BATCH, len(rows)), np.bool_))
+    shrinking, size = [], limit / BATCH
+    while True:
+        parts = [slice(first, first + BATCH) for first in range(0, len(left.start), BATCH)]
+        found = [
+            _growth(mechanism, rows, columns, left.start[part], left.stop[part]) for part in parts
+        ]
+        grows, shrinks = (np.concatenate(each) for each in zip(*found, strict=True))
+        shrinking.append(_Ranges(left.start, left.stop, left.pairs & shrinks))
+        open_pairs = left.pairs & ~grows & ~shrinks
+        some = open_pairs.any(axis=1)
+        left = _Ranges(left.start[some], left.stop[some], open_pairs[some])
+        size *= 0.5
+        if not 0 < len(left.start) <= MOST or size < SMALLEST * limit:
+            return _joined(shrinking), left
+        left = left.halved()
+
+
+def _growth(
+    mechanism: ColumnDistances, rows: Integers, columns: Integers, start: Array, stop: Array
+) -> tuple[Booleans, Booleans]:
+    """Whether distances grow towards the flat sheet all over ranges (S,), or nowhere: (S, P)."""
+    square = mechanism.column_distances(rows, columns, start, stop)
+    second = square.second
+    # The first derivative is near its value halfway, too: within half a range times the second.
+    halfway = 0.5 * (start + stop)
+    middle = mechanism.column_distances(rows, columns, halfway, halfway).first
+    swing = (0.5 * (stop - start))[:, None] * second.magnitude()
+    low = np.maximum(square.first.low, middle.low - swing)
+    high = np.minimum(square.first.high, middle.high + swing)
+
+    margin = ROUNDING * square.value.high
+    flat, closed = (start == 0.0)[:, None], (stop == np.pi)[:, None]
+    grows = (high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
+    shrinks = (low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))
+    return grows, shrinks
+
+
+def _verdict(shrinking: Array, undecided: Array, target: float) -> dict[str, Any]:
+    """What ranges (2, K) say of one tie."""
+    doubtful = np.concatenate([shrinking, undecided], axis=1)
+    if not doubtful.size:
+        return {"grows": True}
+    verdict: dict[str, Any] = {"grows": False, "fails_at": _nearest(doubtful, target)[1]}
+    if shrinking.size:
+        # Ranges one after the other are one range.
+        start, stop = np.sort(shrinking, axis=1)
+        between = start[1:] > stop[:-1]
+        runs = np.stack([start[np.append(True, between)], stop[np.append(between, True)]])
+        verdict["shrinks"] = tuple(runs[:, _nearest(runs, target)[0]].tolist())
+    return verdict
+
+
+def _nearest(ranges: Array, target: float) -> tuple[int, float]:
+    """Which of ranges (2, K) is the nearest to the target, and which drive in it."""
+    drives = np.clip(target, *ranges)
+    number = int(np.abs(drives - target).argmin())
+    return number, float(drives[number])
