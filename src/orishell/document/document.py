@@ -103,6 +103,11 @@ class Document:
         The panels that touch first on the way, if that is known.
     named
         Numbers of the states that have a name: "flat", "target" (the shell), "pack".
+    names
+        Names of the panels; empty if they are called by row and column, or by their numbers.
+    boards
+        Boards that are no part of the sheet and clipped on at the target, in the same frame, flat
+        and in that one state.
     """
 
     title: str
@@ -120,6 +125,8 @@ class Document:
     report: Mapping[str, object] = field(default_factory=dict, repr=False)
     contact: FirstContact | None = field(default=None, repr=False)
     named: Mapping[str, int] = field(default_factory=dict)
+    names: tuple[str, ...] = field(default=(), repr=False)
+    boards: tuple[Document, ...] = field(default=(), repr=False)
 
     __repr__ = in_one_line
 
@@ -211,7 +218,9 @@ class Document:
         return self.unit
 
     def panel_name(self, panel: int) -> str:
-        """Row and column of a panel, as in "3,12"; its number where the panels form no grid."""
+        """Row and column of a panel, as in "3,12"; its number where it has no other name."""
+        if self.names:
+            return self.names[panel]
         if self.grid_shape is None:
             return str(panel)
         row, column = divmod(panel, self.grid_shape[1] - 1)

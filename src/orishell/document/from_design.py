@@ -11,10 +11,10 @@ import numpy as np
 from orishell.conventions.formatting import in_one_line, tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
 from orishell.design import Design
-from orishell.document import Document, DocumentState
-from orishell.motion import FoldedState, FoldingMotion, find_assignment
+from orishell.document import SHELL, Document, DocumentState
+from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.numerics.arrays import Array, Booleans
-from orishell.sheet.grid import CreaseValues, edges_assignment
+from orishell.sheet.grid import CreaseValues, Grid, edges_assignment
 from orishell.sheet.mesh import build_mesh
 
 
@@ -25,6 +25,7 @@ def document_of_motion(
     title: str = "Origami shell",
     curves: Mapping[str, Array] | None = None,
     origin: Array | None = None,
+    boards: Mechanism | None = None,
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
@@ -38,6 +39,8 @@ def document_of_motion(
         Polylines (k, 3) that the shell follows, by name.
     origin
         Where the motion's frame stands in the world (3,); None for the world's origin.
+    boards
+        The sheet with flaps that are clipped on at the target, if there are any.
     """
     grid = motion.mechanism.grid
     states = states_of(motion)
@@ -53,6 +56,7 @@ def document_of_motion(
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
         named=motion.named,
+        boards=() if boards is None else _boards_of(boards, unit),
     )
 
 
@@ -67,7 +71,44 @@ def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) 
         Number of states from flat to the target.
     """
     motion = FoldingMotion(design.mechanism, frames)
-    return document_of_motion(motion, unit, curves=design.targets)
+    return document_of_motion(motion, unit, curves=design.targets, boards=design.boards)
+
+
+def _boards_of(mechanism: Mechanism, unit: str) -> tuple[Document, ...]:
+    """The flaps of a sheet, each a strip of panels on its own, in the sheet's frame.
+
+    Panels have the row and column that they would have beside the sheet without flaps: left of
+    its column 0 is column -1.
+    """
+    grid, strip = mechanism.grid, Grid(mechanism.grid.rows, 2)
+    mesh = build_mesh(strip.faces_vertices(), strip.vertex_count, strip.edges_vertices())
+    flat, target = (FoldedState.of(mechanism, d) for d in (0.0, mechanism.target_drive))
+    signs = find_assignment(mechanism)
+    boards = []
+    for flap in mechanism.flap_columns:
+        ends, column = slice(flap, flap + 2), flap - mechanism.inner_columns.start
+        mine, folds = (
+            CreaseValues(each.row[:, flap : flap + 1], np.zeros((grid.rows - 1, 0)))
+            for each in (signs, target.fold_angles)
+        )
+        angles = _degrees(folds, mine.on_edges() != 0)
+        positions = _clean(target.positions[:, ends].reshape(-1, 3))
+        boards.append(
+            Document(
+                title=f"Board clipped on beside column {max(column - 1, 0)}",
+                unit=unit,
+                mesh=mesh,
+                assignment=tuple(edges_assignment(mine)),
+                flat=_clean(flat.positions[:, ends, :2].reshape(-1, 2)),
+                fold_angles_deg=angles,
+                states=(DocumentState(positions, angles, tidy_degrees(target.drive)),),
+                grid_shape=(strip.rows, strip.columns),
+                curves={},
+                named={SHELL: 0},
+                names=tuple(f"{row},{column}" for row in range(grid.rows - 1)),
+            )
+        )
+    return tuple(boards)
 
 
 def states_of(motion: FoldingMotion, progress: Progress = unwatched, what: str = "") -> States:

@@ -259,6 +259,7 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
         title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
         curves=design.targets,
         origin=design.origin,
+        boards=design.boards,
     )
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.document import Document
+from orishell.workshop.boards import with_boards
 from orishell.workshop.drawing import Drawing, Layer, Line, Text
 from orishell.workshop.joints import LETTER_WIDTH, Joint
 from orishell.workshop.outline import whole_sheet
@@ -66,8 +67,10 @@ def draw_map(
 ) -> Drawing:
     """The assembly map: the sheet with its parts numbered and its joints named, not to be cut.
 
-    Creases are drawn short, tabs where they lie under the neighbouring panels.
+    Creases are drawn short, tabs where they lie under the neighbouring panels. Boards that are
+    clipped on stand beside the panels that they belong to.
     """
+    own, document = len(document.mesh.faces), with_boards(document)
     flat, edges = document.require_flat(), document.mesh.edges
     rims = whole_sheet(document).outlines
     low, high = rims[0].min(axis=0), rims[0].max(axis=0)
@@ -98,6 +101,9 @@ def draw_map(
         f"Assembly map, not to be cut: {len(numbered)} parts, {len(joints)} joints",
         f"{sheets} sheets of {stock[0]:g} x {stock[1]:g} {document.unit}. " + _HOW[workshop.joint],
     ]
+    boards = [part.number for part in numbered if part.panels[0] >= own]
+    if boards:
+        words[1] += f" Clipped on at the target: parts {boards[0]} to {boards[-1]}."
     size = min(letter, (high[0] - low[0]) / (0.8 * max(map(len, words))))
     placed += [
         Text("ENGRAVE", 2 * letter, (3.5 - 1.8 * k) * letter, float(size), line, anchor="start")

@@ -10,6 +10,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.workshop import Workshop
+from orishell.workshop.boards import with_boards
 from orishell.workshop.layout import require_stock
 from orishell.workshop.sheets import Waste, measure_waste
 
@@ -31,18 +32,20 @@ class CreaseLength:
 
 @dataclass(frozen=True, slots=True)
 class Quantities:
-    """Totals; lengths and areas in the document's unit.
+    """Totals of the sheet and its clipped boards; lengths and areas in the document's unit.
 
     Parameters
     ----------
     panels
         Number of panels.
+    boards
+        How many of them are panels of boards that are clipped on at the target.
     area
         Area of all panels.
     crease_length
         Length of the creases by their assignment.
     outline_length
-        Length of the sheet's outline and of cuts in it.
+        Length of the outlines and of cuts within them.
     stock
         Sheets of stock, and what of them is not used; None if that was not asked for.
     mass_kg
@@ -50,6 +53,7 @@ class Quantities:
     """
 
     panels: int
+    boards: int
     area: float
     crease_length: CreaseLength
     outline_length: float
@@ -74,9 +78,10 @@ def measure_quantities(
     InputError
         If only folded states are known, or a panel is larger than the stock.
     """
-    flat, edges = document.require_flat(), document.mesh.edges
+    everything = with_boards(document)
+    flat, edges = everything.require_flat(), everything.mesh.edges
     length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
-    letters = np.array(document.assignment)
+    letters = np.array(everything.assignment)
 
     def total(*which: str) -> float:
         return float(length[np.isin(letters, which)].sum())
@@ -86,10 +91,11 @@ def measure_quantities(
         stock = measure_waste(document, workshop)
     else:
         require_stock(document, workshop)
-    area = float(document.areas().sum())
+    area = float(everything.areas().sum())
     in_metres = conversion(document.unit, "m")
     return Quantities(
-        panels=len(document.mesh.faces),
+        panels=len(everything.mesh.faces),
+        boards=len(everything.mesh.faces) - len(document.mesh.faces),
         area=area,
         crease_length=CreaseLength(total("M"), total("V"), total("F", "U", "J")),
         outline_length=total("B", "C"),

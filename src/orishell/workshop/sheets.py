@@ -14,6 +14,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.workshop.assembly import draw_map, number_text
+from orishell.workshop.boards import with_boards
 from orishell.workshop.draw import draw_part, part_lines, require_drawable
 from orishell.workshop.drawing import ORDER, Circle, Drawing, Line, Text
 from orishell.workshop.layout import Layout, lay_out
@@ -69,12 +70,13 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     InputError
         If there is no flat sheet or no unit, or a panel does not fit the stock.
     """
+    everything = with_boards(document)
     if workshop.stock is None:
-        return (draw_part(document, whole_sheet(document), workshop),)
-    require_drawable(document)
+        return (draw_part(everything, whole_sheet(everything), workshop),)
+    require_drawable(everything)
     layout = lay_out(document, workshop)
     drawings = tuple(
-        _draw_sheet(document, workshop, layout, number) for number in range(layout.sheets)
+        _draw_sheet(everything, workshop, layout, number) for number in range(layout.sheets)
     )
     if len(layout.parts) == 1:
         return drawings
@@ -98,7 +100,8 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
         If there is no flat sheet, or a panel does not fit the stock.
     """
     layout = lay_out(document, workshop)
-    flat, edges = document.require_flat(), document.mesh.edges
+    everything = with_boards(document)
+    flat, edges = everything.require_flat(), everything.mesh.edges
     outlines = [outline for part in layout.parts for outline in part.outlines]
     if workshop.stock is None:
         stock = float(np.prod(np.ptp(np.concatenate(outlines), axis=0)))
