@@ -1,12 +1,17 @@
 // The figures of a shell, from its report; what a report does not say is measured on the view.
 
 import { length, threeDigits } from "./colours.ts";
-import { panelCount, vertexCount, type Known, type View } from "./view.ts";
+import { panelCount, targetPoints, type Known, type View } from "./view.ts";
 
 interface Size { width: number; height: number; depth?: number; area?: number }
 
 const UNKNOWN = "not yet known";
-const CAUSES = { flaps: "by its flaps", clash: "panels meet", crease: "a crease is folded flat" };
+const CAUSES = {
+  flaps: "against closing, by its flaps",
+  clash: "panels meet",
+  crease: "a crease is folded flat",
+  hinges: "hinges close no further",
+};
 
 /** A list of names and figures; `container` is emptied first. */
 export function renderFigures(container: HTMLElement, view: View): void {
@@ -18,7 +23,7 @@ export function renderFigures(container: HTMLElement, view: View): void {
   list.className = "orishell-figures";
 
   const sheet: Size | null = report.sheet ?? measured(view, "flat");
-  const shell: Size | null = report.deployed ?? measured(view, "last");
+  const shell: Size | null = report.deployed ?? measured(view, "shell");
   const panels = panelCount(view).toLocaleString("en").replaceAll(",", "\u202f");
   add(list, "Panels", panels, grid ? `${grid[0] - 1} \u00d7 ${grid[1] - 1}` : "");
   if (sheet) {
@@ -35,7 +40,8 @@ export function renderFigures(container: HTMLElement, view: View): void {
       const mean = surface && `mean ${length(surface.mean, unit)}`;
       add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
     }
-    add(list, "Lock", lockOf(report), lockNote(report));
+    const name = !report.lock || report.lock.cause === "flaps" ? "Lock" : "Closes to";
+    add(list, name, lockOf(report), lockNote(report), "lock");
     const packed = report.packed;
     add(list, "Packed", packed ? [packed.width, packed.depth, packed.height].map(threeDigits).join(" \u00d7 ") + (unit === "unit" ? "" : ` ${unit}`) : UNKNOWN,
       !packed ? "" : `at ${threeDigits(packed.drive_deg)}\u00b0`);
@@ -52,7 +58,7 @@ export function renderFigures(container: HTMLElement, view: View): void {
 function lockOf(report: Known): string {
   const lock = report.lock;
   if (!lock) return UNKNOWN;
-  if (lock.drive_deg === null) return "nothing ends the motion";
+  if (lock.drive_deg === null) return "no end";
   return `${threeDigits(lock.drive_deg)}\u00b0`;
 }
 
@@ -62,7 +68,8 @@ function lockNote(report: Known): string {
   const beyond = lock.drive_deg !== null && Math.abs(lock.target_drive_deg - lock.drive_deg) > 1e-6;
   const cause = CAUSES[lock.cause];
   const aim = report.deviation === null ? "stage" : "target";
-  return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg)}\u00b0` : cause;
+  const held = report.deployment?.closing === "clipped flaps" ? ", held by clipped flaps" : "";
+  return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg)}\u00b0${held}` : cause;
 }
 
 function area(value: number, unit: string): string {
@@ -88,19 +95,18 @@ function add(list: HTMLElement, name: string, value: string, note: string, key =
   list.append(row);
 }
 
-/** Box of the flat sheet, or of the last state. */
-function measured(view: View, what: "flat" | "last"): Size | null {
+/** Box of the flat sheet, or of the shell as it stands. */
+function measured(view: View, what: "flat" | "shell"): Size | null {
   const size = what === "flat" ? 2 : 3;
-  const all = what === "flat" ? view.flat : view.positions;
-  const points = all.subarray(Math.max(0, all.length - size * vertexCount(view)));
-  if (!points.length) return null;
+  const points = what === "flat" ? view.flat : targetPoints(view);
+  if (!points?.length) return null;
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < points.length; i++) {
     low[i % size] = Math.min(low[i % size]!, points[i]!);
     high[i % size] = Math.max(high[i % size]!, points[i]!);
   }
   const [x, y, z] = high.map((end, axis) => end - low[axis]!) as [number, number, number];
-  if (what === "last") return { width: x, depth: y, height: z };
+  if (what === "shell") return { width: x, depth: y, height: z };
   let area = 0;
   for (let f = 0; f < view.faces.length; f += 4) {
     const [a, b, c, d] = [0, 1, 2, 3].map((k) => 2 * view.faces[f + k]!) as [number, number, number, number];

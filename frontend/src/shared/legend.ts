@@ -36,7 +36,7 @@ export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
       return;
     }
     const end = threeDigits(facts.range);
-    bar(container, "distance to the target, at lock", DISTANCE_MAP, [
+    bar(container, "distance to the target surface", DISTANCE_MAP, [
       `\u2212${length(facts.range, facts.unit)}`, "0", `+${end}`,
     ]);
   }

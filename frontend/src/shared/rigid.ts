@@ -3,6 +3,7 @@
 
 import { Matrix4, Quaternion, Vector3 } from "three";
 
+import { shareOf } from "./stops.ts";
 import { drives, panelCount, vertexCount, type View } from "./view.ts";
 
 /** Poses are kept for all states up to so many numbers, otherwise for the latest three. */
@@ -52,8 +53,7 @@ export class Motion {
 
   /** Share of the way from the first drive to the last. */
   shareOf(drive: number): number {
-    const first = this.drives[0]!, last = this.drives[this.drives.length - 1]!;
-    return last === first ? 1 : (drive - first) / (last - first);
+    return shareOf(this.drives, drive);
   }
 
   driveAt(share: number): number {
@@ -61,7 +61,7 @@ export class Motion {
     return first + share * (last - first);
   }
 
-  /** Pose every panel at a share of the way: 0 flat, 1 locked. */
+  /** Pose every panel at a share of the way: 0 the first state, 1 the last. */
   setFold(share: number): void {
     if (this.states < 2) {
       this.pose.set(this.posesOf(0));

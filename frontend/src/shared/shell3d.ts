@@ -11,10 +11,14 @@ import { Overlays, type Overlay } from "./overlays.ts";
 import { Pace, type Quality } from "./pace.ts";
 import { Pointing } from "./pointing.ts";
 import { Sheet3D } from "./sheet3d.ts";
+import { stopsOf, targetShare } from "./stops.ts";
 import { Sun } from "./sun.ts";
-import { assignmentCounts, type View } from "./view.ts";
+import { assignmentCounts, targetPoints, type View } from "./view.ts";
 
 export type { Colouring, Overlay };
+
+/** Drives nearer than this are the same (degrees). */
+const SAME = 1e-4;
 
 export class Shell3D {
   onHover: ((panel: number | null) => void) | null = null;
@@ -43,7 +47,9 @@ export class Shell3D {
   private extent: Extent | null = null;
   private origin = new Vector3();
   private share = 0;
-  private contact: { panels: [number, number]; share: number } | null = null;
+  /** Share of the state that is the shell as it stands. */
+  private target = 1;
+  private contact: { panels: [number, number]; drive: number } | null = null;
   private distances: Float32Array | null = null;
   private readonly pointing: Pointing;
   private readonly ray = new Raycaster();
@@ -108,6 +114,7 @@ export class Shell3D {
 
   show(view: View, keepCamera = false): void {
     this.view = view;
+    this.target = targetShare(stopsOf(view));
     this.sheet.show(view);
     this.extent = extentOf([this.allPoints()]);
     this.overlays.show(view);
@@ -154,11 +161,10 @@ export class Shell3D {
     this.invalidate();
   }
 
-  /** Panels that touch; marked from the drive on at which they do, at lock if none is given. */
+  /** Panels that touch; marked from the drive on at which they do, at the target if none is given. */
   setContact(panels: [number, number] | null, driveDeg?: number): void {
-    const motion = this.sheet.motion;
-    const share = driveDeg === undefined || !motion ? 1 : motion.shareOf(driveDeg);
-    this.contact = panels && { panels, share };
+    const drive = driveDeg ?? this.sheet.motion?.driveAt(this.target) ?? 0;
+    this.contact = panels && { panels, drive };
     this.markContact();
     this.invalidate();
   }
@@ -178,10 +184,7 @@ export class Shell3D {
   /** Show the whole motion, from where one looks, or from a good direction. */
   fit(turn = false): void {
     if (!this.view) return;
-    const all = this.allPoints();
-    const states = this.sheet.motion!.states;
-    const last = all.subarray(all.length - all.length / Math.max(1, states));
-    this.aim(all, turn ? goodDirection(last) : this.arm());
+    this.aim(this.allPoints(), turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm());
     this.fitted = this.container.clientWidth > 0;
     this.fittedRadius = this.extent!.radius;
   }
@@ -244,7 +247,7 @@ export class Shell3D {
   }
 
   private markContact(): void {
-    const marked = this.contact !== null && this.share >= this.contact.share - 1e-6;
+    const marked = this.contact !== null && this.drive >= this.contact.drive - SAME;
     const [first, second] = marked ? this.contact!.panels : ([-1, -1] as const);
     if (this.u.touching.value.x === first && this.u.touching.value.y === second) return;
     this.u.touching.value.set(first, second);

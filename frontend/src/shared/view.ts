@@ -25,13 +25,13 @@ export interface View {
   edges: Uint32Array;
   /** (E,), see Assignment */
   assignment: Uint8Array;
-  /** (E,) at the last state, valley positive, NaN unknown */
+  /** (E,) at the target, valley positive, NaN unknown */
   foldAngles: Float32Array;
   /** (F, 4), counter-clockwise seen from +z of the flat sheet */
   faces: Uint32Array;
   /** (V,) signed distance of each vertex from the target surface, NaN not compared */
   distance?: Float32Array;
-  /** (k, 3) beside the locked state */
+  /** (k, 3) beside the target state */
   curveF?: Float32Array;
   curveG?: Float32Array;
   surface?: Lattice;
@@ -96,6 +96,13 @@ export function vertexCount(view: View): number {
 
 export function stateCount(view: View): number {
   return view.header.drives_deg.length;
+}
+
+/** Vertices (V, 3) of the shell as it stands: the target, or the last state; null if none is known. */
+export function targetPoints(view: View): Float32Array | null {
+  const size = 3 * vertexCount(view);
+  const number = view.header.named["target"] ?? stateCount(view) - 1;
+  return view.positions.length ? view.positions.subarray(number * size, (number + 1) * size) : null;
 }
 
 /** Row and column of a panel, or its number where panels are not a grid's. */

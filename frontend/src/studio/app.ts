@@ -3,6 +3,7 @@
 import { Banner } from "./banner.ts";
 import { CurveEditor } from "./curve-editor.ts";
 import { h } from "./dom.ts";
+import { DeploymentControls } from "./deployment.ts";
 import { ExportMenu } from "./export-menu.ts";
 import { Families } from "./families.ts";
 import { Files } from "./files.ts";
@@ -45,7 +46,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const editors = [new CurveEditor(store, "f"), new CurveEditor(store, "g")];
   const parameters = new Parameters(store, live);
   const help = new Help(store.info.version);
-  const exportMenu = new ExportMenu(store, () => stage.fold.share.value);
+  const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
     open: () => void files.open(),
     save: () => void files.save(),
@@ -72,6 +73,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
         h("section", { "aria-labelledby": "curves-title" }, h("h2", { id: "curves-title" }, "Curves"), ...editors.map((editor) => editor.element)),
         parameters.element,
+        new DeploymentControls(store).element,
       ),
       stage.element,
       results.element,

@@ -1,4 +1,4 @@
-// Every format, of the locked shell, the flat sheet, or the state on the screen.
+// Every format, of the shell at its target, its pack, the flat sheet, or the state on the screen.
 
 import { exportDesign } from "./api.ts";
 import { button, segmented } from "./controls.ts";
@@ -7,7 +7,7 @@ import { faultOf, sentence } from "./faults.ts";
 import type { Store } from "./store.ts";
 import type { FileFormat } from "./types.ts";
 
-type State = "locked" | "flat" | "shown";
+type State = "target" | "pack" | "flat" | "shown";
 
 export class ExportMenu {
   readonly element: HTMLElement;
@@ -17,7 +17,8 @@ export class ExportMenu {
   private readonly states = segmented<State>(
     "State that is written",
     [
-      { value: "locked", text: "Locked", testid: "state-locked" },
+      { value: "target", text: "Target", testid: "state-target" },
+      { value: "pack", text: "Pack", testid: "state-pack" },
       { value: "flat", text: "Flat", testid: "state-flat" },
       { value: "shown", text: "As shown", testid: "state-shown" },
     ],
@@ -26,11 +27,11 @@ export class ExportMenu {
       this.explain();
     },
   );
-  private state: State = "locked";
+  private state: State = "target";
 
   constructor(
     private readonly store: Store,
-    private readonly fold: () => number,
+    private readonly frameOf: (frames: number) => number,
   ) {
     this.opener = button({
       label: "Export",
@@ -53,7 +54,7 @@ export class ExportMenu {
       setAttribute(this.opener, "aria-expanded", String(open));
       if (open) this.opened();
     });
-    this.states.set("locked");
+    this.states.set("target");
     this.element = h("div", { class: "menu-frame" }, this.opener, this.menu);
     store.freshness.bind((freshness) => (this.opener.disabled = freshness === "outdated"));
   }
@@ -62,8 +63,17 @@ export class ExportMenu {
     const box = this.opener.getBoundingClientRect();
     this.menu.style.top = `${box.bottom + 6}px`;
     this.menu.style.right = `${document.documentElement.clientWidth - box.right}px`;
+    this.offerPack();
     this.explain();
     this.menu.querySelector<HTMLElement>(".format")?.focus();
+  }
+
+  private offerPack(): void {
+    const packed = this.store.design.value.deployment?.["from"] === "pack";
+    this.states.element.querySelector("[value=pack]")!.closest("label")!.hidden = !packed;
+    if (packed || this.state !== "pack") return;
+    this.state = "target";
+    this.states.set("target");
   }
 
   private entry(format: FileFormat): HTMLElement {
@@ -78,12 +88,13 @@ export class ExportMenu {
   /** Number of the frame nearest to the fold on the screen. */
   private frame(): number {
     const frames = Number(this.store.design.value.motion?.["frames"] ?? 25);
-    return Math.round(this.fold() * (frames - 1));
+    return this.frameOf(frames);
   }
 
   private explain(): void {
     const words: Record<State, string> = {
-      locked: "Formats with one state show the locked shell.",
+      target: "Formats with one state show the shell at its target.",
+      pack: "Formats with one state show the pack.",
       flat: "Formats with one state show the flat sheet.",
       shown: `Formats with one state show frame ${this.frame()}, the nearest to the screen.`,
     };

@@ -1,24 +1,41 @@
-// The fold: a slider from flat to lock, play and pause.
+// The fold: a slider over the whole motion, its named states, play and pause.
 
+import { frameAt, Journey, shareOf, type Stop, stopsOf, targetShare, wayOf } from "../shared/stops.ts";
+import { drives } from "../shared/view.ts";
 import { h, setAttribute } from "./dom.ts";
 import { icon } from "./icons.ts";
 import { clamp, pretty } from "./numbers.ts";
 import { Signal } from "./signal.ts";
 import type { Store } from "./store.ts";
 
-/** Seconds from flat to lock when played. */
+/** Seconds of the whole motion when played, about. */
 const DURATION = 5;
 /** Longest time between two frames that counts, in seconds. */
 const SLOWEST = 0.25;
 /** With reduced motion the shell steps this many times. */
 const STEPS = 12;
+/** Drives nearer than this are the same (degrees). */
+const SAME = 1e-4;
 
 export class FoldBar {
   readonly element: HTMLElement;
   readonly share = new Signal(1);
+  private stops: Stop[] = [
+    { name: "flat", label: "Flat", share: 0 },
+    { name: "target", label: "Target", share: 1 },
+  ];
+  private journey = new Journey(this.stops);
+  private time = 0;
   private readonly slider: HTMLInputElement;
   private readonly readout = h("output", { class: "readout", "data-testid": "drive" });
   private readonly play: HTMLButtonElement;
+  /** One for every stop; the one on the way stands below its mark. */
+  private readonly ends = [
+    this.end("end", () => this.stops[0]),
+    this.end("end on-the-way", () => (this.stops.length > 2 ? this.stops[1] : undefined)),
+    this.end("end", () => this.stops.at(-1)),
+  ];
+  private readonly tick = h("span", { class: "stop-mark", "data-testid": "target-mark" });
   private readonly mark = h("span", { class: "contact-mark", hidden: true });
   private readonly touch = h("span", { class: "touch", "data-testid": "contact", hidden: true });
   private frame = 0;
@@ -32,7 +49,6 @@ export class FoldBar {
       max: 1,
       step: 0.001,
       value: 1,
-      "aria-label": "Fold, from flat to locked",
       "data-testid": "fold-slider",
     });
     this.slider.addEventListener("input", () => {
@@ -45,20 +61,27 @@ export class FoldBar {
       "data-testid": "play",
       onclick: () => (this.playing ? this.stop() : this.start()),
     });
+    const [first, between, last] = this.ends.map(({ element }) => element);
     this.element = h(
       "div",
       { class: "fold-bar" },
       this.play,
-      h("button", { type: "button", class: "end", "data-testid": "flat", onclick: () => this.jump(0) }, "Flat"),
-      h("div", { class: "fold-track" }, this.slider, this.mark),
-      h("button", { type: "button", class: "end", "data-testid": "locked", onclick: () => this.jump(1) }, "Locked"),
+      first,
+      h("div", { class: "fold-track" }, this.slider, this.tick, between, this.mark),
+      last,
       this.readout,
       this.touch,
     );
     this.dress();
+    this.name();
     this.share.bind(() => this.refresh());
-    store.view.watch(() => this.refresh());
-    store.proof.watch(() => this.refresh());
+    store.view.watch(() => this.follow());
+    store.proof.watch(() => this.follow());
+  }
+
+  /** Number of the frame nearest to the screen. */
+  frameOf(frames: number): number {
+    return frameAt(this.stops, this.share.value, frames);
   }
 
   toggle(): void {
@@ -66,13 +89,17 @@ export class FoldBar {
     else this.start();
   }
 
-  jump(share: number): void {
-    this.stop();
-    this.share.set(share);
+  private end(kind: string, stop: () => Stop | undefined): { element: HTMLButtonElement; stop: () => Stop | undefined } {
+    const jump = (): void => {
+      this.stop();
+      this.share.set(stop()!.share);
+    };
+    return { element: h("button", { type: "button", class: kind, onclick: jump }), stop };
   }
 
   private start(): void {
-    let share = this.share.value >= 0.999 ? 0 : this.share.value;
+    const share = this.share.value;
+    this.time = this.journey.timeOf(share >= 0.999 ? 0 : share);
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     let last = performance.now();
     this.playing = true;
@@ -81,10 +108,12 @@ export class FoldBar {
       if (!this.playing) return;
       // Where frames are slow the motion slows down rather than jumps.
       const seconds = Math.min(Math.max(0, now - last) / 1000, SLOWEST);
-      share = Math.min(1, share + seconds / DURATION);
+      this.time = Math.min(this.journey.length, this.time + seconds / DURATION);
       last = now;
-      this.share.set(still ? Math.floor(share * STEPS + 1e-9) / STEPS : share);
-      if (share < 1) this.frame = requestAnimationFrame(tick);
+      const at = this.journey.shareAt(this.time);
+      const stop = this.stops.some((each) => each.share === at);
+      this.share.set(still && !stop ? Math.floor(at * STEPS + 1e-9) / STEPS : at);
+      if (this.time < this.journey.length) this.frame = requestAnimationFrame(tick);
       else this.stop();
     };
     this.frame = requestAnimationFrame(tick);
@@ -104,24 +133,51 @@ export class FoldBar {
     setAttribute(this.play, "aria-label", label);
   }
 
+  /** Another shell: what stands at a stop stays there. */
+  private follow(): void {
+    const view = this.store.view.value;
+    if (view) {
+      const share = this.share.value;
+      const stood = this.stops.find((stop) => stop.share === share);
+      this.stops = stopsOf(view);
+      this.journey = new Journey(this.stops);
+      this.time = this.journey.timeOf(share);
+      if (stood) this.share.set((this.stops.find(({ name }) => name === stood.name) ?? { share: targetShare(this.stops) }).share);
+      this.name();
+    }
+    this.refresh();
+  }
+
+  private name(): void {
+    for (const { element, stop } of this.ends) {
+      const { name, label, share } = stop() ?? {};
+      element.textContent = label ?? "";
+      setAttribute(element, "data-testid", name);
+      element.style.setProperty("--at", String(share));
+      element.hidden = !name;
+    }
+    this.tick.hidden = this.stops.length < 3;
+    this.tick.style.setProperty("--at", String(targetShare(this.stops)));
+    setAttribute(this.slider, "aria-label", wayOf(this.stops));
+  }
+
   private refresh(): void {
     const share = this.share.value;
     if (this.slider.valueAsNumber !== share) this.slider.value = String(share);
     this.slider.style.setProperty("--share", String(share));
-    const header = this.store.view.value?.header;
-    const [first, last] = [header?.drives_deg[0], header?.drives_deg.at(-1)];
-    const known = typeof first === "number" && typeof last === "number";
-    const drive = known ? first + share * (last - first) : null;
+    const view = this.store.view.value;
+    const known = view?.header.drives_deg.every((drive) => drive !== null) ?? false;
+    const all = view && known ? drives(view) : null;
+    const drive = all && all[0]! + share * (all.at(-1)! - all[0]!);
     const text = drive === null ? `${Math.round(share * 100)} %` : `${drive.toFixed(1)}°`;
     this.readout.textContent = text;
     this.readout.title = "drive angle";
     setAttribute(this.slider, "aria-valuetext", drive === null ? text : `drive ${drive.toFixed(1)} degrees`);
-    const contact = header?.contact;
-    this.mark.hidden = this.touch.hidden = !contact || !known;
-    if (!contact || !known) return;
-    const at = clamp((contact.drive_deg - first) / (last - first), 0, 1);
-    this.mark.style.setProperty("--at", String(at));
+    const contact = view?.header.contact;
+    this.mark.hidden = this.touch.hidden = !contact || !all;
+    if (!contact || !all || drive === null) return;
+    this.mark.style.setProperty("--at", String(clamp(shareOf(all, contact.drive_deg), 0, 1)));
     this.touch.textContent = `touches at ${pretty(contact.drive_deg, 4)}°`;
-    this.touch.classList.toggle("reached", share >= at - 1e-6);
+    this.touch.classList.toggle("reached", drive >= contact.drive_deg - SAME);
   }
 }

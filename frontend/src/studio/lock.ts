@@ -2,7 +2,7 @@
 
 import type { Contact } from "../shared/view.ts";
 import { pretty } from "./numbers.ts";
-import type { LockReport, Verified } from "./types.ts";
+import type { LockReport, Report, Verified } from "./types.ts";
 
 export type Tone = "quiet" | "good" | "bad";
 
@@ -18,24 +18,37 @@ function isEarly(drive: number, lock: LockReport): boolean {
   return drive < lock.target_drive_deg - SAME;
 }
 
-/** What a lock means, in a sentence. */
-export function wordsOfLock(lock: LockReport | undefined): [string, Tone] {
-  if (!lock) return ["Not verified.", "quiet"];
+/** What holds a shell, and against what, in a sentence or two. */
+export function wordsOfLock(report: Pick<Report, "lock" | "deployment"> | null): [string, Tone] {
+  if (!report?.lock) return ["Not verified.", "quiet"];
+  const { lock, deployment } = report;
   const contact = lock.first_contact;
   if (contact && isEarly(contact.drive_deg, lock)) {
     const [first, second] = contact.panels.map((panel) => panel.join(","));
     const where = `at drive ${pretty(contact.drive_deg, 4)}° of ${pretty(lock.target_drive_deg, 4)}°`;
     return [`Panels ${first} and ${second} touch first, ${where} (${contact.kind}).`, "bad"];
   }
-  const proved = "nothing touches before lock: proved";
-  switch (lock.cause) {
+  const opening = deployment.opening ? ` Held from opening by ${deployment.opening}.` : "";
+  return [`${againstClosing(lock, deployment)}: nothing touches on the way, proved.${opening}`, "good"];
+}
+
+function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }: Report["deployment"]): string {
+  const on =
+    lock.cause === "clash"
+      ? `closes until panels meet at ${pretty(end, 4)}°`
+      : `closes on to ${start === "pack" ? "the pack at " : ""}${pretty(end, 4)}°`;
+  switch (closing) {
     case "flaps":
-      return [`Locks by its flaps; ${proved}.`, "good"];
+      return "Locked against closing by its flaps";
+    case "clipped flaps":
+      return `Held from closing by flaps clipped on at the target; without them it ${on}`;
     case "crease":
-      return [`A crease folded flat ends the motion; ${proved}.`, "good"];
+      return "Held from closing by a crease that is folded flat";
+    case "hinges":
+      return "Held from closing by its hinges";
     case "clash":
-      return ["Nothing touches before the target: proved. Beyond it panels meet.", "good"];
+      return "Beyond the target panels meet";
     default:
-      return ["Nothing touches on the way: proved. Nothing locks it either.", "good"];
+      return `Nothing holds it from closing${end > lock.target_drive_deg + SAME ? `; it ${on}` : ""}`;
   }
 }

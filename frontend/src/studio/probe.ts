@@ -11,7 +11,7 @@ export interface Probe {
   readonly store: Store;
   /** The report of the shell on the screen. */
   readonly report: Report | null;
-  /** 0 flat ... 1 locked. */
+  /** 0 the first state ... 1 the last. */
   readonly fold: number;
   readonly shell3d: Shell3D;
   /** From input event to drawn frame, in milliseconds, newest last: one for every shell drawn,

@@ -1,4 +1,4 @@
-// What is proved about the motion: that nothing touches before lock, or what does.
+// What is proved about the motion: that nothing touches on the way, or what does.
 
 import { h } from "./dom.ts";
 import { capital, sentence, wordsOfRemedies } from "./faults.ts";
@@ -63,7 +63,7 @@ export class ProofCard {
       case "failed":
         return [sentence(proof.fault.message), "bad"];
       case "done":
-        return wordsOfLock(this.store.report.value?.lock);
+        return wordsOfLock(this.store.report.value);
     }
   }
 }

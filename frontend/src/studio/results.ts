@@ -36,7 +36,7 @@ export class Results {
     store.proof.watch((proof) => {
       if (proof.state !== "done") return;
       this.showFigures();
-      this.say(`${wordsOfLock(store.report.value?.lock)[0]} ${this.summary()}`);
+      this.say(`${wordsOfLock(store.report.value)[0]} ${this.summary()}`);
     });
   }
 

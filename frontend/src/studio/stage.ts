@@ -10,7 +10,7 @@ const COLOURS: { value: Colouring; text: string; title: string }[] = [
   { value: "plain", text: "Paper", title: "the two sides of the sheet" },
   { value: "signs", text: "Mountain, valley", title: "creases by their sign" },
   { value: "angle", text: "Fold angle", title: "creases and panels by fold angle" },
-  { value: "distance", text: "Distance", title: "to the target surface, when locked" },
+  { value: "distance", text: "Distance", title: "from the target surface, at the target" },
 ];
 const OVERLAYS = [
   { name: "surface", text: "Target" },

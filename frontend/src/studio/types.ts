@@ -34,6 +34,7 @@ export interface Design {
   target: { f: CurveTable; g: CurveTable };
   pattern: Record<string, Value>;
   tolerance?: Tolerance;
+  deployment?: Record<string, Value>;
   motion?: Record<string, Value>;
   workshop?: Record<string, Value>;
 }

@@ -3,6 +3,7 @@
 import { Pattern2D } from "../shared/pattern2d.ts";
 import { renderFigures } from "../shared/figures.ts";
 import { Shell3D, type Colouring, type Overlay } from "../shared/shell3d.ts";
+import { stopsOf } from "../shared/stops.ts";
 import { decodeView, panelName, stateCount, type View } from "../shared/view.ts";
 import { element, toggle } from "./elements.ts";
 import { Player } from "./player.ts";
@@ -48,7 +49,7 @@ export class Viewer {
     scene.append(stage);
     this.shell = startShell(stage, title);
     this.pattern = new Pattern2D(drawing, { label: "Crease pattern" });
-    this.player = new Player(endOf(this.view), (share) => this.fold(share));
+    this.player = new Player(stopsOf(this.view), (share) => this.fold(share));
     scene.append(this.toolbar(), this.player.bar);
 
     const point = (panel: number | null): void => {
@@ -69,7 +70,7 @@ export class Viewer {
     point(null);
     renderFigures(figures, this.view);
     this.player.bar.hidden = stateCount(this.view) < 2;
-    this.player.set(1);
+    this.player.rest();
     root.addEventListener("keydown", (event) => {
       const target = event.composedPath()[0] as HTMLElement;
       if (event.key === " " && target.tagName === "CANVAS") {
@@ -136,13 +137,6 @@ export class Viewer {
     bar.append(fit);
     return bar;
   }
-}
-
-/** What the last state is: most shells lock there, others only meet the target. */
-function endOf(view: View): string {
-  const { lock } = view.header.report;
-  if (!lock) return "folded";
-  return lock.cause === "flaps" ? "locked" : "target";
 }
 
 function startShell(stage: HTMLElement, label: string): Shell3D | null {

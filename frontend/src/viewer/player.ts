@@ -1,32 +1,48 @@
-// The fold slider and its motion from flat to locked and back.
+// The fold slider, its named states, and the motion through them and back.
 
+import { Journey, type Stop, targetShare, wayOf } from "../shared/stops.ts";
 import { element } from "./elements.ts";
 
-/** Time from flat to locked (ms). */
+/** Time of the whole motion (ms), about. */
 const DURATION = 6000;
+/** A moment's rest at either end, as a part of it. */
+const REST = 0.08;
 
 export class Player {
   readonly bar = element("div", "player", { role: "group", "aria-label": "Fold" });
   private readonly button = element("button", "play", { type: "button" });
   private readonly slider = element("input", "", { type: "range", min: "0", max: "1", step: "0.001" });
   private readonly reading = element("output", "reading");
+  private readonly journey: Journey;
   private request = 0;
   private time = 0;
   private direction = 1;
   private last = 0;
   private share = 1;
 
-  /** `end` names the state at the slider's right end. */
-  constructor(end: string, private readonly fold: (share: number) => void) {
-    this.slider.setAttribute("aria-label", `Fold, from flat to ${end}`);
-    this.bar.append(this.button, element("span", "end", { "aria-hidden": "true" }, "flat"), this.slider,
-      element("span", "end", { "aria-hidden": "true" }, end), this.reading);
+  constructor(private readonly stops: Stop[], private readonly fold: (share: number) => void) {
+    this.journey = new Journey(stops);
+    this.slider.setAttribute("aria-label", wayOf(stops));
+    const ends = stops.map((stop) => this.end(stop));
+    const track = element("div", "track");
+    track.append(this.slider);
+    if (ends.length > 2) {
+      const mark = element("span", "stop-mark");
+      track.append(mark, ends[1]!);
+      track.style.setProperty("--at", String(stops[1]!.share));
+    }
+    this.bar.append(this.button, ends[0]!, track, ends.at(-1)!, this.reading);
     this.slider.addEventListener("input", () => {
       this.stop();
       this.set(Number(this.slider.value));
     });
     this.button.addEventListener("click", () => this.toggle());
     this.name();
+  }
+
+  /** Show the shell at its target. */
+  rest(): void {
+    this.set(targetShare(this.stops));
   }
 
   set(share: number): void {
@@ -48,7 +64,7 @@ export class Player {
     }
     // From where it stands, towards the farther end if it stands at one.
     this.direction = this.share >= 1 ? -1 : 1;
-    this.time = timeOf(this.share);
+    this.time = this.journey.timeOf(this.share);
     this.last = 0;
     this.request = requestAnimationFrame(this.step);
     this.name();
@@ -60,14 +76,22 @@ export class Player {
     this.name();
   }
 
+  private end({ label, share }: Stop): HTMLElement {
+    const button = element("button", "end", { type: "button" }, label);
+    button.addEventListener("click", () => {
+      this.stop();
+      this.set(share);
+    });
+    return button;
+  }
+
   private readonly step = (now: number): void => {
     const passed = this.last ? Math.min(now - this.last, 100) : 0;
     this.last = now;
     this.time += (this.direction * passed) / DURATION;
-    // A moment's rest at either end.
-    if (this.time > 1.08) this.direction = -1;
-    if (this.time < -0.08) this.direction = 1;
-    this.set(shareAt(Math.min(1, Math.max(0, this.time))));
+    if (this.time > this.journey.length + REST) this.direction = -1;
+    if (this.time < -REST) this.direction = 1;
+    this.set(this.journey.shareAt(this.time));
     this.request = requestAnimationFrame(this.step);
   };
 
@@ -76,13 +100,4 @@ export class Player {
     this.button.setAttribute("aria-label", this.request ? "Pause" : "Play");
     this.button.title = this.request ? "Pause" : "Play";
   }
-}
-
-/** Slow at both ends. */
-function shareAt(time: number): number {
-  return 0.5 - 0.5 * Math.cos(Math.PI * time);
-}
-
-function timeOf(share: number): number {
-  return Math.acos(1 - 2 * Math.min(1, Math.max(0, share))) / Math.PI;
 }

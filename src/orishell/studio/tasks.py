@@ -45,7 +45,7 @@ MAX_VERTICES = 60_000
 """Vertices of a sheet in the studio, at most; the command line takes more."""
 DRAWN = 200
 """Points of a curve that are drawn, about."""
-FEWEST_STATES, STATES, MOST_STATES = 2, 25, 50
+FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -105,8 +105,10 @@ class Task:
             shell = make_shell(file, self.progress, clash="allowed")
         document = lay_surface(shell.document, shell.design)
         assert document.distances is not None
-        # Flaps of a width that the program chooses may be narrower now than the view had them.
-        other = file.pattern.flap == "auto"
+        # Flaps of a width that the program chooses may be narrower now than the view had them, and
+        # a pack, where panels meet, less closed.
+        met = file.deployment.start == "pack" and shell.lock.cause == "clash"
+        other = file.pattern.flap == "auto" or met
         return {
             "report": shell.report,
             "contact": document.contact,

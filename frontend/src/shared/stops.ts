@@ -1,0 +1,93 @@
+// Where a motion stops: its named states, and the way through them when it is played.
+
+import { drives, type View } from "./view.ts";
+
+export interface Stop {
+  name: "flat" | "target" | "pack";
+  label: string;
+  /** Of the way from the first drive to the last. */
+  share: number;
+}
+
+/** Share of the way from the first drive to the last; drives may descend. */
+export function shareOf(drives: ArrayLike<number>, drive: number): number {
+  const first = drives[0]!, last = drives[drives.length - 1]!;
+  return last === first ? 1 : (drive - first) / (last - first);
+}
+
+/** The named states in the order of the motion; of a sheet without names its first and last. */
+export function stopsOf(view: View): Stop[] {
+  const { named, report } = view.header;
+  const all = drives(view);
+  const numbers = Object.keys(named).length ? named : { flat: 0, target: Math.max(0, all.length - 1) };
+  const { lock, deployment } = report;
+  // Until the proof says what ends the motion, flaps of the sheet are to.
+  const locked = lock ? lock.cause === "flaps" : deployment?.flap_attachment === "folded";
+  const target = !Object.keys(report).length ? "Folded" : locked ? "Locked" : "Target";
+  const labels = { flat: "Flat", target, pack: "Pack" };
+  return (["pack", "flat", "target"] as const)
+    .filter((name) => numbers[name] !== undefined)
+    .map((name) => ({ name, label: labels[name], share: shareOf(all, all[numbers[name]!]!) }))
+    .sort((one, other) => one.share - other.share);
+}
+
+/** Share of the target: where overlays and distances belong, and what is shown first. */
+export function targetShare(stops: Stop[]): number {
+  return stops.find(({ name }) => name === "target")?.share ?? 1;
+}
+
+/** From what to what the motion goes, in words. */
+export function wayOf(stops: Stop[]): string {
+  const [first, ...others] = stops.map(({ label }) => label.toLowerCase());
+  const last = others.pop();
+  return `Fold, from ${first} ${others.map((each) => `over ${each} `).join("")}to ${last}`;
+}
+
+/** Of a short way between two stops this part of the whole time is taken all the same. */
+const LEAST = 0.3;
+/** Rest at a stop on the way, as a part of the whole time. */
+const REST = 0.12;
+
+/** A motion that is played: slow at every stop, with a rest at those on its way. */
+export class Journey {
+  /** The time that it takes, about 1. */
+  readonly length: number;
+  private readonly legs: { from: number; to: number; start: number; time: number }[] = [];
+
+  constructor(stops: Stop[]) {
+    let start = 0;
+    for (let k = 1; k < stops.length; k++) {
+      const from = stops[k - 1]!.share, to = stops[k]!.share;
+      const time = Math.max(LEAST, to - from);
+      this.legs.push({ from, to, start, time });
+      start += time + REST;
+    }
+    this.length = Math.max(0, start - REST);
+  }
+
+  shareAt(time: number): number {
+    const leg = this.legs.findLast((each) => each.start <= time) ?? this.legs[0];
+    if (!leg) return 1;
+    const part = Math.min(1, Math.max(0, (time - leg.start) / leg.time));
+    return leg.from + (leg.to - leg.from) * (0.5 - 0.5 * Math.cos(Math.PI * part));
+  }
+
+  /** When a share is passed; when a stop is left. */
+  timeOf(share: number): number {
+    const leg = this.legs.findLast((each) => each.from <= share) ?? this.legs[0];
+    if (!leg) return 0;
+    const part = Math.min(1, Math.max(0, (share - leg.from) / (leg.to - leg.from)));
+    return leg.start + (leg.time * Math.acos(1 - 2 * part)) / Math.PI;
+  }
+}
+
+/** Number of the frame nearest to a share, of so many frames spread over the stops. */
+export function frameAt(stops: Stop[], share: number, frames: number): number {
+  const last = frames - 1;
+  const at = stops.map((stop, k) =>
+    k === 0 ? 0 : k === stops.length - 1 ? last : Math.min(last - 1, Math.max(1, Math.round(stop.share * last))),
+  );
+  const k = Math.max(1, stops.findIndex((stop, number) => number > 0 && share <= stop.share));
+  const from = stops[k - 1]!.share, to = stops[k]!.share;
+  return Math.round(at[k - 1]! + ((share - from) / (to - from)) * (at[k]! - at[k - 1]!));
+}
