@@ -2,6 +2,7 @@
 
 import tomllib
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, cast
 
@@ -126,7 +127,7 @@ def test_thrust_at_the_target_to_eight_digits(request: Request) -> None:
         table.append((low - high) / (shorter - longer))
     for k in range(1, 5):
         order = 4**k if ahead in (None, mechanism.end_drive) else 2**k
-        table = [(order * b - a) / (order - 1) for a, b in zip(table, table[1:], strict=False)]
+        table = [(order * b - a) / (order - 1) for a, b in pairwise(table)]
     scale = max(abs(found.target_thrust), found.total)
     assert abs(found.target_thrust - table[0]) < 1e-8 * scale
 

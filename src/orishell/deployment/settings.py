@@ -13,8 +13,9 @@ Start = Literal["flat", "pack"]
 """What a shell is folded up or opened from."""
 Attachment = Literal["folded", "clipped"]
 """Whether flaps are part of the folding sheet, or put on at the target."""
-VertexPair = tuple[tuple[int, int], tuple[int, int]]
-"""Two vertices, each by its row and column."""
+Vertex = tuple[int, int]
+"""Row and column of a vertex."""
+VertexPair = tuple[Vertex, Vertex]
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from orishell.deployment.settings import Vertex, VertexPair
 from orishell.errors import InputError
 from orishell.motion import Mechanism
 from orishell.numerics import Enclosure
@@ -33,9 +34,6 @@ BATCH = 64
 """Ranges that are enclosed together: memory grows with it."""
 ROUNDING = 1e-13
 """Rounding of a derivative relative to the square itself, which no proof may rest on."""
-
-Vertex = tuple[int, int]
-"""A vertex by row and column of the grid."""
 
 
 @runtime_checkable
@@ -81,7 +79,7 @@ class Tie:
         over which the distance does not grow towards the flat sheet; None if it is left undecided.
     """
 
-    ends: tuple[Vertex, Vertex]
+    ends: VertexPair
     length: float
     flat: float
     packed: float
@@ -90,7 +88,7 @@ class Tie:
     shrinks: tuple[float, float] | None = None
 
 
-def feet_ties(mechanism: Mechanism, rows: tuple[int, int]) -> list[tuple[Vertex, Vertex]]:
+def feet_ties(mechanism: Mechanism, rows: tuple[int, int]) -> list[VertexPair]:
     """One pair of vertices for each inner column, in two rows of the grid.
 
     Parameters
@@ -102,9 +100,7 @@ def feet_ties(mechanism: Mechanism, rows: tuple[int, int]) -> list[tuple[Vertex,
     return [((rows[0], column), (rows[1], column)) for column in columns]
 
 
-def find_ties(
-    mechanism: Mechanism, pairs: Iterable[tuple[Vertex, Vertex]], limit: float
-) -> tuple[Tie, ...]:
+def find_ties(mechanism: Mechanism, pairs: Iterable[VertexPair], limit: float) -> tuple[Tie, ...]:
     """Ties between pairs of vertices, and whether each is proved to be taut at the target only.
 
     Parameters
@@ -137,7 +133,7 @@ def find_ties(
     )
 
 
-def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> tuple[Vertex, Vertex]:
+def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> VertexPair:
     """The two vertices, if a tie can join them."""
     grid = mechanism.grid
     inner = range(grid.columns)[mechanism.inner_columns]

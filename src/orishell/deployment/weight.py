@@ -98,8 +98,8 @@ def measure_weight(
     """Return what a shell's own weight does along its motion.
 
     The feet move on ground that rises from one to the other as it does at the target. Heights are
-    measured over the middle between them; states that are tilted against that are turned back. Flaps
-    weigh as much as other panels, as far as the mechanism has them.
+    measured over the middle between them; states that are tilted against that are turned back.
+    Flaps weigh as much as other panels, as far as the mechanism has them.
 
     Parameters
     ----------
@@ -116,7 +116,8 @@ def measure_weight(
     target = mechanism.target_drive
     end = mechanism.end_drive if pack is None else pack
     drives = np.union1d(np.linspace(0.0, end, states), [target])
-    energy, span = (np.concatenate(each) for each in zip(*map(body.at, drives[:, None])))
+    one_by_one = map(body.at, drives[:, None])
+    energy, span = map(np.concatenate, zip(*one_by_one, strict=True))
     thrust = np.array([body.thrust(drive) for drive in drives.tolist()])
     there = int(np.searchsorted(drives, target))
     return OwnWeight(

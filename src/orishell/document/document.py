@@ -159,7 +159,7 @@ class Document:
             If there is no such state.
         """
         count = len(self.states)
-        named = {"flat": 0, SHELL: max(count - 1, 0)} | (self.named if count else {})
+        named = {"flat": 0, SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
         number = named.get(which, count) if isinstance(which, str) else which
         if number == 0 and not count:
             return self._flat_state()

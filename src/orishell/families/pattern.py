@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.errors import InputError, Value
+from orishell.errors import InputError, Remedy, Value
 from orishell.families.parameters import (
     COLUMNS,
     FLAP,
@@ -55,6 +55,8 @@ class Pattern(Table):
 
     most: ClassVar[int] = 201
     """The largest number of rows, and of columns, that is tried to meet a tolerance."""
+    closing: ClassVar[Remedy | None] = None
+    """A change with which all creases of a shell without flaps may close together."""
     needs_target: ClassVar[bool] = True
     """Whether there is no design without f and g."""
 

@@ -5,10 +5,111 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from orishell.conventions.formatting import in_one_line, tidy_degrees
-from orishell.deployment import Attachment, Deployment, Start
+from orishell.conventions.units import conversion
+from orishell.deployment import (
+    Attachment,
+    Deployment,
+    Start,
+    Tie,
+    VertexPair,
+    feet_ties,
+    find_pack,
+    find_ties,
+    measure_weight,
+)
 from orishell.design import Design
+from orishell.design_file import DesignFile
+from orishell.errors import InputError
 from orishell.locking import Cause, Lock
+from orishell.shell.standing import Feet
+
+GRAVITY = 9.81
+"""Metres per second squared."""
+PACKS = 9
+"""States from the target on of which the one that packs smallest is taken."""
+
+
+@dataclass(frozen=True, slots=True)
+class PackedReport:
+    """The state that packs smallest, from the target to where the motion ends.
+
+    Parameters
+    ----------
+    drive_deg
+        Its drive angle.
+    length, width, height
+        Its smallest box, turned as it may be, panels without thickness.
+    layers
+        How many panels lie on top of each other: boards make it that many times as thick.
+    """
+
+    drive_deg: float
+    length: float
+    width: float
+    height: float
+    layers: int
+
+
+@dataclass(frozen=True, slots=True)
+class TieReport:
+    """A tie between two vertices.
+
+    Parameters
+    ----------
+    ends
+        Its vertices by row and column.
+    length, flat, packed
+        Their distance at the target, in the flat sheet, and at the end of the motion.
+    taut_at_target_only
+        Whether it is proved to be slack all the way from the end of the motion to the target; None
+        if the family does not say.
+    fails_at_deg
+        Where it is not.
+    """
+
+    ends: VertexPair
+    length: float
+    flat: float
+    packed: float
+    taut_at_target_only: bool | None
+    fails_at_deg: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class WeightReport:
+    """The shell under its own weight; flaps that are clipped on are left out.
+
+    Parameters
+    ----------
+    force_unit
+        Newtons, or the shell's weight if its mass is not known.
+    total
+        Its weight.
+    at_feet
+        Force at the target by which the feet, all of one side together, push outwards: positive
+        where own weight opens the shell and ties carry it, negative where flaps do.
+    largest_from_pack
+        The largest force at the feet on the way from the end of the motion to the target.
+    tipping_deg
+        Drives at which the shell would fall to either side.
+    raise_from_flat, raise_from_pack
+        What raising it takes: work, in the unit of force times metres.
+    drives_deg, forces
+        The force at the feet along the motion; None where none raises or holds it.
+    """
+
+    force_unit: Literal["N", "weight"]
+    total: float
+    at_feet: float
+    largest_from_pack: float
+    tipping_deg: tuple[float, ...]
+    raise_from_flat: float
+    raise_from_pack: float
+    drives_deg: tuple[float, ...]
+    forces: tuple[float | None, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +128,12 @@ class DeploymentReport:
         As far as it closes, proved if its path was examined.
     closing, opening
         What keeps it from closing, and from opening, beyond its target; None if nothing does.
+    packed
+        The state that packs smallest; None if that was not asked for.
+    ties
+        Its ties.
+    weight
+        What its own weight does; None if it does not stand, or that was not asked for.
     """
 
     start: Start
@@ -35,19 +142,96 @@ class DeploymentReport:
     end_drive_deg: float
     closing: Cause | Literal["clipped flaps"] | None
     opening: Literal["ties"] | None
+    packed: PackedReport | None
+    ties: tuple[TieReport, ...]
+    weight: WeightReport | None
 
     __repr__ = in_one_line
 
 
-def describe_deployment(design: Design, deployment: Deployment, lock: Lock) -> DeploymentReport:
-    """How a shell is deployed, and what holds it at its target."""
-    clipped, folded = design.boards is not None, bool(design.mechanism.flap_columns)
-    stopped = lock.pack <= lock.target
+def describe_deployment(
+    file: DesignFile, design: Design, lock: Lock, feet: Feet | None, *, measured: bool
+) -> DeploymentReport:
+    """How a shell is deployed, and what holds it at its target.
+
+    Parameters
+    ----------
+    measured
+        Whether pack and own weight are asked for.
+
+    Raises
+    ------
+    InputError
+        If ties do not fit the sheet.
+    """
+    mechanism = design.mechanism
+    clipped, folded = design.boards is not None, bool(mechanism.flap_columns)
+    ties = find_ties(mechanism, _pairs(design, file.deployment, feet), lock.pack)
+    packed = weight = None
+    if measured:
+        packed = _packed(design, lock)
+        if feet is not None:
+            metres, density = conversion(file.unit, "m"), file.workshop.areal_density
+            weight = _weight(design, feet, lock, metres, density)
     return DeploymentReport(
-        start=deployment.start,
+        start=file.deployment.start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
         largest_fold_deg=tidy_degrees(design.largest_fold),
         end_drive_deg=tidy_degrees(lock.pack),
-        closing="clipped flaps" if clipped else lock.cause if stopped else None,
-        opening=None,
+        closing="clipped flaps" if clipped else lock.cause if lock.pack <= lock.target else None,
+        opening="ties" if ties else None,
+        packed=packed,
+        ties=tuple(map(_tie, ties)),
+        weight=weight,
+    )
+
+
+def _pairs(design: Design, deployment: Deployment, feet: Feet | None) -> list[VertexPair]:
+    if isinstance(deployment.ties, tuple):
+        return list(deployment.ties)
+    if deployment.ties == "none":
+        return []
+    if feet is None:
+        raise InputError(
+            "there are no feet to tie",
+            where="[deployment] ties",
+            got='"feet"',
+            expected="a shell that stands on the two ends of f",
+            remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",
+        )
+    return feet_ties(design.mechanism, feet.rows)
+
+
+def _packed(design: Design, lock: Lock) -> PackedReport:
+    found = find_pack(design.mechanism, max(lock.pack, lock.target), PACKS)
+    box = found.box
+    return PackedReport(tidy_degrees(found.drive), box.length, box.width, box.height, found.layers)
+
+
+def _tie(tie: Tie) -> TieReport:
+    fails = None if tie.fails_at is None else tidy_degrees(tie.fails_at)
+    return TieReport(tie.ends, tie.length, tie.flat, tie.packed, tie.grows, fails)
+
+
+def _weight(
+    design: Design, feet: Feet, lock: Lock, metres: float, areal_density: float
+) -> WeightReport:
+    known = areal_density > 0
+    found = measure_weight(
+        design.mechanism,
+        feet.rows,
+        GRAVITY * areal_density * metres**2 if known else 1.0,
+        pack=max(lock.pack, lock.target),
+    )
+    unit = 1.0 if known else found.total
+    return WeightReport(
+        force_unit="N" if known else "weight",
+        total=found.total / unit,
+        at_feet=found.target_thrust / unit,
+        largest_from_pack=found.largest_force / unit,
+        tipping_deg=tuple(map(tidy_degrees, found.tipping)),
+        raise_from_flat=found.work_from_flat * metres / unit,
+        raise_from_pack=found.work_from_pack * metres / unit,
+        drives_deg=tuple(map(tidy_degrees, found.drives.tolist())),
+        forces=tuple(None if np.isnan(force) else force / unit for force in found.thrust.tolist()),
     )

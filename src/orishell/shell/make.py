@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 import time
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -28,15 +26,15 @@ from orishell.locking import (
     require_pack,
     with_remedies,
 )
-from orishell.motion import FoldedState, FoldingMotion, extents, sheet_area
+from orishell.motion import FoldingMotion, extents, sheet_area
 from orishell.shell.caveats import find_caveats, warn_of_lock
 from orishell.shell.choice import Choice
 from orishell.shell.deployment_report import describe_deployment
 from orishell.shell.deviation_report import describe_deviation
+from orishell.shell.holding import warn_of_deployment
 from orishell.shell.lock_report import describe_lock
 from orishell.shell.report import (
     BoxReport,
-    PackedReport,
     Report,
     SheetReport,
     describe_assignment,
@@ -151,16 +149,9 @@ def make_shell(
     if file.ground == "z0":
         design = stand(design, feet)
     motion = _motion(file, design, lock)
-    boxes: list[tuple[float, tuple[float, float, float]]] = []
-
-    def recorded(states: Iterable[FoldedState]) -> Iterable[FoldedState]:
-        for state in states:
-            boxes.append((state.drive, extents(state.positions)))
-            yield state
-
     flat = motion.flat
     residuals, assignment = measure_residuals(
-        recorded(followed(motion, len(motion), progress, "verifying")), flat
+        followed(motion, len(motion), progress, "verifying"), flat
     )
     _require_verified(residuals, assignment)
     clock.lap("fold")
@@ -172,11 +163,10 @@ def make_shell(
 
     document = _document(file, design, motion)
     try:
+        deployment = describe_deployment(file, design, lock, feet, measured=measured)
         quantities = measure_quantities(document, file.workshop, nested=nested)
     except InputError as error:
         raise error.located(f"{file.path}:") from None
-    _, deployed = boxes[motion.named["target"]]
-    drive, packed = min(boxes, key=lambda entry: math.hypot(*entry[1]))
     width, height, _ = extents(flat.positions)
     report = Report(
         family=file.family,
@@ -192,6 +182,9 @@ def make_shell(
             *design.warnings,
             *warn_of_lock(lock),
             *find_caveats(design, lock, feet, file.unit, file.workshop),
+            *warn_of_deployment(
+                design, lock, request_of(replace(file, tolerance=None)), deployment, file.unit
+            ),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
@@ -204,9 +197,8 @@ def make_shell(
         stands=describe_feet(design, feet),
         deviation=describe_deviation(design, deviation, approach) if compared else None,
         sheet=SheetReport(width, height, sheet_area(flat.positions)),
-        deployed=BoxReport(*deployed),
-        deployment=describe_deployment(design, file.deployment, lock),
-        packed=PackedReport(tidy_degrees(drive), *packed),
+        deployed=BoxReport(*extents(motion.target.positions)),
+        deployment=deployment,
         quantities=quantities,
     )
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))

@@ -129,24 +129,6 @@ class BoxReport:
 
 
 @dataclass(frozen=True, slots=True)
-class PackedReport:
-    """The bounding box of the state that packs smallest.
-
-    Parameters
-    ----------
-    drive_deg
-        Drive angle of that state.
-    width, depth, height
-        Along x, y and z.
-    """
-
-    drive_deg: float
-    width: float
-    depth: float
-    height: float
-
-
-@dataclass(frozen=True, slots=True)
 class Report:
     """All that ``report.json`` says of a shell.
 
@@ -172,10 +154,10 @@ class Report:
         What it stands on; None if it cannot stand.
     deviation
         How close it is to its target; None without one.
-    sheet, deployed, packed
-        Sizes of the flat sheet, of the shell, and of the smallest state.
+    sheet, deployed
+        Sizes of the flat sheet and of the shell.
     deployment
-        How it is deployed and held.
+        How it is deployed and held, and how small it packs.
     quantities
         Bill of quantities.
     """
@@ -197,7 +179,6 @@ class Report:
     sheet: SheetReport
     deployed: BoxReport
     deployment: DeploymentReport
-    packed: PackedReport
     quantities: Quantities
 
     def __repr__(self) -> str:

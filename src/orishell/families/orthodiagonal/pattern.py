@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Self
+from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
 
 from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
+from orishell.errors import Remedy
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
 from orishell.families.orthodiagonal.row import RowKind, require_one_kind
 from orishell.families.parameters import (
@@ -28,6 +29,8 @@ from orishell.polylines import Placement, Spacing
 
 class OrthodiagonalPattern(Pattern):
     """Parameters of the orthodiagonal family."""
+
+    closing: ClassVar[Remedy | None] = Remedy({"pattern.row": "zigzag"})
 
     rows: Annotated[OddRowCount, ROWS]
     flap_side: Annotated[

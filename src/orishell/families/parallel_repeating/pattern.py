@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
+from orishell.errors import Remedy
 from orishell.families.parallel_repeating.design import (
     PLANE,
     THETA,
@@ -34,6 +35,8 @@ from orishell.polylines import Placement, Spacing
 
 class ParallelRepeatingPattern(Pattern):
     """Parameters of the parallel repeating family."""
+
+    closing: ClassVar[Remedy | None] = Remedy({"pattern.plane": "bisector"})
 
     rows: Annotated[OddRowCount, ROWS]
     flap_side: Annotated[

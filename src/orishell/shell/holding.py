@@ -1,0 +1,98 @@
+"""Warnings about the way from pack to shell, and about what holds the shell at its target."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees
+from orishell.deployment import find_pack
+from orishell.design import Design
+from orishell.errors import DesignError, InputError, Remedy
+from orishell.locking import Lock, Request, find_lock
+from orishell.shell.deployment_report import DeploymentReport, PackedReport
+
+if TYPE_CHECKING:
+    from orishell.shell.deployment_report import WeightReport
+
+PLANE = 0.01
+"""A pack whose height is below this share of its length is a bundle of panels on each other."""
+SMALLER = 0.5
+"""A change that packs the shell into less than this share of the box is worth a word."""
+
+
+def warn_of_deployment(
+    design: Design, lock: Lock, request: Request, report: DeploymentReport, unit: str
+) -> list[str]:
+    """Warnings of a pack that is no bundle, and of what nothing holds."""
+    return [
+        *_of_pack(design, lock, request, report, unit),
+        *_of_ties(report),
+        *(_of_weight(report, report.weight) if report.weight is not None else ()),
+    ]
+
+
+def _of_pack(
+    design: Design, lock: Lock, request: Request, report: DeploymentReport, unit: str
+) -> Iterator[str]:
+    packed = report.packed
+    if report.start == "flat" or packed is None or packed.height < PLANE * packed.length:
+        return
+    box = f"{packed.length:.3g} x {packed.width:.3g} x {packed.height:.3g} {unit}"
+    why = "its panel columns close one after another, not together"
+    if lock.cause == "clash" and lock.first_contact is not None:
+        first, second = (list(panel) for panel in lock.first_contact.panels)
+        why = f"panels {first} and {second} meet at drive {in_degrees(lock.pack)} degrees"
+    elif lock.cause == "hinges":
+        why = f"its hinges close no further than {in_degrees(design.largest_fold)} degrees"
+    better = _closes_better(request, packed)
+    remedy = f"; with {better} it does" if better is not None else ""
+    yield f"the pack, {box}, is no flat bundle: {why}{remedy}"
+
+
+def _closes_better(request: Request, packed: PackedReport) -> Remedy | None:
+    """A change with which the shell is tried and found to close into a flat bundle."""
+    remedy = request.pattern.closing
+    if remedy is None or request.largest_fold < np.pi:
+        return None
+    try:
+        design = request.changed(remedy).designed()
+    except (DesignError, InputError):
+        return None
+    lock = find_lock(design, tolerance=request.tolerance)
+    if lock.early or lock.pack <= lock.target:
+        return None
+    box = find_pack(design.mechanism, lock.pack, 1).box
+    now = packed.length * packed.width
+    flat = box.height < PLANE * box.length
+    return remedy if flat and SMALLER * box.length * box.width < now else None
+
+
+def _of_ties(report: DeploymentReport) -> Iterator[str]:
+    failing = [tie for tie in report.ties if tie.taut_at_target_only is False]
+    if failing:
+        (row, column), (other, _) = failing[0].ends
+        yield (
+            f"{len(failing)} of {len(report.ties)} ties are not slack all the way from the pack, "
+            f"for example the one of rows {row} and {other} in column {column}, about drive "
+            f"{failing[0].fails_at_deg:.4g} degrees: tie other vertices of the column"
+        )
+    if any(tie.taut_at_target_only is None for tie in report.ties):
+        yield "that ties are slack before the target is not proved in this family"
+
+
+def _of_weight(report: DeploymentReport, weight: WeightReport) -> Iterator[str]:
+    unit = "N" if weight.force_unit == "N" else "times its weight"
+    force = f"{abs(weight.at_feet):.3g} {unit} at each line of feet"
+    if weight.at_feet > 0 and report.opening is None:
+        yield (
+            f"the shell opens under its own weight with {force}, and nothing but its supports "
+            'holds it: tie its feet together (ties = "feet" in [deployment])'
+        )
+    if weight.at_feet < 0 and report.closing is None:
+        yield (
+            f"the shell closes under its own weight with {force}, and nothing but its supports "
+            "holds it: give it flaps"
+        )
