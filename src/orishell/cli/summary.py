@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from orishell.cli.files import shortened
 
 if TYPE_CHECKING:
+    from orishell.shell.deployment_report import DeploymentReport
     from orishell.shell.deviation_report import DeviationReport
     from orishell.shell.make import Shell
     from orishell.shell.report import Report
@@ -91,11 +92,35 @@ def _held(shell: Shell) -> Iterator[str]:
             )
         else:
             yield f"path      clear from flat to {in_degrees(lock.pack)} deg: {proved}"
+    yield from _deployment(shell.report.deployment, shell.report.unit)
     held = shell.report.deployment
     if not lock.early:
         yield (
             f"held      at {in_degrees(lock.target)} deg: from closing by {HOLDING[held.closing]}, "
             f"from opening by {HOLDING[held.opening]}"
+        )
+
+
+def _deployment(report: DeploymentReport, unit: str) -> Iterator[str]:
+    """How the shell travels, and what its own weight does."""
+    packed, weight = report.packed, report.weight
+    if packed is not None and report.start == "pack":
+        box = f"{packed.length:.4g} x {packed.width:.4g} x {packed.height:.2g} {unit}"
+        yield f"pack      {box} at {packed.drive_deg:.5g} deg, {packed.layers} panels deep"
+    if weight is not None:
+        does = "opens" if weight.at_feet > 0 else "closes"
+        size, unit = abs(weight.at_feet), weight.force_unit
+        force = f"{size:.3g} N of {weight.total:.4g} N" if unit == "N" else f"{size:.3g} of it"
+        raising = weight.raise_from_pack if report.start == "pack" else weight.raise_from_flat
+        work = f"{raising:.3g} J" if unit == "N" else f"its weight times {raising:.3g} m"
+        yield (
+            f"weight    {does} it at the target, with {force} at the feet; raising it takes {work}"
+        )
+    if report.ties:
+        slack = sum(tie.slack is True for tie in report.ties)
+        yield (
+            f"ties      {len(report.ties)}, {slack} of them proved to be slack from the pack to "
+            "the target and taut there"
         )
 
 

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
 from orishell.deployment import find_pack
 from orishell.design import Design
+from orishell.design_file import DesignFile
 from orishell.errors import DesignError, InputError, Remedy
 from orishell.locking import Lock, Request, find_lock
-from orishell.shell.deployment_report import DeploymentReport, PackedReport
-
-if TYPE_CHECKING:
-    from orishell.shell.deployment_report import WeightReport
+from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
+from orishell.shell.tolerance import request_of
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""
@@ -24,30 +23,30 @@ SMALLER = 0.5
 
 
 def warn_of_deployment(
-    design: Design, lock: Lock, request: Request, report: DeploymentReport, unit: str
+    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport
 ) -> list[str]:
     """Warnings of a pack that is no bundle, and of what nothing holds."""
     return [
-        *_of_pack(design, lock, request, report, unit),
+        *_of_pack(file, design, lock, report),
         *_of_ties(report),
         *(_of_weight(report, report.weight) if report.weight is not None else ()),
     ]
 
 
 def _of_pack(
-    design: Design, lock: Lock, request: Request, report: DeploymentReport, unit: str
+    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport
 ) -> Iterator[str]:
     packed = report.packed
     if report.start == "flat" or packed is None or packed.height < PLANE * packed.length:
         return
-    box = f"{packed.length:.3g} x {packed.width:.3g} x {packed.height:.3g} {unit}"
+    box = f"{packed.length:.3g} x {packed.width:.3g} x {packed.height:.3g} {file.unit}"
     why = "its panel columns close one after another, not together"
     if lock.cause == "clash" and lock.first_contact is not None:
         first, second = (list(panel) for panel in lock.first_contact.panels)
         why = f"panels {first} and {second} meet at drive {in_degrees(lock.pack)} degrees"
     elif lock.cause == "hinges":
         why = f"its hinges close no further than {in_degrees(design.largest_fold)} degrees"
-    better = _closes_better(request, packed)
+    better = _closes_better(request_of(replace(file, tolerance=None)), packed)
     remedy = f"; with {better} it does" if better is not None else ""
     yield f"the pack, {box}, is no flat bundle: {why}{remedy}"
 

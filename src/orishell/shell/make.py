@@ -182,9 +182,7 @@ def make_shell(
             *design.warnings,
             *warn_of_lock(lock),
             *find_caveats(design, lock, feet, file.unit, file.workshop),
-            *warn_of_deployment(
-                design, lock, request_of(replace(file, tolerance=None)), deployment, file.unit
-            ),
+            *warn_of_deployment(file, design, lock, deployment),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
