@@ -61,16 +61,15 @@ def smallest_box(points: Array) -> Box:
 
     Notes
     -----
-    Of points in a plane or on a line, the box is the smallest there is. Of a body it is the smallest
-    of those where a side cannot be made less by turning it a little, and another lies along an edge
-    of the body's shadow in that direction: one face of the box lies on a face of the convex hull, or
-    two opposite ones on edges that cross. A box that rests on edges with all its faces, and can be made
-    shorter in every direction, may be smaller still: by an eighth for an octahedron, by a few per cent
-    for few random bodies.
+    Of points in a plane or on a line, the box is the smallest there is. Of a body it is the
+    smallest of those where a side cannot be made less by turning it a little, and another lies
+    along an edge of the body's shadow in that direction: one face of the box lies on a face of the
+    convex hull, or two opposite ones on edges that cross. A box that rests on edges with all its
+    faces, and can be made shorter in every direction, may be smaller still: by an eighth for an
+    octahedron, by a few per cent for few random bodies.
     """
     centred = points - points.mean(axis=0)
-    _, spread, axes = np.linalg.svd(centred, full_matrices=len(points) < 3)
-    axes = axes[:3]
+    axes = np.linalg.svd(centred, full_matrices=len(points) < 3)[2]
     extent = np.ptp(centred @ axes.T, axis=0)
     rank = int((extent > FLAT * extent.max()).sum()) if extent.max() > 0 else 0
     if rank == 3:

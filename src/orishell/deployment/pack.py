@@ -69,8 +69,8 @@ def find_pack(mechanism: Mechanism, limit: float, states: int = 25) -> Pack:
 def count_layers(points: Array, faces: Integers, axes: Array | None = None) -> int:
     """Return how many panels lie on top of each other at most, seen along the box's shortest side.
 
-    Panels of a thickness t make a bundle at least that many times t thick. Those seen edge-on do not
-    count.
+    Panels of a thickness t make a bundle at least that many times t thick. Those seen edge-on do
+    not count.
 
     Parameters
     ----------
