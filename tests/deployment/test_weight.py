@@ -41,7 +41,7 @@ class Boards:
         drive = np.asarray(drive, dtype=np.float64)[..., None, None]
         x = np.array([[1.0], [0], [-1]]) * np.cos(drive / 2)
         z = np.array([[0.0], [1], [0]]) * np.sin(drive / 2)
-        turn = self.tilt * drive
+        turn = self.tilt * drive * (drive - self.target_drive)  # not at the target
         x, z = x * np.cos(turn) - z * np.sin(turn), x * np.sin(turn) + z * np.cos(turn)
         y = np.broadcast_to([3.0, 0.0], (*x.shape[:-1], 2))
         return np.stack(np.broadcast_arrays(-x, -y, z), axis=-1)
@@ -87,11 +87,12 @@ def energy_and_span(mechanism: Mechanism, drive: float) -> tuple[float, float]:
     turn = inclination(target) - inclination(inner)
     x, y, _ = (inner[-1] - inner[0]).mean(axis=0)
     up = np.array([*np.sin(turn) * np.array([x, y]) / np.hypot(x, y), np.cos(turn)])
+    points = positions.reshape(-1, 3) - inner[[0, -1]].mean(axis=(0, 1))
+    p, q, r, s = (points[mechanism.grid.faces_vertices()[:, k]] for k in range(4))
     energy = 0.0
-    for face in mechanism.grid.faces_vertices():
-        p, q, r, s = positions.reshape(-1, 3)[face] - inner[[0, -1]].mean(axis=(0, 1))
-        for a, b, c in ((p, q, s), (q, r, s)):  # the other diagonal
-            energy += 0.5 * np.linalg.norm(np.cross(b - a, c - a)) * ((a + b + c) / 3) @ up
+    for a, b, c in ((p, q, s), (q, r, s)):  # the other diagonal
+        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=-1)
+        energy += float(area @ ((a + b + c) / 3) @ up)
     return energy, float(np.linalg.norm(inner[-1] - inner[0], axis=-1).mean())
 
 
@@ -113,23 +114,22 @@ def test_thrust_is_the_slope_of_energies(request: Request, share: float) -> None
 @settings(max_examples=20)
 @given(st.one_of(requests(), orthodiagonal_requests()))
 def test_thrust_at_the_target_to_eight_digits(request: Request) -> None:
-    """Against extrapolated differences, to either side, or backwards where the motion ends."""
+    """Against extrapolated differences: to either side, backwards near the end."""
     mechanism = request.feasible().mechanism
     target, rows = mechanism.target_drive, (0, mechanism.grid.rows - 1)
     found = measure_weight(mechanism, rows, 1.0, states=2)
-    ahead = target if mechanism.end_drive - target < 0.05 else None
+    inside = mechanism.end_drive - target > 0.1
     table = []
-    for k in range(5):
-        step = 0.04 / 2**k
-        # V and L are even about an end at the target.
-        pair = (target - step, ahead or target + step)
-        (low, longer), (high, shorter) = (energy_and_span(mechanism, each) for each in pair)
-        table.append((low - high) / (shorter - longer))
-    for k in range(1, 5):
-        order = 4**k if ahead in (None, mechanism.end_drive) else 2**k
-        table = [(order * b - a) / (order - 1) for a, b in pairwise(table)]
+    for step in 0.1 / 2.0 ** np.arange(7):
+        pair = (target - step, target + step * inside)
+        (high, longer), (low, shorter) = (energy_and_span(mechanism, each) for each in pair)
+        table.append((low - high) / (longer - shorter))
+    for k in range(1, 7):
+        order = 4**k if inside else 2**k
+        table = [(order * fine - coarse) / (order - 1) for coarse, fine in pairwise(table)]
+    # Backwards, differences of nearly stationary energies lose more digits.
     scale = max(abs(found.target_thrust), found.total)
-    assert abs(found.target_thrust - table[0]) < 1e-8 * scale
+    assert abs(found.target_thrust - table[0]) < (1e-8 if inside else 4e-8) * scale
 
 
 def test_a_parabola_is_opened_by_its_weight() -> None:
@@ -159,6 +159,5 @@ def test_the_shelter_is_closed_by_its_weight() -> None:
     assert not found.opens
     (tipping,) = found.tipping
     assert tipping < design.mechanism.target_drive
-    # Of the family's drive with flaps, kappa = sin(rho/2): kappa grows as the feet approach.
     assert found.work_from_flat > found.energy[found.drives == design.mechanism.target_drive]
     assert found.largest_force > 800

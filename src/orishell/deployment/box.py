@@ -69,8 +69,7 @@ def smallest_box(points: Array) -> Box:
     octahedron, by a few per cent for few random bodies.
     """
     centred = points - points.mean(axis=0)
-    _, _, axes = np.linalg.svd(centred, full_matrices=len(points) < 3)
-    axes = axes[:3]
+    axes = np.linalg.svd(centred, full_matrices=len(points) < 3)[2]
     extent = np.ptp(centred @ axes.T, axis=0)
     rank = int((extent > FLAT * extent.max()).sum()) if extent.max() > 0 else 0
     if rank == 3:

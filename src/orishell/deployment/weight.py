@@ -12,10 +12,10 @@ flaps must keep them apart. Panels are rigid: with a panel's two triangles of ar
 
 so every vertex carries a share of the area that never changes.
 
-V is an analytic function of L but at the flat sheet, even where the drive is a poor variable: at
-the target of a shell with flaps both are stationary in it. There the thrust is the derivative of a
-polynomial through V against L. In the flat sheet L is stationary and V is not: no force at the feet
-raises it, only a push from below, and what raising takes is given as work.
+V and L are polynomials of the drive through nearby states, and the thrust is the ratio of their
+derivatives: of their second ones at the target of a shell with flaps, where both are stationary. In
+the flat sheet L is stationary and V is not: no force at the feet raises it, only a push from below,
+and what raising takes is given as work.
 """
 
 from __future__ import annotations
@@ -23,19 +23,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from orishell.conventions.formatting import in_one_line
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 from orishell.sheet.quads import dots, grid_corners, lengths
 
-NODES = 9
-"""States that the polynomial of V against L goes through."""
-REACH = 0.02
-"""It covers this much of the drive to either side (radians), and at most a tenth of the drive.
+NODES = 11
+"""States that the polynomials go through."""
+REACH, REACH_FROM_END = 0.02, 0.1
+"""They cover this much of the drive to either side (radians), and at most a tenth of the drive.
 
 With these the thrust is right to some 1e-9 of the weight.
 """
+STATIONARY = 1e-6
+"""Slope of L at the end, relative to its curvature, that is none."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,8 +119,8 @@ def measure_weight(
     target = mechanism.target_drive
     end = mechanism.end_drive if pack is None else pack
     drives = np.union1d(np.linspace(0.0, end, states), [target])
-    one_by_one = map(body.at, drives[:, None])
-    energy, span = map(np.concatenate, zip(*one_by_one, strict=True))
+    measured = [body.at(drive) for drive in drives]
+    energy, span = np.array(measured).T
     thrust = np.array([body.thrust(drive) for drive in drives.tolist()])
     there = int(np.searchsorted(drives, target))
     return OwnWeight(
@@ -161,8 +164,8 @@ class _Body:
         slope = np.array([line[2], np.hypot(*line[:2])]) / np.linalg.norm(line)
         return cls(mechanism, feet_rows, weight, shares.reshape(grid.rows, grid.columns), slope)
 
-    def at(self, drives: Array) -> tuple[Array, Array]:
-        """Energy and span (N,) at drives (N,)."""
+    def at(self, drives: ArrayLike) -> tuple[Array, Array]:
+        """Energy and span (...) at drives (...)."""
         positions = self.mechanism.positions(drives)
         centre = np.einsum("rc,...rcx->...x", self.shares, positions) / self.shares.sum()
         first, last = self.feet_rows
@@ -178,15 +181,19 @@ class _Body:
 
     def thrust(self, drive: float) -> float:
         """The thrust -dV/dL at a drive; not a number where L is stationary on the way."""
-        reach = min(REACH, 0.1 * drive)
-        low, high = drive - reach, min(drive + reach, self.mechanism.end_drive)
+        end = self.mechanism.end_drive
+        reach = min(REACH if drive < end else REACH_FROM_END, 0.1 * drive)
+        low, high = drive - reach, min(drive + reach, end)
         nodes = 0.5 * (low + high - (high - low) * np.cos(np.pi * np.linspace(0, 1, NODES)))
-        energy, span = self.at(np.append(nodes, drive))
-        step = np.diff(span[:-1])
+        energy, span = self.at(nodes)
+        step = np.diff(span)
         if not ((step > 0).all() or (step < 0).all()):
             return float("nan")
-        curve = np.polynomial.Chebyshev.fit(span[:-1], energy[:-1], NODES - 1)
-        return -float(curve.deriv()(span[-1]))
+        v, length = (np.polynomial.Chebyshev.fit(nodes, each, NODES - 1) for each in (energy, span))
+        order = 1
+        if abs(length.deriv()(drive)) < STATIONARY * abs(length.deriv(2)(drive)):
+            order = 2
+        return -float(v.deriv(order)(drive) / length.deriv(order)(drive))
 
 
 def _climb(energy: Array) -> float:
