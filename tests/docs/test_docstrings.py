@@ -38,6 +38,7 @@ from numpy.typing import NDArray
 
 import orishell.errors
 from orishell.cli.main import app
+from orishell.deployment import ColumnDistances
 from orishell.families.registry import FOLDERS
 from orishell.motion import Mechanism
 from orishell.surface import Rail
@@ -84,7 +85,7 @@ FROM_THE_PAPER = tuple(
     )  # what else is there is of the program, not the paper
 )
 
-PROTOCOLS = (Mechanism, Rail)
+PROTOCOLS = (Mechanism, Rail, ColumnDistances)
 IMPOSSIBLE = {
     "orishell.sheet.mesh.QuadMesh.faces_edges": "a mesh that build_mesh made lists every side",
 }

@@ -38,7 +38,10 @@ ROUNDING = 1e-13
 
 @runtime_checkable
 class ColumnDistances(Protocol):
-    """A mechanism that encloses the distances of vertices of one column."""
+    """A mechanism that encloses the distances of vertices of one column.
+
+    Its motion goes back as it came at a drive of 0, and at one of pi if it gets there.
+    """
 
     def column_distances(
         self, rows: Integers, columns: Integers, start: Array, stop: Array
