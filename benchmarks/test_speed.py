@@ -53,6 +53,27 @@ def test_one_state_of_999_x_999(benchmark: BenchmarkFixture) -> None:
     assert ratio < 8
 
 
+@pytest.mark.parametrize("family", ["parallel repeating", "orthodiagonal"])
+def test_one_state_beyond_the_target(benchmark: BenchmarkFixture, family: str) -> None:
+    # A sheet without flaps: the same closed form on both sides of its target.
+    f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
+    g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)
+    if family == "orthodiagonal":
+        made = design_orthodiagonal(f, g, rows=999, columns=999, flap=0)
+    else:
+        made = design_parallel_repeating(f, g, rows=999, columns=999, xi=np.deg2rad(50), flap=0)
+    mechanism = made.mechanism
+    before = 0.5 * mechanism.target_drive
+    beyond = 0.5 * (mechanism.target_drive + mechanism.end_drive)
+    benchmark(mechanism.positions, beyond)
+    ratio = best_time(lambda: mechanism.positions(beyond)) / best_time(
+        lambda: mechanism.positions(before)
+    )
+    benchmark.extra_info["ratio to one before"] = ratio
+    print(f"\none {family} state beyond the target: {ratio:.2f} times one before it (target 1.2)")
+    assert ratio < 1.2
+
+
 def test_one_state_of_999_x_999_orthodiagonal(benchmark: BenchmarkFixture) -> None:
     f = curve_from_formulas(None, parse_formula("-x**2"), -1, 1)
     g = curve_from_formulas(None, parse_formula("0.25*sin(pi*x/2)"), 0, 4)

@@ -5,6 +5,7 @@ v + h. So it is compared with the bound of just that range, and only rounding is
 positions right to some eps times the sheet's size it is ROUNDING eps size / h^2.
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import Mechanism, diagonal
 from strategies import (
     Request,
@@ -75,14 +77,15 @@ def sheet(
 
 
 def shares_of_bounds(
-    mechanism: Mechanism, count: int = 24, ranges: int = RANGES
+    mechanism: Mechanism, count: int = 24, ranges: int = RANGES, end: float | None = None
 ) -> tuple[Array, Array]:
     """True accelerations by their bounds (count,), row edges and column edges summed up.
 
-    Fails where one exceeds its bound.
+    Up to the target, or to another end of the path. Fails where one exceeds its bound.
     """
-    h = 0.5 * mechanism.target_drive / ranges
-    drives = np.linspace(h, mechanism.target_drive - h, count)
+    end = mechanism.target_drive if end is None else end
+    h = 0.5 * end / ranges
+    drives = np.linspace(h, end - h, count)
     bounds = mechanism.edge_accelerations(drives - h, drives + h)
     before, now, after = (mechanism.positions(drives + step) for step in (-h, 0, h))
     swing = (before - now) + (after - now)
@@ -133,6 +136,57 @@ def test_any_parallel_repeating_design(request: Request, ranges: int) -> None:
 @given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
 def test_any_orthodiagonal_design(request: Request, ranges: int) -> None:
     shares_of_bounds(request.feasible().mechanism, 9, ranges)
+
+
+def shares_up_to_the_pack(
+    mechanism: Mechanism, count: int = 24, ranges: int = RANGES
+) -> tuple[Array, Array]:
+    """The same for the sheet without its flaps, up to a thousandth before its end."""
+    assert isinstance(mechanism, ParallelRepeating | Orthodiagonal)
+    bare = replace(mechanism, flaps=(0.0, 0.0))
+    assert bare.end_drive == np.pi
+    return shares_of_bounds(bare, count, ranges, bare.end_drive * (1 - 1e-3))
+
+
+@settings(max_examples=60)
+@given(requests(), st.sampled_from([20, RANGES]))
+def test_any_parallel_repeating_design_up_to_its_pack(request: Request, ranges: int) -> None:
+    shares_up_to_the_pack(request.feasible().mechanism, 12, ranges)
+
+
+@settings(max_examples=60)
+@given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
+def test_any_orthodiagonal_design_up_to_its_pack(request: Request, ranges: int) -> None:
+    shares_up_to_the_pack(request.feasible().mechanism, 12, ranges)
+
+
+@pytest.mark.parametrize("heading", [90, 75])
+def test_a_straight_g_up_to_its_pack(heading: float) -> None:
+    # Square to f's plane rows stay straight and kappa = tan(drive/2): its target is at 90 degrees.
+    design = design_orthodiagonal(
+        graph("-x**2", -1, 1),
+        graph("0*x", 0, 1),
+        rows=9,
+        columns=5,
+        depth=0.12,
+        heading=np.deg2rad(heading),
+        flap=0,
+    )
+    assert isinstance(design.mechanism, Orthodiagonal)
+    straight = np.abs(design.mechanism.target_drive - np.pi / 2) < 1e-14
+    assert straight == (heading == 90)
+    for ranges in (1, 3, 20, RANGES):
+        _, columns = shares_up_to_the_pack(design.mechanism, 60, ranges)
+    # Nothing is given away before the last ranges, over which kappa grows without end.
+    assert np.median(columns) > 0.5
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_examples_up_to_their_packs(number: int) -> None:
+    for ranges in (1, 3, 20, RANGES):
+        rows, columns = shares_up_to_the_pack(example(number), 60, ranges)
+    assert rows.min() > 0.5
+    assert columns.min() > 0.5
 
 
 @settings(max_examples=40)
