@@ -112,6 +112,22 @@ export interface Curves {
   g: [number, number][];
 }
 
+/** How a shell is deployed, and what holds it at its target. */
+export interface DeploymentReport {
+  /** What it is folded up or opened from. */
+  start: "flat" | "pack";
+  /** Whether flaps are part of the folding sheet; None if there are none. */
+  flap_attachment: "folded" | "clipped" | null;
+  /** How far its hinges close. */
+  largest_fold_deg: number;
+  /** As far as it closes, proved if its path was examined. */
+  end_drive_deg: number;
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  closing: string | null;
+  /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
+  opening: string | null;
+}
+
 /** How close the shell is to what was asked for. */
 export interface DeviationReport {
   /** Distances of the polylines that the shell locks on from the target curves. */
@@ -206,8 +222,10 @@ export interface Header {
   grid: [number, number] | null;
   /** Was subtracted from all coordinates in space before they were rounded. */
   origin: [number, number, number];
-  /** Drive of every state, the flat one first. */
+  /** Drive of every state, in the order of the motion. */
   drives_deg: (number | null)[];
+  /** Numbers of the states that have a name: flat, target, pack. */
+  named: Record<string, number>;
   /** The fields of ``report.json``; empty if there is none. */
   report: Record<string, unknown>;
   contact: FirstContact | null;
@@ -239,7 +257,7 @@ export interface LockReport {
   /** Where it ends; None if nothing ends it. */
   drive_deg: number | null;
   /** What ends it. */
-  cause: "flaps" | "clash" | "crease" | null;
+  cause: "flaps" | "clash" | "crease" | "hinges" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
   /** Mean distance of inner vertices from the line between those above and below, at the target. */
@@ -309,15 +327,17 @@ export interface PathReport {
   bound: string;
 }
 
-/** Totals; lengths and areas in the document's unit. */
+/** Totals of the sheet and its clipped boards; lengths and areas in the document's unit. */
 export interface Quantities {
   /** Number of panels. */
   panels: number;
+  /** How many of them are panels of boards that are clipped on at the target. */
+  boards: number;
   /** Area of all panels. */
   area: number;
   /** Length of the creases by their assignment. */
   crease_length: CreaseLength;
-  /** Length of the sheet's outline and of cuts in it. */
+  /** Length of the outlines and of cuts within them. */
   outline_length: number;
   /** Sheets of stock, and what of them is not used; None if that was not asked for. */
   stock: Waste | null;
@@ -385,11 +405,13 @@ export interface Report {
   stands: StandsReport | null;
   /** How close it is to its target; None without one. */
   deviation: DeviationReport | null;
-  /** Sizes of the flat sheet, of the last state, and of the smallest state. */
+  /** Sizes of the flat sheet, of the shell, and of the smallest state. */
   sheet: SheetReport;
-  /** Sizes of the flat sheet, of the last state, and of the smallest state. */
+  /** Sizes of the flat sheet, of the shell, and of the smallest state. */
   deployed: BoxReport;
-  /** Sizes of the flat sheet, of the last state, and of the smallest state. */
+  /** How it is deployed and held. */
+  deployment: DeploymentReport;
+  /** Sizes of the flat sheet, of the shell, and of the smallest state. */
   packed: PackedReport;
   /** Bill of quantities. */
   quantities: Quantities;
