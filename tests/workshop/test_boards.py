@@ -156,6 +156,16 @@ def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share
     assert any("Clipped on at the target: parts" in text.words for text in first.texts)
 
 
+@pytest.mark.parametrize("example", SHELLS)
+def test_pieces_of_any_sheet_are_parts_of_their_own(example: str) -> None:
+    """The same pieces as one sheet, as another program may list them."""
+    everything = with_boards(document_of(example))
+    layout = lay_out(everything, stock_for(everything, 0.5))
+    for part in layout.parts:
+        assert len(set(everything.mesh.pieces[part.panels].tolist())) == 1
+        assert len(part.outlines) == 1
+
+
 def test_layouts_with_and_without_boards_are_not_confused() -> None:
     document = document_of("figure2")
     workshop = stock_for(document, 0.5)
