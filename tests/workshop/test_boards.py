@@ -129,7 +129,7 @@ def test_quantities_count_boards() -> None:
     assert found.mass_kg == pytest.approx(2 * found.area)
 
 
-@pytest.mark.parametrize("share", [1.02, 0.5])
+@pytest.mark.parametrize("share", [1.5, 0.5])
 @pytest.mark.parametrize("example", SHELLS)
 def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share: float) -> None:
     """Whole beside a sheet that fits the stock, and split as it is where they are longer."""
@@ -154,6 +154,16 @@ def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share
     assert area == pytest.approx(measure_waste(document, workshop).used_area, rel=1e-9)
     assert {str(part.number) for part in layout.parts} <= {text.words for text in first.texts}
     assert any("Clipped on at the target: parts" in text.words for text in first.texts)
+
+
+@pytest.mark.parametrize("example", SHELLS)
+def test_pieces_of_any_sheet_are_parts_of_their_own(example: str) -> None:
+    """The same pieces as one sheet, as another program may list them."""
+    everything = with_boards(document_of(example))
+    layout = lay_out(everything, stock_for(everything, 0.5))
+    for part in layout.parts:
+        assert len(set(everything.mesh.pieces[part.panels].tolist())) == 1
+        assert len(part.outlines) == 1
 
 
 def test_layouts_with_and_without_boards_are_not_confused() -> None:

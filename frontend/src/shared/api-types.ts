@@ -327,15 +327,17 @@ export interface PathReport {
   bound: string;
 }
 
-/** Totals; lengths and areas in the document's unit. */
+/** Totals of the sheet and its clipped boards; lengths and areas in the document's unit. */
 export interface Quantities {
   /** Number of panels. */
   panels: number;
+  /** How many of them are panels of boards that are clipped on at the target. */
+  boards: number;
   /** Area of all panels. */
   area: number;
   /** Length of the creases by their assignment. */
   crease_length: CreaseLength;
-  /** Length of the sheet's outline and of cuts in it. */
+  /** Length of the outlines and of cuts within them. */
   outline_length: number;
   /** Sheets of stock, and what of them is not used; None if that was not asked for. */
   stock: Waste | null;

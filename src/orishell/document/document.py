@@ -172,6 +172,16 @@ class Document:
             )
         return self.states[number]
 
+    def boards_at(self, which: int | str) -> tuple[Document, ...]:
+        """The boards that are clipped on in a state: all of them at the target, none elsewhere.
+
+        Parameters
+        ----------
+        which
+            The state's number or name.
+        """
+        return self.boards if which in (SHELL, self.named.get(SHELL)) else ()
+
     def in_world(self, points: Array) -> Array:
         """World coordinates (..., 3) of points (..., 3) of the document's frame."""
         return points + self.origin if self.origin.any() else points

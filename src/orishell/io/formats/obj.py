@@ -10,7 +10,7 @@ import numpy as np
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 
 
 def write_obj(path: Path, document: Document, settings: Settings) -> None:
@@ -19,6 +19,7 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     The y axis is up, as readers of OBJ expect: a point (x, y, z) is written as (x, z, -y).
     Coordinates are in the document's unit, which a comment names (OBJ has no place for it), and
     have all their digits. A grid has one group for each row of panels, any other sheet one group.
+    At the target each board that is clipped on there is a group of its own, after the sheet.
     Without smoothing (``s off``) creases stay sharp.
 
     Parameters
@@ -31,12 +32,22 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no such state.
     """
-    positions = document.in_world(document.state(settings.state).positions)
+    state = document.state(settings.state)
     with path.open("w", encoding="utf-8", newline="\n") as file:
         file.write(f"# {' '.join(document.title.split())}\n# Unit: {document.unit}. Up: y.\n")
-        file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in _y_up(positions).tolist())
+        file.writelines(_vertices(document.in_world(state.positions)))
         file.write("s off\n")
         file.writelines(_panels(document))
+        first = 1 + len(state.positions)
+        for number, board in enumerate(document.boards_at(settings.state), 1):
+            file.writelines(_vertices(document.in_world(board.shell.positions)))
+            file.write(f"g board_{number}\n")
+            file.writelines(_faces(board.mesh.faces + first))
+            first += board.mesh.vertex_count
+
+
+def _vertices(positions: Array) -> Iterator[str]:
+    return (f"v {x!r} {y!r} {z!r}\n" for x, y, z in _y_up(positions).tolist())
 
 
 def _panels(document: Document) -> Iterator[str]:
@@ -44,8 +55,11 @@ def _panels(document: Document) -> Iterator[str]:
     row = len(faces) if document.grid_shape is None else document.grid_shape[1] - 1
     for number, begin in enumerate(range(0, len(faces), row)):
         yield "g panels\n" if document.grid_shape is None else f"g row_{number}\n"
-        for a, b, c, d in (faces[begin : begin + row] + 1).tolist():
-            yield f"f {a} {b} {c} {d}\n"
+        yield from _faces(faces[begin : begin + row] + 1)
+
+
+def _faces(faces: Integers) -> Iterator[str]:
+    return (f"f {a} {b} {c} {d}\n" for a, b, c, d in faces.tolist())
 
 
 def _y_up(positions: Array) -> Array:

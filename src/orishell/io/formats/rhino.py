@@ -18,6 +18,7 @@ from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.numerics.arrays import Array
 from orishell.sheet.quads import reflex_corners, unit_normals
+from orishell.workshop.boards import with_boards
 from orishell.workshop.outline import find_outlines
 
 VERSION: Final = 6
@@ -60,10 +61,11 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
 
     Layers are "flat pattern" with CUT, MOUNTAIN, VALLEY and, if there are unfolded or unassigned
     creases, ENGRAVE; "shell" with "mesh" (one mesh, welded, double precision) and "panels" (one
-    surface each, named by row and column); "target" with a layer for each curve. The pattern lies
-    at z = 0: its outlines are closed polylines, its creases lines with their fold angle as user
-    text. The z axis is up. A panel is the bilinear surface of its corners, plane if they are; one
-    with a corner that points inwards is a trimmed plane.
+    surface each, named by row and column); at the target "board 1", ... likewise for boards that
+    are clipped on there; "target" with a layer for each curve. The pattern lies at z = 0: its
+    outlines are closed polylines, its creases lines with their fold angle as user text. The z axis
+    is up. A panel is the bilinear surface of its corners, plane if they are; one with a corner that
+    points inwards is a trimmed plane.
 
     The unit is the model's unit system, "no units" if none is known. The same document gives the
     same bytes with the same version of rhino3dm: objects have ids by their order, and the
@@ -84,8 +86,11 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
 
     model = _Model(document)
     if document.flat is not None:
-        _add_pattern(model, document, document.flat)
-    _add_shell(model, document, document.in_world(document.state(settings.state).positions))
+        _add_pattern(model, with_boards(document))
+    positions = document.state(settings.state).positions
+    _add_shell(model, document, document.in_world(positions), "shell")
+    for number, board in enumerate(document.boards_at(settings.state), 1):
+        _add_shell(model, board, document.in_world(board.shell.positions), f"board {number}")
     for name, points in document.curves.items():
         model.add(_polyline(document.in_world(points)), model.layer("target", name), name)
     options = rhino3dm.File3dmWriteOptions()
@@ -142,10 +147,11 @@ class _Model:
         return UUID(int=_FIRST_ID.int + self._ids)
 
 
-def _add_pattern(model: _Model, document: Document, flat: Array) -> None:
+def _add_pattern(model: _Model, document: Document) -> None:
     """Outlines and creases of the flat sheet, and what is cut inside it."""
     rhino3dm = _rhino3dm()
 
+    flat = document.require_flat()
     points = np.column_stack([flat, np.zeros(len(flat))])
     for name in ("CUT", "MOUNTAIN", "VALLEY"):
         model.layer("flat pattern", name)
@@ -163,8 +169,8 @@ def _add_pattern(model: _Model, document: Document, flat: Array) -> None:
         model.add(line, model.layer("flat pattern", layer), f"{kind} {edge}", **known)
 
 
-def _add_shell(model: _Model, document: Document, positions: Array) -> None:
-    """The shell in space as one mesh, and panel by panel."""
+def _add_shell(model: _Model, document: Document, positions: Array, name: str) -> None:
+    """The shell or a board of it in space as one mesh, and panel by panel."""
     rhino3dm = _rhino3dm()
 
     mesh = rhino3dm.Mesh()
@@ -174,9 +180,9 @@ def _add_shell(model: _Model, document: Document, positions: Array) -> None:
     for face in document.mesh.faces.tolist():
         mesh.Faces.AddFace(*face)
     mesh.Normals.ComputeNormals()
-    model.add(mesh, model.layer("shell", "mesh"), "shell")
+    model.add(mesh, model.layer(name, "mesh"), name)
     corners = positions[document.mesh.faces]
-    layer = model.layer("shell", "panels")
+    layer = model.layer(name, "panels")
     reflex: list[bool] = np.any(reflex_corners(corners), axis=1).tolist()
     for panel, (points, concave) in enumerate(zip(corners, reflex, strict=True)):
         surface = _trimmed(points) if concave else _bilinear(points)
