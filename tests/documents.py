@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from orishell.design_file import read_design_file
+from orishell.design_file import check_design, read_design_file, starter_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
+from orishell.shell.make import make_shell
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FAMILIES = {
@@ -29,9 +31,16 @@ def demo_document(family: str = "parallel-repeating", frames: int = 7) -> Docume
     )
 
 
+def pack_document() -> Document:
+    """A shell that is opened from its pack over its target, with its report."""
+    tables = tomllib.loads(starter_file("orthodiagonal")) | {"deployment": {"from": "pack"}}
+    file = check_design(tables, Path("pack.toml"), files=False)
+    return make_shell(file, clash="unexamined", measured=False, nested=False).document
+
+
 def flat_only(document: Document) -> Document:
     """The crease pattern alone, as other programs write it."""
-    return replace(document, states=(), curves={})
+    return replace(document, states=(), curves={}, named={})
 
 
 def folded_only(document: Document) -> Document:

@@ -11,6 +11,7 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +24,7 @@ from node_tools import lacking
 from orishell.io.formats.html import viewer_is_built
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, Locator, Page
 
 ROOT = Path(__file__).parents[1]
 PICTURES, BUILT = ROOT / "docs" / "images", ROOT / "build" / "pictures"
@@ -71,6 +72,20 @@ def watched_page(browser: Browser, **options: Any) -> Iterator[Page]:
     page.close()
     assert said == []
     assert [url for url in asked if url != own and not url.startswith("http://viewer.test/")] == []
+
+
+def require_apart(page: Page, elements: list[Locator], width: int) -> None:
+    """Elements lie within the page and on no other of them."""
+    await_frames(page)
+    boxes = [box for each in elements if (box := each.bounding_box())]
+    for box in boxes:
+        assert 0 <= box["x"] <= box["x"] + box["width"] <= width
+    for one, other in combinations(boxes, 2):
+        assert any(
+            first[side] + first[size] <= second[side] + 0.5
+            for first, second in ((one, other), (other, one))
+            for side, size in (("x", "width"), ("y", "height"))
+        )
 
 
 def wait_until(page: Page, expression: str, seconds: float = 60.0) -> None:

@@ -21,6 +21,7 @@ from viewer_pages import (
     await_frames,
     keep_picture,
     pixels,
+    require_apart,
     running_browser,
     wait_until,
     watched_page,
@@ -269,6 +270,47 @@ def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> Non
     assert 0 == low < 6 < high < 2 * np.pi
     assert "proved" in card.inner_text()
     assert page.get_by_test_id("refusal").is_hidden()
+
+
+def test_a_shell_that_is_opened_from_its_pack(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    assert page.get_by_test_id("pack").count() == 0
+    assert page.get_by_test_id("target").inner_text() == "Locked"
+    page.locator("label:has([data-testid=deployment-from-pack])").click()
+    settle(page)
+    assert page.get_by_test_id("target").inner_text() == "Target"
+    assert page.get_by_test_id("deployment-flap_attachment-folded").is_disabled()
+    assert "closes until panels meet" in page.get_by_test_id("verify-status").inner_text()
+    # The slider begins where the pack is proved, and stands at the target.
+    drives, named, deployment = page.evaluate(
+        "(({ header }) => [header.drives_deg, header.named, header.report.deployment])"
+        "(window.__orishell.store.view.value)"
+    )
+    assert drives[0] == deployment["end_drive_deg"] < 180
+    target = page.evaluate("window.__orishell.fold")
+    assert target == pytest.approx(1 - drives[named["target"]] / drives[0], rel=1e-12)
+    for name, share in (("pack", 0), ("flat", 1), ("target", target)):
+        page.get_by_test_id(name).click()
+        assert page.evaluate("window.__orishell.fold") == share
+        assert page.get_by_test_id("drive").inner_text() == f"{drives[named[name]]:.1f}\u00b0"
+    page.get_by_test_id("pack").click()
+    page.get_by_test_id("play").click()
+    wait_until(page, f"window.__orishell.fold === {target}")
+    wait_until(page, "window.__orishell.fold === 1")
+    for width in (1280, 760, 390):
+        page.set_viewport_size({"width": width, "height": 720})
+        require_apart(page, page.locator(".fold-bar :is(button, output)").all(), width)
+        assert page.get_by_test_id("target-mark").is_visible()
+    page.set_viewport_size({"width": 1280, "height": 720})
+    page.get_by_test_id("export").click()
+    assert page.locator("label:has([data-testid=state-pack])").is_visible()
+    page.keyboard.press("Escape")
+    # Folded up from the flat sheet again, flaps end the motion at its last state.
+    page.locator("label:has([data-testid=deployment-from-flat])").click()
+    settle(page)
+    assert "deployment" not in page.evaluate("window.__orishell.store.design.value")
+    page.get_by_test_id("target").click()
+    assert page.evaluate("window.__orishell.fold") == 1
 
 
 def test_ends_of_a_range_are_numbers_or_formulas_of_constants(page: Page) -> None:

@@ -13,7 +13,7 @@ import { Pointing } from "./pointing.ts";
 import { Sheet3D } from "./sheet3d.ts";
 import { stopsOf, targetShare } from "./stops.ts";
 import { Sun } from "./sun.ts";
-import { assignmentCounts, targetPoints, type View } from "./view.ts";
+import { assignmentCounts, isEarly, targetPoints, type View } from "./view.ts";
 
 export type { Colouring, Overlay };
 
@@ -119,8 +119,9 @@ export class Shell3D {
     this.extent = extentOf([this.allPoints()]);
     this.overlays.show(view);
     this.setDistance(view.distance ?? null);
-    const contact = view.header.contact;
-    this.setContact(contact && contact.panels, contact?.drive_deg);
+    const { contact, report } = view.header;
+    const early = contact && isEarly(contact, report.lock) ? contact : null;
+    this.setContact(early && early.panels, early?.drive_deg);
     const origin = new Vector3(...view.header.origin);
     const kept = keepCamera && this.fitted;
     if (kept) {

@@ -12,7 +12,7 @@ export interface Stop {
 /** Share of the way from the first drive to the last; drives may descend. */
 export function shareOf(drives: ArrayLike<number>, drive: number): number {
   const first = drives[0]!, last = drives[drives.length - 1]!;
-  return last === first ? 1 : (drive - first) / (last - first);
+  return last === first ? 1 : (drive - first) / (last - first) + 0;  // not -0
 }
 
 /** The named states in the order of the motion; of a sheet without names its first and last. */
@@ -23,7 +23,7 @@ export function stopsOf(view: View): Stop[] {
   const { lock, deployment } = report;
   // Until the proof says what ends the motion, flaps of the sheet are to.
   const locked = lock ? lock.cause === "flaps" : deployment?.flap_attachment === "folded";
-  const target = !Object.keys(report).length ? "Folded" : locked ? "Locked" : "Target";
+  const target = named["target"] === undefined ? "Folded" : locked ? "Locked" : "Target";
   const labels = { flat: "Flat", target, pack: "Pack" };
   return (["pack", "flat", "target"] as const)
     .filter((name) => numbers[name] !== undefined)

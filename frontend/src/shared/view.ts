@@ -105,6 +105,15 @@ export function targetPoints(view: View): Float32Array | null {
   return view.positions.length ? view.positions.subarray(number * size, (number + 1) * size) : null;
 }
 
+/** Drives nearer to the target than this are the target (degrees). */
+const SAME = 1e-6;
+
+/** Whether panels touch before the target: flaps that meet there, and the folds of a pack, are
+ * meant to. */
+export function isEarly(contact: Pick<Contact, "drive_deg">, lock: Known["lock"]): boolean {
+  return !lock || contact.drive_deg < lock.target_drive_deg - SAME;
+}
+
 /** Row and column of a panel, or its number where panels are not a grid's. */
 export function panelName(view: View, panel: number): string {
   const grid = view.header.grid;

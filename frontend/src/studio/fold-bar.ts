@@ -133,16 +133,20 @@ export class FoldBar {
     setAttribute(this.play, "aria-label", label);
   }
 
-  /** Another shell: what stands at a stop stays there. */
+  /** Another shell: what stands at a stop stays there; where the motion goes another way now, the
+   * target is shown. */
   private follow(): void {
     const view = this.store.view.value;
     if (view) {
       const share = this.share.value;
       const stood = this.stops.find((stop) => stop.share === share);
+      const [before] = this.stops;
       this.stops = stopsOf(view);
+      const stands = this.stops.find(({ name }) => name === stood?.name);
+      const turned = this.stops[0]?.name !== before?.name;
       this.journey = new Journey(this.stops);
       this.time = this.journey.timeOf(share);
-      if (stood) this.share.set((this.stops.find(({ name }) => name === stood.name) ?? { share: targetShare(this.stops) }).share);
+      if (stands || turned) this.share.set(stands?.share ?? targetShare(this.stops));
       this.name();
     }
     this.refresh();

@@ -1,21 +1,14 @@
 // How a motion ends, in words, and whether panels meet before it should.
 
-import type { Contact } from "../shared/view.ts";
+import { type Contact, isEarly } from "../shared/view.ts";
 import { pretty } from "./numbers.ts";
 import type { LockReport, Report, Verified } from "./types.ts";
 
 export type Tone = "quiet" | "good" | "bad";
 
-/** Drives nearer to the target than this are the target (degrees). */
-const SAME = 1e-6;
-
-/** The first contact, if it comes before the target: flaps that meet at lock are meant to. */
+/** The first contact, if it comes before the target. */
 export function earlyContact({ report, contact }: Verified): Contact | null {
-  return contact && isEarly(contact.drive_deg, report.lock) ? contact : null;
-}
-
-function isEarly(drive: number, lock: LockReport): boolean {
-  return drive < lock.target_drive_deg - SAME;
+  return contact && isEarly(contact, report.lock) ? contact : null;
 }
 
 /** What holds a shell, and against what, in a sentence or two. */
@@ -23,7 +16,7 @@ export function wordsOfLock(report: Pick<Report, "lock" | "deployment"> | null):
   if (!report?.lock) return ["Not verified.", "quiet"];
   const { lock, deployment } = report;
   const contact = lock.first_contact;
-  if (contact && isEarly(contact.drive_deg, lock)) {
+  if (contact && isEarly(contact, lock)) {
     const [first, second] = contact.panels.map((panel) => panel.join(","));
     const where = `at drive ${pretty(contact.drive_deg, 4)}° of ${pretty(lock.target_drive_deg, 4)}°`;
     return [`Panels ${first} and ${second} touch first, ${where} (${contact.kind}).`, "bad"];
@@ -49,6 +42,6 @@ function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }
     case "clash":
       return "Beyond the target panels meet";
     default:
-      return `Nothing holds it from closing${end > lock.target_drive_deg + SAME ? `; it ${on}` : ""}`;
+      return `Nothing holds it from closing${end > lock.target_drive_deg ? `; it ${on}` : ""}`;
   }
 }

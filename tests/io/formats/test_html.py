@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from documents import FAMILIES, demo_document, flat_only, folded_only
+from documents import FAMILIES, demo_document, flat_only, folded_only, pack_document
 from orishell.conventions.colours import rgb
 from orishell.errors import InputError
 from orishell.io.formats import html
@@ -23,6 +23,7 @@ from orishell.io.view import dump_view
 from viewer_pages import (
     await_frames,
     pixels,
+    require_apart,
     running_browser,
     wait_until,
     watched_page,
@@ -160,6 +161,36 @@ def test_slider_keys_and_play_move_the_picture(browser: Browser, tmp_path: Path)
         stopped = page.evaluate("orishell.shell.fold")
         await_frames(page)
         assert page.evaluate("orishell.shell.fold") == stopped
+
+
+def test_a_shell_is_opened_from_its_pack(browser: Browser, tmp_path: Path) -> None:
+    document = pack_document()
+    write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
+    shell = document.shell.positions
+    origin = (shell.min(axis=0) + shell.max(axis=0)) / 2
+    with watched_page(browser) as page:
+        opened(page, tmp_path / "viewer.html")
+        target = page.evaluate("orishell.shell.fold")
+        assert 0 < target < 1
+        assert page.get_by_role("slider").get_attribute("aria-label") == (
+            "Fold, from pack over target to flat"
+        )
+        for name in ("Pack", "Flat", "Target"):
+            page.get_by_role("button", name=name).click()
+            placed = np.reshape(page.evaluate("[...orishell.shell.drawnPoints()]"), (-1, 4, 3))
+            positions = document.state(name.lower()).positions[document.mesh.faces]
+            np.testing.assert_allclose(placed + origin, positions, atol=1e-5)
+        assert page.evaluate("orishell.shell.fold") == target
+        # Played from the pack it rests at the target and goes on.
+        page.get_by_role("button", name="Pack").click()
+        page.get_by_role("button", name="Play").click()
+        wait_until(page, f"orishell.shell.fold === {target}")
+        wait_until(page, f"orishell.shell.fold > {target}")
+        page.get_by_role("button", name="Pause").click()
+        for width in (1280, 760, 390, 320):
+            page.set_viewport_size({"width": width, "height": 720})
+            require_apart(page, page.locator(".player button, .player output").all(), width)
+            assert page.locator(".stop-mark").is_visible()
 
 
 def test_colours_overlays_and_theme_are_seen(browser: Browser, tmp_path: Path) -> None:
