@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import matplotlib.image
 import numpy as np
@@ -33,6 +33,12 @@ LARGEST = 400_000
 """Bytes of a picture."""
 WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 """WebGL without a graphics card."""
+
+
+SIDES: tuple[tuple[Literal["x", "y"], Literal["width", "height"]], ...] = (
+    ("x", "width"),
+    ("y", "height"),
+)
 
 
 def require_viewer() -> None:
@@ -84,7 +90,7 @@ def require_apart(page: Page, elements: list[Locator], width: int) -> None:
         assert any(
             first[side] + first[size] <= second[side] + 0.5
             for first, second in ((one, other), (other, one))
-            for side, size in (("x", "width"), ("y", "height"))
+            for side, size in SIDES
         )
 
 

@@ -9,6 +9,9 @@ its derivatives by the drive, over ranges that are halved until in each of them
 - the second one is, in a range that begins with the flat sheet, or
 - the second one is positive, in a range that ends at a drive of pi.
 
+Where it does not grow all the way, a tie may still be slack: the same is then asked beyond the
+target only, where a square that is proved to be less than at the target will do as well.
+
 At both of these drives the first derivative vanishes, for the motion goes back as it came.
 """
 
@@ -75,6 +78,9 @@ class Tie:
     grows
         Whether it is proved that the distance grows strictly all the way from the pack to the
         flat sheet; None if that was not examined, because the family does not say.
+    slack
+        Whether it is proved that the tie is slack all the way from the pack to the target; None if
+        that was not examined.
     fails_at
         If it is not proved, the drive nearest to the target about which it is not (radians).
     shrinks
@@ -87,6 +93,7 @@ class Tie:
     flat: float
     packed: float
     grows: bool | None = None
+    slack: bool | None = None
     fails_at: float | None = None
     shrinks: tuple[float, float] | None = None
 
@@ -129,10 +136,20 @@ def find_ties(mechanism: Mechanism, pairs: Iterable[VertexPair], limit: float) -
     ties = tuple(Tie(pair, *each) for pair, each in zip(chosen, distances, strict=True))
     if not isinstance(mechanism, ColumnDistances):
         return ties
-    shrinking, undecided = _examine(mechanism, rows, columns, limit)
+    target = mechanism.target_drive
+    shrinking, undecided = _examine(mechanism, rows, columns, (0.0, limit))
+    verdicts = [
+        _verdict(shrinking.of(pair), undecided.of(pair), target) for pair in range(len(ties))
+    ]
+    slack = np.array([verdict["grows"] for verdict in verdicts])
+    doubtful = np.flatnonzero(~slack)
+    if len(doubtful):
+        ceiling = np.array([ties[pair].length for pair in doubtful]) ** 2
+        failing = _examine(mechanism, rows[doubtful], columns[doubtful], (target, limit), ceiling)
+        slack[doubtful] = ~np.any([part.pairs.any(axis=0) for part in failing], axis=0)
     return tuple(
-        replace(tie, **_verdict(shrinking.of(pair), undecided.of(pair), mechanism.target_drive))
-        for pair, tie in enumerate(ties)
+        replace(tie, slack=bool(loose), **verdict)
+        for tie, loose, verdict in zip(ties, slack, verdicts, strict=True)
     )
 
 
@@ -189,16 +206,25 @@ def _joined(ranges: Sequence[_Ranges]) -> _Ranges:
 
 
 def _examine(
-    mechanism: ColumnDistances, rows: Integers, columns: Integers, limit: float
+    mechanism: ColumnDistances,
+    rows: Integers,
+    columns: Integers,
+    ends: tuple[float, float],
+    ceiling: Array | float = 0.0,
 ) -> tuple[_Ranges, _Ranges]:
-    """Ranges in which distances do not grow towards the flat sheet, and those left undecided."""
-    cuts = np.linspace(0.0, limit, BATCH + 1)
+    """Ranges in which distances do not grow towards the flat sheet, and those left undecided.
+
+    Ranges between two drives, without those in which squares are below a ceiling (P,).
+    """
+    cuts = np.linspace(*ends, BATCH + 1)
     left = _Ranges(cuts[:-1], cuts[1:], np.ones((BATCH, len(rows)), np.bool_))
+    limit = ends[1] - ends[0]
     shrinking, size = [], limit / BATCH
     while True:
         parts = [slice(first, first + BATCH) for first in range(0, len(left.start), BATCH)]
         found = [
-            _growth(mechanism, rows, columns, left.start[part], left.stop[part]) for part in parts
+            _growth(mechanism, (rows, columns), (left.start[part], left.stop[part]), ceiling)
+            for part in parts
         ]
         grows, shrinks = (np.concatenate(each) for each in zip(*found, strict=True))
         shrinking.append(_Ranges(left.start, left.stop, left.pairs & shrinks))
@@ -212,14 +238,18 @@ def _examine(
 
 
 def _growth(
-    mechanism: ColumnDistances, rows: Integers, columns: Integers, start: Array, stop: Array
+    mechanism: ColumnDistances,
+    pairs: tuple[Integers, Integers],
+    ranges: tuple[Array, Array],
+    ceiling: Array | float,
 ) -> tuple[Booleans, Booleans]:
     """Whether distances grow towards the flat sheet all over ranges (S,), or nowhere: (S, P)."""
-    square = mechanism.column_distances(rows, columns, start, stop)
+    start, stop = ranges
+    square = mechanism.column_distances(*pairs, start, stop)
     second = square.second
     # The first derivative is near its value halfway, too: within half a range times the second.
     halfway = 0.5 * (start + stop)
-    middle = mechanism.column_distances(rows, columns, halfway, halfway).first
+    middle = mechanism.column_distances(*pairs, halfway, halfway).first
     swing = (0.5 * (stop - start))[:, None] * second.magnitude()
     low = np.maximum(square.first.low, middle.low - swing)
     high = np.minimum(square.first.high, middle.high + swing)
@@ -228,7 +258,8 @@ def _growth(
     flat, closed = (start == 0.0)[:, None], (stop == np.pi)[:, None]
     grows = (high < -margin) | (flat & (second.high < -margin)) | (closed & (second.low > margin))
     shrinks = (low >= 0) | (flat & (second.low >= 0)) | (closed & (second.high <= 0))
-    return grows, shrinks
+    below = square.value.high < ceiling - margin
+    return grows | below, shrinks & ~below
 
 
 def _verdict(shrinking: Array, undecided: Array, target: float) -> dict[str, Any]:

@@ -63,18 +63,21 @@ class TieReport:
         Its vertices by row and column.
     length, flat, packed
         Their distance at the target, in the flat sheet, and at the end of the motion.
-    taut_at_target_only
-        Whether it is proved to be slack all the way from the end of the motion to the target; None
-        if the family does not say.
+    grows
+        Whether it is proved that its vertices move apart all the way from the end of the motion to
+        the flat sheet; None if the family does not say.
+    slack
+        Whether it is proved to be slack from the end of the motion to the target.
     fails_at_deg
-        Where it is not.
+        Where its vertices do not move apart, nearest to the target.
     """
 
     ends: VertexPair
     length: float
     flat: float
     packed: float
-    taut_at_target_only: bool | None
+    grows: bool | None
+    slack: bool | None
     fails_at_deg: float | None
 
 
@@ -210,7 +213,7 @@ def _packed(design: Design, lock: Lock) -> PackedReport:
 
 def _tie(tie: Tie) -> TieReport:
     fails = None if tie.fails_at is None else tidy_degrees(tie.fails_at)
-    return TieReport(tie.ends, tie.length, tie.flat, tie.packed, tie.grows, fails)
+    return TieReport(tie.ends, tie.length, tie.flat, tie.packed, tie.grows, tie.slack, fails)
 
 
 def _weight(

@@ -70,7 +70,7 @@ def _closes_better(request: Request, packed: PackedReport) -> Remedy | None:
 
 
 def _of_ties(report: DeploymentReport) -> Iterator[str]:
-    failing = [tie for tie in report.ties if tie.taut_at_target_only is False]
+    failing = [tie for tie in report.ties if tie.slack is False]
     if failing:
         (row, column), (other, _) = failing[0].ends
         yield (
@@ -78,7 +78,7 @@ def _of_ties(report: DeploymentReport) -> Iterator[str]:
             f"for example the one of rows {row} and {other} in column {column}, about drive "
             f"{failing[0].fails_at_deg:.4g} degrees: tie other vertices of the column"
         )
-    if any(tie.taut_at_target_only is None for tie in report.ties):
+    if any(tie.slack is None for tie in report.ties):
         yield "that ties are slack before the target is not proved in this family"
 
 
