@@ -66,9 +66,15 @@ def test_one_state_beyond_the_target(benchmark: BenchmarkFixture, family: str) -
     before = 0.5 * mechanism.target_drive
     beyond = 0.5 * (mechanism.target_drive + mechanism.end_drive)
     benchmark(mechanism.positions, beyond)
-    ratio = best_time(lambda: mechanism.positions(beyond)) / best_time(
-        lambda: mechanism.positions(before)
-    )
+    # In turns, so that what else the machine does slows both alike.
+    times = [
+        (
+            best_time(lambda: mechanism.positions(beyond), 1),
+            best_time(lambda: mechanism.positions(before), 1),
+        )
+        for _ in range(40)
+    ]
+    ratio = min(one for one, _ in times) / min(other for _, other in times)
     benchmark.extra_info["ratio to one before"] = ratio
     print(f"\none {family} state beyond the target: {ratio:.2f} times one before it (target 1.2)")
     assert ratio < 1.2
