@@ -46,7 +46,7 @@ def drives_of(sheet: Sheet, seed: int) -> Array:
     near = target * (1 + NEAR * np.append(random.uniform(-1, 1, 4), [-1, 1]))
     ending = end * (1 - 10.0 ** -np.arange(1, 16))
     drives = np.concatenate([[target], near, random.uniform(0, end, 6), [end], ending])
-    return np.minimum(drives, end)
+    return np.asarray(np.minimum(drives, end))
 
 
 def panel_distances(positions: Array) -> Array:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from orishell.numerics.arrays import Array, Complex
 from orishell.sheet.grid import Grid
@@ -81,7 +80,7 @@ def target_drive(rest: float) -> float:
     return float(2 * np.arctan2(1.0, rest))
 
 
-def other_side(whole: Array, part: ArrayLike) -> Array:
+def other_side(whole: Array, part: Array | float) -> Array:
     """sqrt(whole**2 - part**2) of lengths (...), 0 where they are alike but for rounding.
 
     A rounding error would be as large as its square root: creases that close together would not.

@@ -10,8 +10,13 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.clash import PathResult, ProofRecord, find_contacts, find_first_contact
-from orishell.clash.result import PathContact
+from orishell.clash import (
+    PathContact,
+    PathResult,
+    ProofRecord,
+    find_contacts,
+    find_first_contact,
+)
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
@@ -157,7 +162,8 @@ def find_lock(
 
     path = search(sheet.path_end, size)
     for meeting in (sheet.target, sheet.end):
-        if path.contact is None or not LATE * meeting < path.contact.drive <= meeting:
+        contact = path.contact
+        if contact is None or not LATE * meeting < contact.drive <= meeting:
             continue
         # Panels that meet there, however slowly, come within any tolerance before it.
         clear = meeting * (1 - SHORT_OF_END)
@@ -165,7 +171,7 @@ def find_lock(
         if closer.contact is None and meeting == sheet.end:
             path = closer
         elif closer.contact is None and (touching := sheet.touching(meeting, size)):
-            found = sheet.contact(PathContact(meeting, clear, path.contact.panels))
+            found = sheet.contact(PathContact(meeting, clear, contact.panels))
             return sheet.lock(meeting, "clash", found, closer.proof, touching)
     if path.contact is not None:
         found = sheet.contact(path.contact)

@@ -129,9 +129,9 @@ class Orthodiagonal(FlapSheet):
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, end_drive] (radians).
 
-        At the target f is upright (its y axis is +z) and the middle row lies on the points, in their
-        plane z = 0 turned about n by the tilt, through the first point. In other states n and the
-        length-weighted centroid of the middle row stay, and the plane of t and n is level at
+        At the target f is upright (its y axis is +z) and the middle row lies on the points, in
+        their plane z = 0 turned about n by the tilt, through the first point. In other states n
+        and the length-weighted centroid of the middle row stay, and the plane of t and n is level at
         drive 0 and turns evenly with the drive. Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)

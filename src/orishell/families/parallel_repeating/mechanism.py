@@ -131,8 +131,8 @@ class ParallelRepeating(FlapSheet):
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., m+2, n+2, 3) at drive angles rho (...), in [0, end_drive] (radians).
 
-        At the target the middle row lies on the points, in z = 0. Other states are placed so that the
-        middle row's centroid stays where it is and its segments turn by nothing on average.
+        At the target the middle row lies on the points, in z = 0. Other states are placed so that
+        the middle row's centroid stays where it is and its segments turn by nothing on average.
         Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
