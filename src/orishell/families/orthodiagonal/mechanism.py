@@ -131,8 +131,8 @@ class Orthodiagonal(FlapSheet):
 
         At the target f is upright (its y axis is +z) and the middle row lies on the points, in
         their plane z = 0 turned about n by the tilt, through the first point. In other states n
-        and the length-weighted centroid of the middle row stay, and the plane of t and n is level at
-        drive 0 and turns evenly with the drive. Without flaps: (..., m+2, n, 3).
+        and the length-weighted centroid of the middle row stay, and the plane of t and n is level
+        at drive 0 and turns evenly with the drive. Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
         columns = self._columns()
