@@ -197,7 +197,7 @@ def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
 
 
 def warn_of_lock(lock: Lock) -> list[str]:
-    """Warnings of a clash before the target, or of panels that touch at the target and should not."""
+    """Warnings of a clash before the target, or of panels that touch there and should not."""
     contact = lock.first_contact
     if lock.early and contact is not None:
         first, second = (list(panel) for panel in contact.panels)
