@@ -131,6 +131,8 @@ class Request:
             except DesignError:
                 continue
             return request
+        if not changed:
+            raise error
         return changed[0]
 
     def feasible(self) -> Design:
