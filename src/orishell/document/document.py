@@ -153,6 +153,11 @@ class Document:
         Where no state has a name, "flat" is the first and "target" the last; where there is none
         at all, both are the flat sheet.
 
+        Parameters
+        ----------
+        which
+            The state's number or name.
+
         Raises
         ------
         InputError

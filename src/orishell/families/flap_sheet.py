@@ -83,14 +83,25 @@ class FlapSheet:
 
 
 def target_drive(rest: float) -> float:
-    """The drive (radians) at which the tightest panel column is as open as its rest says."""
+    """Return the drive at which the tightest panel column is as open as its rest says (radians).
+
+    Parameters
+    ----------
+    rest
+        Its slope, or the share of its width that is left at the target; 0 for a flap.
+    """
     return float(2 * np.arctan2(1.0, rest))
 
 
 def other_side(whole: Array, part: Array | float) -> Array:
-    """sqrt(whole**2 - part**2) of lengths (...), 0 where they are alike but for rounding.
+    """Return sqrt(whole**2 - part**2), 0 where they are alike but for rounding.
 
     A rounding error would be as large as its square root: creases that close together would not.
+
+    Parameters
+    ----------
+    whole, part
+        Hypotenuse and one side of right triangles (...), in any unit of length.
     """
     side = np.sqrt(np.maximum((whole - part) * (whole + part), 0.0))
     return np.asarray(np.where(whole - part <= ALIKE * whole, 0.0, side))

@@ -59,7 +59,13 @@ class Request:
         return self
 
     def designed(self) -> Design:
-        """The design that is asked for, before its path is examined for contact."""
+        """The design that is asked for, before its path is examined for contact.
+
+        Raises
+        ------
+        DesignError
+            If the family cannot make it, or hinges do not close as far as its target asks.
+        """
         design = (
             self.pattern.design_without_target()
             if self.target is None

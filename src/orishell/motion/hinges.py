@@ -15,7 +15,13 @@ FINE = 1e-14
 
 
 def largest_fold(mechanism: Mechanism, drive: Array) -> Array:
-    """The largest fold angle (S,) of any crease, at drives (S,), without sign (radians)."""
+    """Return the largest fold angle (S,) of any crease, without its sign (radians).
+
+    Parameters
+    ----------
+    drive
+        Drive angles (S,) of the states (radians).
+    """
     angles = mechanism.fold_angles(drive)
     row, column = (
         np.abs(each).reshape(len(drive), -1).max(axis=1, initial=0.0)
