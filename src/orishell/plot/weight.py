@@ -63,7 +63,13 @@ def plot_weight(path: Path, weight: DrawnWeight) -> None:
 
 
 def draw_weight(axes: Axes, weight: DrawnWeight) -> None:
-    """Draw the force at the feet along a motion, without a legend."""
+    """Draw the force at the feet along a motion, without a legend.
+
+    Parameters
+    ----------
+    axes
+        Where to.
+    """
     drives, force = np.array(weight.drives_deg), np.array(weight.forces, dtype=float)
     shown = np.nan_to_num(force)
     opens = "opens under its own weight: the feet are held together"
@@ -80,11 +86,13 @@ def draw_weight(axes: Axes, weight: DrawnWeight) -> None:
     for k, drive in enumerate(weight.tipping_deg):
         words = "falls to either side" if k == 0 else "_"
         axes.plot(drive, 0, "o", color=TIPS, markersize=8, label=words, zorder=3)
+    low, high = np.clip([shown.min(), shown.max()], -weight.largest, weight.largest)
+    margin = 0.1 * weight.largest
     axes.set(
         xlim=(-0.02 * drives[-1], 1.02 * drives[-1]),
-        ylim=(-1.1 * weight.largest, 1.1 * weight.largest),
+        ylim=(min(low, 0) - margin, max(high, 0) + margin),
         xlabel="drive (degrees); 0 is the flat sheet, which no force at the feet lifts",
-        ylabel=f"force at each line of feet ({weight.unit}), positive outwards",
+        ylabel=f"outward force at each line of feet ({weight.unit})",
         title="What the shell's own weight does on the way",
     )
     axes.grid(visible=True, color="#e4e4e4", linewidth=0.6)

@@ -78,7 +78,7 @@ def weight_of(deployment: DeploymentReport, lock: Lock) -> DrawnWeight | None:
     return DrawnWeight(
         weight.drives_deg,
         weight.forces,
-        unit="N" if in_newtons else "share of the weight",
+        unit="N" if in_newtons else "share of its weight",
         largest=max(weight.total if in_newtons else 1.0, weight.largest_from_pack),
         marked_deg=marked,
         tipping_deg=weight.tipping_deg,
