@@ -32,6 +32,7 @@ def measure(shell: Shell) -> dict[str, float]:
         "headroom": float((locked[..., 2] - ground[..., 2].mean())[above].min()),
         "uneven": float(np.ptp(ground[..., 2])),
         "sheet": shell.report.sheet.area,
+        "flaps": quantities.area - shell.report.sheet.area,
         "boards": quantities.stock.sheets if quantities.stock else 0,
         "mass": quantities.mass_kg or 0.0,
         "pack length": packed.length,
@@ -58,7 +59,10 @@ def main() -> None:
         f"closes with {size['closing force']:.0f} N of {size['weight']:.0f} N, which flaps carry; "
         f"{size['ties']} ties proved to be slack before"
     )
-    print(f"{size['sheet']:.1f} m2 of sheet, {size['mass']:.0f} kg, on {size['boards']} boards")
+    print(
+        f"{size['sheet']:.1f} m2 of sheet and {size['flaps']:.1f} m2 of flaps, "
+        f"{size['mass']:.0f} kg, on {size['boards']} boards"
+    )
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.colours import LIGHT, rgb
+from orishell.deployment import Tie
 from orishell.motion import panel_normals
 from orishell.plot.scene import Camera, frame
 from orishell.sheet.grid import CreaseValues
+from orishell.shell.deployment_report import TieReport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,6 +36,8 @@ SHADOW = (0.35, 0.38, 0.45, 0.22)
 LOCKED = 0.995
 """Share of the drive at which locked shells are drawn: at 1 flaps touch, and panels in one place
 have no order."""
+WAVES, TAUT, TIE = 6, 1e-6, LIGHT["target"]
+"""Waves of a slack tie, how much of its squared length a taut one may be slack, and the colour."""
 CELLS = 6
 """Cells along a panel's side: small ones sort well from the farthest to the nearest."""
 
@@ -104,6 +109,19 @@ def draw_line(axes: Axes, points: Array, view: Camera, colour: str, label: str =
     outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.85), Normal()]
     picture = view.project(points)[0]
     axes.plot(*picture.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
+
+
+def draw_ties(axes: Axes, positions: Array, ties: Sequence[Tie | TieReport], view: Camera) -> None:
+    """Draw ties on the ground below a shell: as waves while they are slack, straight when taut."""
+    share = np.linspace(0, 1, 20 * WAVES + 1)
+    for tie in ties:
+        first, last = (positions[vertex] for vertex in tie.ends)
+        across = np.cross(last - first, [0.0, 0.0, 1.0])
+        slack = max((tie.length / float(np.linalg.norm(last - first))) ** 2 - 1, 0.0)
+        wave = np.sqrt(2 * slack) / (2 * np.pi * WAVES) * np.sin(2 * np.pi * WAVES * share)
+        line = first + share[:, None] * (last - first) + wave[:, None] * across
+        taut = slack < TAUT
+        axes.plot(*view.project(line)[0].T, color=TIE, linewidth=2.2 if taut else 1, zorder=0.5)
 
 
 def draw_pattern(axes: Axes, flat: Array, signs: CreaseValues | None, line: float = 1.2) -> None:

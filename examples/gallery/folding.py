@@ -7,35 +7,40 @@ docs/images/folding.gif.
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
 
 import numpy as np
-from drawing import EXAMPLES, LOCKED, camera, draw_shell, same_scale
+from drawing import EXAMPLES, LOCKED, Array, camera, draw_shell, draw_ties, same_scale
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from orishell import Design
+from orishell.deployment import Tie, feet_ties, find_ties
 from orishell.design_file import read_design_file
-from orishell.motion import Mechanism
+from orishell.shell.standing import find_feet
+from orishell.shell.tolerance import request_of
 
 DIRECTORY = EXAMPLES.parent / "docs" / "images"
 STRIP = (0.0, 0.32, 0.56, 0.78, LOCKED)
 """Shares of the drive at lock."""
-STEPS, HELD = 24, 12
-"""States of the animation from flat to locked, and how many frames it rests at either end."""
-COLOURS = 32
+BUNDLE = np.deg2rad(177.7)
+"""Drive at which the bundle is drawn: 0.7 m deep, as 72 boards of 10 mm are."""
+STEPS, HELD = 24, 16
+"""States of the animation from bundle to target, and how many frames it rests at either end."""
+COLOURS = 96
 
 
-def mechanism(name: str) -> Mechanism:
-    """The sheet of an example's design file."""
-    file = read_design_file(EXAMPLES / f"{name}.toml")
-    return file.pattern.design(file.f, file.g).mechanism
+def design(name: str) -> Design:
+    """The design of an example's design file."""
+    return request_of(read_design_file(EXAMPLES / f"{name}.toml")).designed()
 
 
 def draw_strip(path: Path) -> None:
     """The ring canopy in five states side by side."""
-    sheet = mechanism("canopy")
+    sheet = design("canopy").mechanism
     figure = Figure(figsize=(16, 2.25), facecolor="white")
     FigureCanvasAgg(figure)
     frames = list(figure.subplots(1, len(STRIP)))
@@ -47,15 +52,23 @@ def draw_strip(path: Path) -> None:
 
 
 def draw_animation(path: Path) -> None:
-    """The shelter that folds up, rests, and unfolds."""
-    sheet = mechanism("shelter")
-    shares = 0.5 * LOCKED * (1 - np.cos(np.linspace(0, np.pi, STEPS)))
-    pictures = [draw_frame(sheet, float(share)) for share in shares]
-    # One palette for all frames, from the two ends: no flicker, and no rounding of our own.
-    both = Image.new("RGB", (pictures[0].width, 2 * pictures[0].height))
-    both.paste(pictures[0], (0, 0))
-    both.paste(pictures[-1], (0, pictures[0].height))
-    palette = both.quantize(COLOURS, method=Image.Quantize.MEDIANCUT)
+    """The shelter that is opened from its bundle until its ties are taut, and closed again."""
+    shelter = design("shelter")
+    sheet, feet = shelter.mechanism, find_feet(shelter)
+    assert feet is not None
+    ties = find_ties(sheet, feet_ties(sheet, feet.rows), BUNDLE)
+    # Its length goes with the cosine: steps of the drive would throw it open.
+    eased = 0.5 * (1 - np.cos(np.linspace(0, np.pi, STEPS)))
+    ends = np.cos(0.5 * np.array([BUNDLE, sheet.target_drive]))
+    drives = 2 * np.arccos(ends[0] + eased * (ends[1] - ends[0]))
+    pictures = [draw_frame(sheet.positions(drive), ties) for drive in drives]
+    # One palette for all frames, from some of them: no flicker, and no rounding of our own.
+    some = pictures[::3]
+    height = pictures[0].height
+    stack = Image.new("RGB", (pictures[0].width, len(some) * height))
+    for k, picture in enumerate(some):
+        stack.paste(picture, (0, k * height))
+    palette = stack.quantize(COLOURS, method=Image.Quantize.MEDIANCUT)
     mapped = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in pictures]
     durations = [60] * STEPS
     durations[0] = durations[-1] = 60 * HELD
@@ -70,16 +83,17 @@ def draw_animation(path: Path) -> None:
     )
 
 
-def draw_frame(sheet: Mechanism, share: float) -> Image.Image:
+def draw_frame(positions: Array, ties: Sequence[Tie]) -> Image.Image:
     """One state of the shelter, standing on the ground, in a window that is always the same."""
-    positions = sheet.positions(share * sheet.target_drive)
     positions = positions - [*positions[..., :2].mean(axis=(0, 1)), positions[..., 2].min()]
     figure = Figure(figsize=(6.8, 3.683), facecolor="white")
     FigureCanvasAgg(figure)
     axes = figure.add_axes((0, 0, 1, 1))
-    draw_shell(axes, positions, camera(-52, 24), ground=0.0, line=0.7)
-    axes.set_xlim(-5.1, 5.1)
-    axes.set_ylim(-2.2, 3.325)
+    view = camera(-40, 24)
+    draw_shell(axes, positions, view, ground=0.0, line=0.7)
+    draw_ties(axes, positions, ties, view)
+    axes.set_xlim(-4.7, 4.7)
+    axes.set_ylim(-1.8, 3.292)
     buffer = BytesIO()
     figure.savefig(buffer, dpi=100)
     return Image.open(buffer).convert("RGB")

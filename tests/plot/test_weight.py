@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from orishell.conventions.colours import rgb
-from orishell.plot import plot_weight
+from orishell.plot import DrawnWeight, plot_weight
 
 OPENS, CLOSES = (210, 223, 242), (247, 212, 213)
 """A fifth of blue and of red, on white."""
@@ -16,8 +16,7 @@ OPENS, CLOSES = (210, 223, 242), (247, 212, 213)
 
 def picture(path: Path, forces: Sequence[float | None], pack: bool = True) -> np.ndarray:
     drives = np.linspace(0, 180, len(forces)).tolist()
-    plot_weight(
-        path,
+    weight = DrawnWeight(
         drives,
         forces,
         unit="N",
@@ -25,6 +24,7 @@ def picture(path: Path, forces: Sequence[float | None], pack: bool = True) -> np
         marked_deg={"target": 90, "pack": 180} if pack else {"target": 90},
         tipping_deg=[60] if pack else [],
     )
+    plot_weight(path, weight)
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
 
 

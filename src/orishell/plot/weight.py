@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.conventions.colours import LIGHT
 from orishell.plot.scene import DPI
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 OPENS, CLOSES = LIGHT["valley"], LIGHT["mountain"]
 LINE, TIPS = LIGHT["border-crease"], LIGHT["contact"]
 MARKS = {"target": LIGHT["target"], "pack": LIGHT["unfolded"]}
 
 
-def plot_weight(
-    path: Path,
-    drives_deg: Sequence[float],
-    forces: Sequence[float | None],
-    *,
-    unit: str,
-    largest: float,
-    marked_deg: Mapping[str, float],
-    tipping_deg: Sequence[float],
-) -> None:
-    """Write the picture of own weight as PNG.
+@dataclass(frozen=True, slots=True)
+class DrawnWeight:
+    """The force at the feet along a motion, as it is drawn.
 
     Parameters
     ----------
@@ -42,6 +39,17 @@ def plot_weight(
     tipping_deg
         Drive angles at which the shell falls to either side.
     """
+
+    drives_deg: Sequence[float]
+    forces: Sequence[float | None]
+    unit: str
+    largest: float
+    marked_deg: Mapping[str, float]
+    tipping_deg: Sequence[float]
+
+
+def plot_weight(path: Path, weight: DrawnWeight) -> None:
+    """Write the picture of own weight as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -49,29 +57,42 @@ def plot_weight(
     layout = ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1)
     figure = Figure(figsize=(8.0, 5.2), facecolor="white", layout=layout)
     FigureCanvasAgg(figure)
-    axes = figure.add_subplot()
-    drives, force = np.array(drives_deg), np.array(forces, dtype=float)
+    draw_weight(figure.add_subplot(), weight)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+
+
+def draw_weight(axes: Axes, weight: DrawnWeight) -> None:
+    """Draw the force at the feet along a motion, without a legend.
+
+    Parameters
+    ----------
+    axes
+        Where to.
+    """
+    drives, force = np.array(weight.drives_deg), np.array(weight.forces, dtype=float)
+    shown = np.nan_to_num(force)
     opens = "opens under its own weight: the feet are held together"
     closes = "closes under its own weight: the feet are held apart"
-    for side, colour, words in ((force > 0, OPENS, opens), (force < 0, CLOSES, closes)):
+    for side, colour, words in ((shown > 0, OPENS, opens), (shown < 0, CLOSES, closes)):
         if side.any():
             axes.fill_between(
-                drives, force, where=side, interpolate=True, color=colour, alpha=0.2, label=words
+                drives, shown, where=side, interpolate=True, color=colour, alpha=0.2, label=words
             )
     axes.plot(drives, force, color=LINE, linewidth=1.4)
     axes.axhline(0, color=LINE, linewidth=0.8)
-    for name, drive in marked_deg.items():
+    for name, drive in weight.marked_deg.items():
         axes.axvline(drive, color=MARKS[name], linewidth=1.8, label=f"{name}, {drive:.4g}°")
-    for k, drive in enumerate(tipping_deg):
+    for k, drive in enumerate(weight.tipping_deg):
         words = "falls to either side" if k == 0 else "_"
         axes.plot(drive, 0, "o", color=TIPS, markersize=8, label=words, zorder=3)
+    low, high = np.clip([shown.min(), shown.max()], -weight.largest, weight.largest)
+    margin = 0.1 * weight.largest
     axes.set(
         xlim=(-0.02 * drives[-1], 1.02 * drives[-1]),
-        ylim=(-1.1 * largest, 1.1 * largest),
+        ylim=(min(low, 0) - margin, max(high, 0) + margin),
         xlabel="drive (degrees); 0 is the flat sheet, which no force at the feet lifts",
-        ylabel=f"force at each line of feet ({unit}), positive outwards",
+        ylabel=f"outward force at each line of feet ({weight.unit})",
         title="What the shell's own weight does on the way",
     )
     axes.grid(visible=True, color="#e4e4e4", linewidth=0.6)
-    figure.legend(loc="outside lower center", ncols=2, frameon=False)
-    figure.savefig(path, dpi=DPI, metadata={"Software": None})

@@ -11,7 +11,14 @@ from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, locked_shell, measure_signed
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
-from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff, plot_weight
+from orishell.plot import (
+    DrawnContact,
+    DrawnWeight,
+    plot_deviation,
+    plot_overview,
+    plot_tradeoff,
+    plot_weight,
+)
 from orishell.shell.choice import Choice, Trial
 from orishell.shell.deployment_report import DeploymentReport
 
@@ -54,23 +61,24 @@ def draw_pictures(
             file.tolerance.surface,
             file.unit,
         )
-    if file.deployment != FROM_FLAT:
-        _plot_weight(directory / "weight.png", deployment, lock.target)
+    weight = weight_of(deployment, lock)
+    if weight is not None and file.deployment != FROM_FLAT:
+        plot_weight(directory / "weight.png", weight)
 
 
-def _plot_weight(path: Path, deployment: DeploymentReport, target: float) -> None:
+def weight_of(deployment: DeploymentReport, lock: Lock) -> DrawnWeight | None:
+    """A shell's own weight, as it is drawn; None if it was not measured, or does not stand."""
     weight = deployment.weight
     if weight is None:
-        return
+        return None
     in_newtons = weight.force_unit == "N"
-    marked = {"target": tidy_degrees(target)}
+    marked = {"target": tidy_degrees(lock.target)}
     if deployment.start == "pack":
         marked["pack"] = deployment.end_drive_deg
-    plot_weight(
-        path,
+    return DrawnWeight(
         weight.drives_deg,
         weight.forces,
-        unit="N" if in_newtons else "share of the weight",
+        unit="N" if in_newtons else "share of its weight",
         largest=max(weight.total if in_newtons else 1.0, weight.largest_from_pack),
         marked_deg=marked,
         tipping_deg=weight.tipping_deg,

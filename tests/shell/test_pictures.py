@@ -1,0 +1,44 @@
+"""Which pictures a shell gets."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from design_tables import formula, tables
+from orishell.design_file import check_design
+from orishell.shell.export import write_shell
+from orishell.shell.make import make_shell
+from orishell.shell.pictures import weight_of
+
+ARCH, BOWL = ("-x**2", -1, 1), ("x**2", -1, 1)
+
+
+@pytest.mark.parametrize(
+    ("f", "deployment", "drawn"),
+    [
+        (ARCH, {}, False),
+        (ARCH, {"from": "flat"}, False),
+        (ARCH, {"ties": "feet"}, True),
+        (ARCH, {"from": "pack"}, True),
+        (BOWL, {"from": "pack"}, False),  # it has no feet
+    ],
+)
+def test_own_weight_is_drawn_for_who_asks(
+    tmp_path: Path, f: tuple[str, float, float], deployment: dict[str, Any], drawn: bool
+) -> None:
+    design = tables(
+        "parallel-repeating", formula(*f), formula("x**2/60", 0, 6), rows=5, columns=5, xi_deg=50
+    )
+    design["motion"]["frames"] = 3
+    design["deployment"] = deployment
+    shell = make_shell(check_design(design, Path("shell.toml")))
+    names = {path.name for path in write_shell(shell, tmp_path)}
+    assert ("weight.png" in names) == drawn
+    weight = weight_of(shell.report.deployment, shell.lock)
+    if drawn:
+        assert weight is not None
+        assert weight.unit == "share of its weight"
+        assert weight.largest >= 1
+        assert weight.marked_deg["target"] == shell.report.lock.target_drive_deg
+        assert ("pack" in weight.marked_deg) == (deployment.get("from") == "pack")
