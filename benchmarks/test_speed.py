@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 import tracemalloc
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -66,9 +67,13 @@ def test_one_state_beyond_the_target(benchmark: BenchmarkFixture, family: str) -
     before = 0.5 * mechanism.target_drive
     beyond = 0.5 * (mechanism.target_drive + mechanism.end_drive)
     benchmark(mechanism.positions, beyond)
-    ratio = best_time(lambda: mechanism.positions(beyond)) / best_time(
-        lambda: mechanism.positions(before)
-    )
+    # In turns, so that what else the machine does slows both alike.
+    drives = (beyond, before)
+    times = [
+        [best_time(partial(mechanism.positions, drive), 1) for drive in drives] for _ in range(40)
+    ]
+    one, other = np.min(times, axis=0)
+    ratio = one / other
     benchmark.extra_info["ratio to one before"] = ratio
     print(f"\none {family} state beyond the target: {ratio:.2f} times one before it (target 1.2)")
     assert ratio < 1.2

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import reject
 from hypothesis import strategies as st
 
 from orishell.curves import (
@@ -131,10 +132,16 @@ class Request:
             except DesignError:
                 continue
             return request
+        if not changed:
+            raise error
         return changed[0]
 
     def feasible(self) -> Design:
-        return self.mended().design()
+        """The design of the request as mended; one that stays refused is no example."""
+        try:
+            return self.mended().design()
+        except DesignError:
+            reject()
 
 
 def parallel_repeating(f: Curve, g: Curve, **options: Any) -> Request:

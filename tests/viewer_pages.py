@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import matplotlib.image
 import numpy as np
@@ -33,12 +33,6 @@ LARGEST = 400_000
 """Bytes of a picture."""
 WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 """WebGL without a graphics card."""
-
-
-SIDES: tuple[tuple[Literal["x", "y"], Literal["width", "height"]], ...] = (
-    ("x", "width"),
-    ("y", "height"),
-)
 
 
 def require_viewer() -> None:
@@ -84,13 +78,14 @@ def require_apart(page: Page, elements: list[Locator], width: int) -> None:
     """Elements lie within the page and on no other of them."""
     await_frames(page)
     boxes = [box for each in elements if (box := each.bounding_box())]
-    for box in boxes:
-        assert 0 <= box["x"] <= box["x"] + box["width"] <= width
-    for one, other in combinations(boxes, 2):
+    spans = [
+        ((box["x"], box["x"] + box["width"]), (box["y"], box["y"] + box["height"])) for box in boxes
+    ]
+    assert all(0 <= left <= right <= width for (left, right), _ in spans)
+    for one, other in combinations(spans, 2):
         assert any(
-            first[side] + first[size] <= second[side] + 0.5
-            for first, second in ((one, other), (other, one))
-            for side, size in SIDES
+            first[1] <= second[0] + 0.5 or second[1] <= first[0] + 0.5
+            for first, second in zip(one, other, strict=True)
         )
 
 

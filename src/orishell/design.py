@@ -128,5 +128,6 @@ def warn_of_no_lock(flap: float) -> tuple[str, ...]:
     if flap:
         return ()
     return (
-        "without flaps (flap = 0) nothing stops the motion at the target: the shell does not lock",
+        "without flaps (flap = 0) nothing but its supports keeps the shell from closing beyond its "
+        "target",
     )

@@ -6,6 +6,8 @@ common vertex are left out: their creases fold as the closed form says (tests/mo
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
@@ -65,13 +67,13 @@ def orthodiagonal(random: np.random.Generator) -> Design:
     )
 
 
-def designs(make: object) -> list[Design]:
+def designs(make: Callable[[np.random.Generator], Design]) -> list[Design]:
     """Designs of seeded random numbers, those that are refused left out."""
     made: list[Design] = []
     random = np.random.default_rng(5)
     while len(made) < SEEDS:
         try:
-            made.append(make(random))  # type: ignore[operator]
+            made.append(make(random))
         except DesignError:
             continue
     return made
@@ -94,25 +96,39 @@ def require_neither_early_nor_late(design: Design) -> Lock:
     assert lock.drive - lock.first_contact.clear_until <= step * (1 + 1e-3)
     for drive in np.linspace(0, lock.drive * (1 - 1e-6), 40):
         assert contacts(mechanism, drive, CONTACT_TOLERANCE) == 0
-    # They touch there, or within the next of the smallest steps.
-    near = (lock.drive, lock.drive + step)
+    # They touch there, or as good as: fast ones cross the tolerance within a few smallest steps.
+    near = (lock.drive, lock.drive * (1 + 1e-8))
     assert any(contacts(mechanism, drive, CONTACT_TOLERANCE * (1 + 1e-3)) for drive in near)
     return lock
 
 
-@pytest.mark.parametrize("make", [parallel_repeating, orthodiagonal])
-def test_the_end_found_is_neither_early_nor_late(make: object) -> None:
-    locks = [require_neither_early_nor_late(design) for design in designs(make)]
-    # Both ends occur, and clashes beyond the target.
-    causes = [lock.cause for lock in locks]
-    assert {"clash", "crease"} == set(causes)
-    beyond = [lock for lock in locks if lock.drive is not None and lock.drive > lock.target]
-    assert any(lock.cause == "clash" for lock in beyond)
-
-
-def test_figure_1_without_flaps_meets_itself_beyond_its_target(
-    record_property: pytest.FixtureRequest,
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("make", "causes"),
+    [(parallel_repeating, {"clash", "crease"}), (orthodiagonal, {"crease"})],
+)
+def test_the_end_found_is_neither_early_nor_late(
+    make: Callable[[np.random.Generator], Design], causes: set[str]
 ) -> None:
+    # An orthodiagonal shell's columns stay in parallel planes in their order, so that only panels
+    # of one column could meet; the arcs of these do not curl up so far.
+    locks = [require_neither_early_nor_late(design) for design in designs(make)]
+    assert {lock.cause for lock in locks} == causes
+    assert all(lock.drive is not None and lock.drive > lock.target for lock in locks)
+
+
+@pytest.mark.parametrize("depth", [0.4, 0.2])
+def test_an_orthodiagonal_shell_that_curls_up(depth: float) -> None:
+    f, g = pair("cos(t)", "sin(t)", 0, 5.6), graph("0.1*sin(2*x)", 0, 3)
+    rows = {0.4: 15, 0.2: 25}[depth]
+    design = design_orthodiagonal(f, g, rows=rows, columns=5, depth=depth, flap=0)
+    lock = require_neither_early_nor_late(design)
+    # Before its target: its rims pass each other while it is folded up from the flat sheet.
+    assert lock.cause == "clash"
+    assert lock.early
+
+
+def test_figure_1_without_flaps_meets_itself_beyond_its_target() -> None:
     # The paper's curves; an S, whose bends sharpen while it closes.
     design = design_parallel_repeating(
         graph("-x**2", -1, 1),

@@ -150,7 +150,7 @@ def test_panels_that_meet_at_the_target_unasked_are_named() -> None:
     last = mechanism.grid.columns - 2
     assert all({a[1], b[1]} == {0, last} for a, b in lock.touching)
     (warning,) = warn_of_lock(lock)
-    assert "touch in the locked state" in warning
+    assert "touch at the target" in warning
     faces = mechanism.grid.faces_vertices()
     for drive in np.linspace(0, lock.target * (1 - 1e-6), 30):
         assert not len(exact_contacts(mechanism.positions(drive), faces))

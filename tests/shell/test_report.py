@@ -36,7 +36,7 @@ def test_the_report_says_what_was_left_out() -> None:
     assert report.deviation is not None
     assert (report.deviation.surface, report.quantities.stock) == (None, None)
     assert report.not_checked == (
-        "contact between panels before lock",
+        "contact between panels on the way",
         "distance from the surface",
         "the layout on the stock",
     )

@@ -123,9 +123,15 @@ export interface DeploymentReport {
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
-  closing: string | null;
+  closing: "flaps" | "clash" | "crease" | "hinges" | "clipped flaps" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
-  opening: string | null;
+  opening: "ties" | null;
+  /** The state that packs smallest; None if that was not asked for. */
+  packed: PackedReport | null;
+  /** Its ties. */
+  ties: TieReport[];
+  /** What its own weight does; None if it does not stand, or that was not asked for. */
+  weight: WeightReport | null;
 }
 
 /** How close the shell is to what was asked for. */
@@ -276,16 +282,18 @@ export interface NamedDesign {
   design: Record<string, unknown>;
 }
 
-/** The bounding box of the state that packs smallest. */
+/** The state that packs smallest, from the target to where the motion ends. */
 export interface PackedReport {
-  /** Drive angle of that state. */
+  /** Its drive angle. */
   drive_deg: number;
-  /** Along x, y and z. */
+  /** Its smallest box, turned as it may be, panels without thickness. */
+  length: number;
+  /** Its smallest box, turned as it may be, panels without thickness. */
   width: number;
-  /** Along x, y and z. */
-  depth: number;
-  /** Along x, y and z. */
+  /** Its smallest box, turned as it may be, panels without thickness. */
   height: number;
+  /** How many panels lie on top of each other: boards make it that many times as thick. */
+  layers: number;
 }
 
 /** A parameter of a family, as a control shows it. */
@@ -405,14 +413,12 @@ export interface Report {
   stands: StandsReport | null;
   /** How close it is to its target; None without one. */
   deviation: DeviationReport | null;
-  /** Sizes of the flat sheet, of the shell, and of the smallest state. */
+  /** Sizes of the flat sheet and of the shell. */
   sheet: SheetReport;
-  /** Sizes of the flat sheet, of the shell, and of the smallest state. */
+  /** Sizes of the flat sheet and of the shell. */
   deployed: BoxReport;
-  /** How it is deployed and held. */
+  /** How it is deployed and held, and how small it packs. */
   deployment: DeploymentReport;
-  /** Sizes of the flat sheet, of the shell, and of the smallest state. */
-  packed: PackedReport;
   /** Bill of quantities. */
   quantities: Quantities;
 }
@@ -474,6 +480,24 @@ export interface SurfaceReport {
   surface_to_shell: Distances;
 }
 
+/** A tie between two vertices. */
+export interface TieReport {
+  /** Its vertices by row and column. */
+  ends: [[number, number], [number, number]];
+  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  length: number;
+  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  flat: number;
+  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  packed: number;
+  /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
+  grows: boolean | null;
+  /** Whether it is proved to be slack from the end of the motion to the target. */
+  slack: boolean | null;
+  /** Where its vertices do not move apart, nearest to the target. */
+  fails_at_deg: number | null;
+}
+
 /** A design that was tried. */
 export interface Trial {
   /** Inner vertices. */
@@ -516,6 +540,28 @@ export interface Waste {
   cut_length: number;
   /** Length of all creases, those of tabs and strips too. */
   crease_length: number;
+}
+
+/** The shell under its own weight; flaps that are clipped on are left out. */
+export interface WeightReport {
+  /** Newtons, or the shell's weight if its mass is not known. */
+  force_unit: "N" | "weight";
+  /** Its weight. */
+  total: number;
+  /** Force at the target by which the feet, all of one side together, push outwards: positive where own weight opens the shell and ties carry it, negative where flaps do. */
+  at_feet: number;
+  /** The largest force at the feet on the way from the end of the motion to the target. */
+  largest_from_pack: number;
+  /** Drives at which the shell would fall to either side. */
+  tipping_deg: number[];
+  /** What raising it takes: work, in the unit of force times metres. */
+  raise_from_flat: number;
+  /** What raising it takes: work, in the unit of force times metres. */
+  raise_from_pack: number;
+  /** The force at the feet along the motion; None where none raises or holds it. */
+  drives_deg: number[];
+  /** The force at the feet along the motion; None where none raises or holds it. */
+  forces: (number | null)[];
 }
 
 /** The text of a design file, made from its tables. */

@@ -42,9 +42,17 @@ export function renderFigures(container: HTMLElement, view: View): void {
     }
     const name = !report.lock || report.lock.cause === "flaps" ? "Lock" : "Closes to";
     add(list, name, lockOf(report), lockNote(report), "lock");
-    const packed = report.packed;
-    add(list, "Packed", packed ? [packed.width, packed.depth, packed.height].map(threeDigits).join(" \u00d7 ") + (unit === "unit" ? "" : ` ${unit}`) : UNKNOWN,
-      !packed ? "" : `at ${threeDigits(packed.drive_deg)}\u00b0`);
+    const { packed, weight, ties } = report.deployment ?? {};
+    add(list, "Packed", packed ? [packed.length, packed.width].map(threeDigits).join(" \u00d7 ") + ` \u00d7 ${length(packed.height, unit)}` : UNKNOWN,
+      packed ? `at ${threeDigits(packed.drive_deg)}\u00b0, ${packed.layers} panels deep` : "");
+    if (weight) {
+      const force = weight.force_unit === "N" ? `${threeDigits(Math.abs(weight.at_feet))} N` : `${threeDigits(100 * Math.abs(weight.at_feet))} % of it`;
+      add(list, "Own weight", force, `at the feet: ${weight.at_feet > 0 ? "opens" : "closes"} the shell`);
+    }
+    if (ties?.length) {
+      const slack = ties.filter((tie) => tie.slack).length;
+      add(list, "Ties", String(ties.length), `${slack === ties.length ? "all" : slack} proved slack until the target`);
+    }
   }
   container.replaceChildren(list);
   for (const warning of report.warnings ?? []) {

@@ -30,7 +30,9 @@ def design(
     ] = False,
     allow_clash: Annotated[
         bool,
-        typer.Option("--allow-clash", help="Write the files even if panels meet before lock."),
+        typer.Option(
+            "--allow-clash", help="Write the files even if panels meet before the target."
+        ),
     ] = False,
     no_clash_test: Annotated[
         bool,

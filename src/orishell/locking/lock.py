@@ -9,8 +9,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from orishell.clash import PathResult, ProofRecord, find_contacts, find_first_contact
-from orishell.clash.result import PathContact
+from orishell.clash import (
+    PathContact,
+    PathResult,
+    ProofRecord,
+    find_contacts,
+    find_first_contact,
+)
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.locking.result import Cause, Contact, Kind, Lock, Panel

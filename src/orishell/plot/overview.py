@@ -89,7 +89,7 @@ def plot_overview(
     unit
         Unit of length, for the sizes under the heading.
     contact
-        A contact to draw beside the other states, if there is one before lock.
+        A contact to draw beside the other states, if there is one before the target.
     """
     target = motion.mechanism.target_drive
     locked = motion.target.positions

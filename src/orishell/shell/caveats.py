@@ -197,7 +197,7 @@ def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
 
 
 def warn_of_lock(lock: Lock) -> list[str]:
-    """Warnings of a clash before the target, or of panels that touch at lock and should not."""
+    """Warnings of a clash before the target, or of panels that touch there and should not."""
     contact = lock.first_contact
     if lock.early and contact is not None:
         first, second = (list(panel) for panel in contact.panels)
@@ -208,7 +208,7 @@ def warn_of_lock(lock: Lock) -> list[str]:
     if lock.touching:
         first, second = (list(panel) for panel in lock.touching[0])
         return [
-            f"{len(lock.touching)} pairs of panels touch in the locked state without being "
+            f"{len(lock.touching)} pairs of panels touch at the target without being "
             f"meant to, for example {first} and {second}"
         ]
     return []

@@ -62,6 +62,7 @@ def write_shell(
             lock=shell.lock,
             deviation=shell.deviation,
             choice=shell.choice,
+            deployment=shell.report.deployment,
         )
         for format_ in dict.fromkeys((FOLD, *formats)):
             write_format(shell, format_, draft, settings, progress)

@@ -53,7 +53,7 @@ coordinates turns it by so much."""
 
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
-"""What becomes of a shell whose panels meet before it locks: it is refused, or made and said to
+"""What becomes of a shell whose panels meet before its target: it is refused, or made and said to
 clash; or nobody looks, for sheets of hundreds of thousands of panels."""
 
 
@@ -188,7 +188,7 @@ def make_shell(
         assignment=describe_assignment(design, assignment),
         lock=describe_lock(lock),
         not_checked=(
-            *(["contact between panels before lock"] if clash == "unexamined" else []),
+            *(["contact between panels on the way"] if clash == "unexamined" else []),
             *([] if measured or not compared else ["distance from the surface"]),
             *(["the layout on the stock"] if quantities.stock is None else []),
         ),

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from orishell.conventions.formatting import tidy_degrees
+from orishell.deployment import FROM_FLAT
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, locked_shell, measure_signed
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
-from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff
+from orishell.plot import DrawnContact, plot_deviation, plot_overview, plot_tradeoff, plot_weight
 from orishell.shell.choice import Choice, Trial
+from orishell.shell.deployment_report import DeploymentReport
 
 DRAWN_SAMPLES, DRAWN_PANELS = 6_000, 70
 """Points of the shell, and rows or columns of panels, in the picture of its deviation."""
@@ -25,8 +28,13 @@ def draw_pictures(
     lock: Lock,
     deviation: Deviation | None,
     choice: Choice | None,
+    deployment: DeploymentReport,
 ) -> None:
-    """Write ``overview.png`` and, where they apply, ``deviation.png`` and ``tradeoff.png``."""
+    """Write ``overview.png`` and what applies of ``deviation``, ``tradeoff`` and ``weight.png``.
+
+    Own weight is drawn where the design file says how the shell is deployed: from the flat sheet
+    until its flaps stop it, the report's few numbers are enough.
+    """
     plot_overview(
         directory / "overview.png",
         motion,
@@ -46,6 +54,27 @@ def draw_pictures(
             file.tolerance.surface,
             file.unit,
         )
+    if file.deployment != FROM_FLAT:
+        _plot_weight(directory / "weight.png", deployment, lock.target)
+
+
+def _plot_weight(path: Path, deployment: DeploymentReport, target: float) -> None:
+    weight = deployment.weight
+    if weight is None:
+        return
+    in_newtons = weight.force_unit == "N"
+    marked = {"target": tidy_degrees(target)}
+    if deployment.start == "pack":
+        marked["pack"] = deployment.end_drive_deg
+    plot_weight(
+        path,
+        weight.drives_deg,
+        weight.forces,
+        unit="N" if in_newtons else "share of the weight",
+        largest=max(weight.total if in_newtons else 1.0, weight.largest_from_pack),
+        marked_deg=marked,
+        tipping_deg=weight.tipping_deg,
+    )
 
 
 def _point(trial: Trial) -> tuple[int, float, str]:

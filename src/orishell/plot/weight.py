@@ -1,0 +1,77 @@
+"""The picture of own weight: the force at the feet along the motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from orishell.conventions.colours import LIGHT
+from orishell.plot.scene import DPI
+
+OPENS, CLOSES = LIGHT["valley"], LIGHT["mountain"]
+LINE, TIPS = LIGHT["border-crease"], LIGHT["contact"]
+MARKS = {"target": LIGHT["target"], "pack": LIGHT["unfolded"]}
+
+
+def plot_weight(
+    path: Path,
+    drives_deg: Sequence[float],
+    forces: Sequence[float | None],
+    *,
+    unit: str,
+    largest: float,
+    marked_deg: Mapping[str, float],
+    tipping_deg: Sequence[float],
+) -> None:
+    """Write the picture of own weight as PNG.
+
+    Parameters
+    ----------
+    drives_deg
+        Drive angles from flat to the pack (degrees).
+    forces
+        The force by which the feet push outwards there; None where none holds the shell.
+    unit
+        Its unit, in words.
+    largest
+        Forces up to this size are shown.
+    marked_deg
+        Drive angles of the "target" and, if there is one, of the "pack".
+    tipping_deg
+        Drive angles at which the shell falls to either side.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+    layout = ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1)
+    figure = Figure(figsize=(8.0, 5.2), facecolor="white", layout=layout)
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    drives, force = np.array(drives_deg), np.array(forces, dtype=float)
+    opens = "opens under its own weight: the feet are held together"
+    closes = "closes under its own weight: the feet are held apart"
+    for side, colour, words in ((force > 0, OPENS, opens), (force < 0, CLOSES, closes)):
+        if side.any():
+            axes.fill_between(
+                drives, force, where=side, interpolate=True, color=colour, alpha=0.2, label=words
+            )
+    axes.plot(drives, force, color=LINE, linewidth=1.4)
+    axes.axhline(0, color=LINE, linewidth=0.8)
+    for name, drive in marked_deg.items():
+        axes.axvline(drive, color=MARKS[name], linewidth=1.8, label=f"{name}, {drive:.4g}°")
+    for k, drive in enumerate(tipping_deg):
+        words = "falls to either side" if k == 0 else "_"
+        axes.plot(drive, 0, "o", color=TIPS, markersize=8, label=words, zorder=3)
+    axes.set(
+        xlim=(-0.02 * drives[-1], 1.02 * drives[-1]),
+        ylim=(-1.1 * largest, 1.1 * largest),
+        xlabel="drive (degrees); 0 is the flat sheet, which no force at the feet lifts",
+        ylabel=f"force at each line of feet ({unit}), positive outwards",
+        title="What the shell's own weight does on the way",
+    )
+    axes.grid(visible=True, color="#e4e4e4", linewidth=0.6)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    figure.savefig(path, dpi=DPI, metadata={"Software": None})
