@@ -19,8 +19,8 @@ from house_picture import (
 MOST_ROOMS = 24
 """More than these nobody keeps in mind.
 
-One more than before: how a shell travels and what holds it, ``deployment``, is a subject of its own,
-which asks the motion and nothing of families, proof or files.
+One more than before: how a shell travels and what holds it, ``deployment``, is a subject of its
+own, which asks the motion and nothing of families, proof or files.
 """
 
 

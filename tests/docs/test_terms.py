@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import dataclasses
 import inspect
 import re
 from collections.abc import Iterator
@@ -15,7 +16,14 @@ import typer
 import orishell
 from orishell.cli.main import app
 from orishell.design_file import read_design_file, starter_file
+from orishell.design_file.deployment import DeploymentTable
 from orishell.families.registry import FAMILIES
+from orishell.shell.deployment_report import (
+    DeploymentReport,
+    PackedReport,
+    TieReport,
+    WeightReport,
+)
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
@@ -184,3 +192,22 @@ def test_the_guide_explains_every_parameter_of_the_report(family: str, tmp_path:
         for name in re.findall(r"`(\w+)`", row)
     }
     assert explained == set(file.pattern.design(file.f, file.g).parameters)
+
+
+def fields_in_table(title: str) -> set[str]:
+    """What the first column of a table of the guide to packing names."""
+    page = (ROOT / "docs" / "guide" / "pack-and-deploy.md").read_text(encoding="utf-8")
+    table = page.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+    return set(re.findall(r"^\| `(\w+)` \|", table, flags=re.MULTILINE))
+
+
+def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
+    keys = {field.alias or name for name, field in DeploymentTable.model_fields.items()}
+    assert fields_in_table("[deployment]") >= keys
+    assert fields_in_table("`deployment` in the report") == {
+        field.name for field in dataclasses.fields(DeploymentReport)
+    }
+    page = (ROOT / "docs" / "guide" / "pack-and-deploy.md").read_text(encoding="utf-8")
+    for part in (PackedReport, TieReport, WeightReport):
+        for field in dataclasses.fields(part):
+            assert f"`{field.name}`" in page, field.name
