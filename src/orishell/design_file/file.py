@@ -40,6 +40,9 @@ from orishell.workshop import Workshop
 Ground = Literal["z0", "as-drawn"]
 """Where a shell that can stand is put: its feet on z = 0, or g in the plane z = 0."""
 
+FROM_PACK = 3
+"""Fewest states of a motion from the pack: it, the target and the flat sheet."""
+
 ANY_SIZE = {"rows": 1, "columns": 2}
 """Rows and columns of a pattern whose size is still to be chosen."""
 
@@ -215,6 +218,14 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         pattern = family.pattern.model_validate(table)
     except ValidationError as error:
         raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
+    if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
+        raise InputError(
+            "too few states for a motion from the pack over the target to the flat sheet",
+            where=f"{path}: [motion] frames",
+            got=str(file.motion.frames),
+            expected=f"{FROM_PACK} to 1000",
+            remedy=f"frames = {FROM_PACK}, or more",
+        )
     require_memory(path, pattern, file.motion.frames)
     directory = path.parent if files else None
     try:
