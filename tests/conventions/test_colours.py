@@ -73,7 +73,7 @@ def test_rhino(tmp_path: Path) -> None:
         assert tuple(colours[layer])[:3] == wanted, layer
 
 
-@pytest.mark.parametrize("state", [0, -1])
+@pytest.mark.parametrize("state", [0, "target"])
 def test_lines_of_gltf(state: int, tmp_path: Path) -> None:
     """Every edge is drawn once, in the colour of its assignment, with a panel beside it."""
     document = demo_document()
