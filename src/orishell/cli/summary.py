@@ -106,16 +106,16 @@ def _deployment(report: DeploymentReport, unit: str) -> Iterator[str]:
     packed, weight = report.packed, report.weight
     if packed is not None and report.start == "pack":
         box = f"{packed.length:.4g} x {packed.width:.4g} x {packed.height:.2g} {unit}"
-        yield f"pack      {box} at {packed.drive_deg:.5g} deg, {packed.layers} panels deep"
+        deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
+        yield f"pack      {box} at {packed.drive_deg:.5g} deg{deep}"
     if weight is not None:
         does = "opens" if weight.at_feet > 0 else "closes"
         size, unit = abs(weight.at_feet), weight.force_unit
         force = f"{size:.3g} N of {weight.total:.4g} N" if unit == "N" else f"{size:.3g} of it"
         raising = weight.raise_from_pack if report.start == "pack" else weight.raise_from_flat
         work = f"{raising:.3g} J" if unit == "N" else f"its weight times {raising:.3g} m"
-        yield (
-            f"weight    {does} it at the target, with {force} at the feet; raising it takes {work}"
-        )
+        raises = f"raising it takes {work}" if raising > 0 else "it comes down to it by itself"
+        yield f"weight    {does} it at the target, with {force} at the feet; {raises}"
     if report.ties:
         slack = sum(tie.slack is True for tie in report.ties)
         yield (
@@ -124,6 +124,8 @@ def _deployment(report: DeploymentReport, unit: str) -> Iterator[str]:
         )
 
 
+SLIM = 0.1
+"""A pack less high than this share of its length is a bundle, whose layers count."""
 HOLDING = {
     "flaps": "its flaps",
     "clipped flaps": "flaps clipped on",
