@@ -124,7 +124,7 @@ def _deployment(report: DeploymentReport, unit: str) -> Iterator[str]:
         )
 
 
-SLIM = 0.1
+SLIM = 0.03
 """A pack less high than this share of its length is a bundle, whose layers count."""
 HOLDING = {
     "flaps": "its flaps",
