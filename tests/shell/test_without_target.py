@@ -77,7 +77,8 @@ def test_summary(tmp_path: Path) -> None:
     (warning,) = done.stderr.splitlines()
     assert "is larger than any board" in warning
     assert "no target: nothing to compare the shell with" in done.stdout
-    assert "lock      at 8.7802 deg: panels [0, 0] and [5, 0] clash" in done.stdout
+    assert "path      panels [0, 0] and [5, 0] meet at 8.7802 deg (at the sheet's" in done.stdout
+    assert "held      at 8.7802 deg: from closing by panels that meet" in done.stdout
 
 
 def test_contact_not_looked_for() -> None:
