@@ -77,13 +77,14 @@ def test_summary(tmp_path: Path) -> None:
     (warning,) = done.stderr.splitlines()
     assert "is larger than any board" in warning
     assert "no target: nothing to compare the shell with" in done.stdout
-    assert "path      panels [0, 0] and [5, 0] meet at 8.7802 deg" in done.stdout
+    assert "path      panels [0, 0] and [5, 0] meet at 8.7802 deg (at the sheet's" in done.stdout
+    assert "held      at 8.7802 deg: from closing by panels that meet" in done.stdout
 
 
 def test_contact_not_looked_for() -> None:
     made = design_shell(EXAMPLE, clash="unexamined")
     assert made.report.parameters["stage_deg"] == made.report.parameters["motion_end_deg"]
-    assert made.report.not_checked == ("contact between panels on the way",)
+    assert made.report.not_checked == ("contact between panels before lock",)
 
 
 def test_a_stage_that_panels_do_not_reach(tmp_path: Path) -> None:

@@ -15,9 +15,12 @@ import pytest
 from numpy.typing import NDArray
 
 from node_tools import ask_node
+from orishell.io import write_fold
+from orishell.shell.make import design_shell
 from rigid import distance_after_motion
 
 Array = NDArray[np.float64]
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 LIMIT = 1e-9
 """Of the diagonal of the flat sheet. Found: 2.4e-15 at most."""
@@ -34,6 +37,30 @@ def test_rabbit_ear_folds_every_frame_into_our_coordinates(shell_files: Path, ro
     assert max(distance_after_motion(*pair) for pair in zip(folded, ours, strict=True)) <= limit
     # The key frame has the fold angles of the locked shell.
     assert distance_after_motion(key, ours[-1]) <= limit
+
+
+@pytest.mark.parametrize("example", ["shelter", "figure1"])
+def test_rabbit_ear_closes_the_sheet_into_our_pack(example: str, tmp_path: Path) -> None:
+    """From the flat sheet over the target to the pack: a bundle at 180 degrees, or a roll.
+
+    In the pack of the shelter all row creases are folded by 180 degrees. Found: 4e-15 at most.
+    """
+    text = (EXAMPLES / f"{example}.toml").read_text(encoding="utf-8")
+    design_file = tmp_path / "shell.toml"
+    design_file.write_text(f'{text}\n[deployment]\nfrom = "pack"\n', encoding="utf-8")
+    write_fold(tmp_path / "shell.fold", design_shell(design_file).document)
+    content = _read(tmp_path)
+    key, *folded = _fold(tmp_path, len(content["faces_vertices"]) // 2)
+    frames = content["file_frames"]
+    ours = [np.array(frame["vertices_coords"]) for frame in frames]
+    assert frames[0]["frame_title"] == "pack"
+    widest = np.abs(frames[0]["edges_foldAngle"]).max()
+    assert widest == pytest.approx(180) if example == "shelter" else 150 < widest < 180
+    limit = LIMIT * _diagonal(content)
+    assert max(distance_after_motion(*pair) for pair in zip(folded, ours, strict=True)) <= limit
+    # The key frame has the fold angles of the target.
+    titles = [frame.get("frame_title") for frame in frames]
+    assert distance_after_motion(key, ours[titles.index("target")]) <= limit
 
 
 def test_mountains_and_valleys_are_on_the_right_side(shell_files: Path) -> None:

@@ -67,7 +67,7 @@ def end_motion(
     return design, lock
 
 
-def require_pack(lock: Lock) -> None:
+def require_pack(design: Design, lock: Lock) -> None:
     """Refuse a shell that is to be opened from a pack, and does not close beyond its target.
 
     Raises
@@ -78,11 +78,14 @@ def require_pack(lock: Lock) -> None:
     if lock.pack > lock.target * (1 + NO_PACK):
         return
     contact = lock.first_contact
+    # From the flat sheet, flaps are part of it unless something else is said.
+    clipped = {} if design.boards is None else {"deployment.flap_attachment": "clipped"}
+    further = [Remedy({"deployment.largest_fold_deg": 180.0})] if lock.cause == "hinges" else []
     raise DesignError(
         "the shell does not close beyond its target, so that it cannot be opened from a pack",
         keys=("deployment.from",),
         size="" if contact is None else f"panels meet there ({contact.kind})",
-        candidates=[Remedy({"deployment.from": "flat"})],
+        candidates=[*further, Remedy({"deployment.from": "flat", **clipped})],
     )
 
 

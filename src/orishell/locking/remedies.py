@@ -15,7 +15,7 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.errors import ClashError, DesignError, InputError, Remedy
 from orishell.locking.flap_widths import largest_quotable, reaches_target, widest_flap
-from orishell.locking.motion_end import end_motion
+from orishell.locking.motion_end import end_motion, require_pack
 from orishell.locking.request import Request
 
 MOST = 3
@@ -93,7 +93,9 @@ class _Search:
             request = self.request.changed(remedy).sized()
             design = request.designed()
             self.tried += design.mechanism.grid.panel_count * TRIALS // PANELS
-            end_motion(design, request)
+            design, lock = end_motion(design, request)
+            if request.from_pack:
+                require_pack(design, lock)
         except DesignError as error:
             return error
         except InputError as error:

@@ -39,6 +39,8 @@ class Request:
         Whether flaps are clipped on at the target, and no part of the folding sheet.
     largest_fold
         How far hinges close (radians).
+    from_pack
+        Whether the shell is to be opened from a pack, beyond its target.
     """
 
     pattern: Pattern
@@ -46,6 +48,7 @@ class Request:
     tolerance: float = CONTACT_TOLERANCE
     clipped: bool = False
     largest_fold: float = np.pi
+    from_pack: bool = False
 
     __repr__ = in_one_line
 
@@ -73,7 +76,7 @@ class Request:
         )
         design = replace(design, largest_fold=self.largest_fold)
         design = design.with_clipped_flaps() if self.clipped else design
-        _require_hinges(design)
+        _require_hinges(design, self.from_pack)
         return design
 
     def changed(self, remedy: Remedy) -> Self:
@@ -91,6 +94,7 @@ class Request:
             self,
             clipped=deployment.get("flap_attachment", None) == "clipped" or self.clipped,
             largest_fold=float(np.deg2rad(fold)),
+            from_pack=self.from_pack and deployment.get("from") != "flat",
             pattern=self.pattern.changed(tables.get("pattern", {}), model),
             target=self.target
             and (
@@ -100,8 +104,8 @@ class Request:
         )
 
 
-def _require_hinges(design: Design) -> None:
-    """Refuse hinges that do not close as far as the target asks."""
+def _require_hinges(design: Design, from_pack: bool) -> None:
+    """Refuse hinges that do not close as far as the target asks; a pack asks for more."""
     mechanism, limit = design.mechanism, design.largest_fold
     if limit >= np.pi:
         return
@@ -109,7 +113,7 @@ def _require_hinges(design: Design) -> None:
     if needed <= limit + ROUNDING:
         return
     clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if mechanism.flap_columns else []
-    asked = rounded(float(np.rad2deg(needed)) + UP, 6)
+    asked = 180.0 if from_pack else rounded(float(np.rad2deg(needed)) + UP, 6)
     raise DesignError(
         "hinges do not close as far as the target asks",
         keys=("deployment.largest_fold_deg",),

@@ -225,7 +225,7 @@ def _designed(
             )
             clock.lap("clash")
         if file.deployment.start == "pack":
-            require_pack(lock)
+            require_pack(design, lock)
     except DesignError as error:
         if clash == "unexamined":
             raise

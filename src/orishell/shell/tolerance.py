@@ -76,7 +76,7 @@ class SearchRequest(Request):
 
     Parameters
     ----------
-    pattern, target, tolerance, clipped, largest_fold
+    pattern, target, tolerance, clipped, largest_fold, from_pack
         As for any request.
     file
         The design file.
@@ -107,7 +107,9 @@ class SearchRequest(Request):
         assert isinstance(self.pattern, FamilyPattern)
         file = replace(self.file, pattern=self.pattern, target=self.target)
         pattern, _ = meet_tolerance(file, self.limits)
-        return Request(pattern, self.target, self.tolerance, self.clipped, self.largest_fold)
+        return Request(
+            pattern, self.target, self.tolerance, self.clipped, self.largest_fold, self.from_pack
+        )
 
 
 def request_of(file: DesignFile) -> Request:
@@ -119,6 +121,7 @@ def request_of(file: DesignFile) -> Request:
         file.contact_tolerance,
         deployment.flap_attachment == "clipped",
         deployment.largest_fold,
+        deployment.start == "pack",
     )
     return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 

@@ -123,9 +123,9 @@ def test_every_state_at_its_key(family: str, unit: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("state", [0, 3, "target"])
-def test_nodes_stand_in_the_chosen_state(state: int, tmp_path: Path) -> None:
+def test_nodes_stand_in_the_chosen_state(state: int | str, tmp_path: Path) -> None:
     scene = read(tmp_path, DEMO, state)
-    expected = wanted(DEMO, DEMO.states[state])
+    expected = wanted(DEMO, DEMO.state(state))
     assert np.abs(placed(scene.shapes, *scene.rest) - expected).max() < 1e-6 * size(expected)
 
 
