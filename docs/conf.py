@@ -109,11 +109,11 @@ nitpick_ignore_regex = [
     # Constants whose value is all that there is to say of them: they stand in the sources.
     (r"py:data", r"[A-Z_]+"),
     # Python's own types in annotations.
-    (r"py:class", r"NoneType|AnyWidget"),
+    (r"py:class", r"NoneType|AnyWidget|Axes"),
     # Short names of array and choice types; docs/api/index.md says what they stand for.
     (r"py:class", "|".join(autodoc_type_aliases)),
     # Bounds of the design file's numbers, which pydantic checks.
-    (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan"),
+    (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan|[0-9.]+"),
     # Type variables.
     (r"py:class", r"(orishell\.[\w.]+\.)?[CFJPRT]"),
     (r"py:.*", r"(Path|Callable|Iterator|Iterable|Sequence|Mapping|Literal|Self|Any|Protocol)"),
