@@ -42,6 +42,9 @@ HALVINGS, TAIL = 12, 1e-12
 Columns whose zigzags nearly close at the target change within a small part of the drive. The thrust
 is right to some 1e-9 of the weight, and to 1e-7 where a column's tau is below a hundredth.
 """
+MET, BEFORE = 1e-9, 1e-8
+"""Feet that are nearer than this, relative to the sheet's size, have no direction from each other:
+the one this share of the drive before is theirs."""
 STATIONARY = 1e-6
 """Slope of L at the end, relative to its curvature, that is none."""
 
@@ -177,6 +180,13 @@ class _Body:
         feet = positions[..., self.mechanism.inner_columns, :]
         apart = feet[..., last, :, :] - feet[..., first, :, :]
         along = apart.mean(axis=-2)
+        met = lengths(along) < MET * np.sqrt(self.shares.sum())
+        if met.any():
+            before = self.mechanism.positions(np.asarray(drives)[met] * (1 - BEFORE))
+            feet_before = before[..., self.mechanism.inner_columns, :]
+            along[met] = (feet_before[..., last, :, :] - feet_before[..., first, :, :]).mean(
+                axis=-2
+            )
         along /= lengths(along)[..., None]
         square = np.array([0.0, 0.0, 1.0]) - along[..., 2:] * along
         square /= lengths(square)[..., None]
