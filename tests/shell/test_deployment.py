@@ -16,11 +16,10 @@ from orishell.io.fold_document import document_of_fold
 from orishell.shell.make import design_shell
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-SHELTER = (
-    (EXAMPLES / "shelter.toml")
-    .read_text(encoding="utf-8")
-    .replace("rows = 11\n", 'rows = 11\nspacing = "equal"\n')
+SHELTER = re.sub(
+    r"\[deployment\]\n(?:[^\n]+\n)+", "", (EXAMPLES / "shelter.toml").read_text(encoding="utf-8")
 )
+"""The example without its own table [deployment]."""
 FIGURE_1 = (EXAMPLES / "figure1.toml").read_text(encoding="utf-8")
 FROM_PACK = 'from = "pack"\n'
 

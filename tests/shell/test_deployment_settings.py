@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,10 @@ import pytest
 from command_line import Ran, orishell
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-SHELTER = (
-    (EXAMPLES / "shelter.toml")
-    .read_text(encoding="utf-8")
-    .replace("rows = 11\n", 'rows = 11\nspacing = "equal"\n')
+SHELTER = re.sub(
+    r"\[deployment\]\n(?:[^\n]+\n)+", "", (EXAMPLES / "shelter.toml").read_text(encoding="utf-8")
 )
+"""The example without its own table [deployment]."""
 PACK = 'from = "pack"\n'
 WHERE = "[deployment] "
 
