@@ -43,7 +43,7 @@ def test_rabbit_ear_folds_every_frame_into_our_coordinates(shell_files: Path, ro
 def test_rabbit_ear_closes_the_sheet_into_our_pack(example: str, tmp_path: Path) -> None:
     """From the flat sheet over the target to the pack: a bundle at 180 degrees, or a roll.
 
-    In the pack of the shelter all row creases are folded by 180 degrees. Found: 4e-15 at most.
+    In the pack of the shelter all row creases are folded by 180 degrees.
     """
     text = (EXAMPLES / f"{example}.toml").read_text(encoding="utf-8")
     design_file = tmp_path / "shell.toml"

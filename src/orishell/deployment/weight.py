@@ -40,7 +40,7 @@ HALVINGS, TAIL = 12, 1e-12
 """So often is that halved at most, until the last coefficients are smaller than this.
 
 Columns whose zigzags nearly close at the target change within a small part of the drive. The thrust
-is right to some 1e-9 of the weight, and to 1e-7 where a column's tau is below a hundredth.
+is right to some 1e-9 of the weight, and to 2e-6 where the zigzag of a column nearly closes.
 """
 MET, BEFORE = 1e-9, 1e-8
 """Feet that are nearer than this, relative to the sheet's size, have no direction from each other:

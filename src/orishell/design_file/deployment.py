@@ -22,7 +22,7 @@ class DeploymentTable(Table):
     start: Annotated[Start, Field(alias="from")] = "flat"
     flap_attachment: Attachment | None = None
     largest_fold_deg: Annotated[Number, Field(gt=0, le=180)] = 180.0
-    ties: Literal["none", "feet"] | Annotated[list[Pair], Field(min_length=1)] = "none"
+    ties: Literal["none", "feet"] | list[Pair] = "none"
 
     @model_validator(mode="after")
     def _check(self) -> Self:
