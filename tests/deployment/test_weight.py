@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from orishell.deployment import OwnWeight, measure_weight
 from orishell.deployment.weight import _Body
 from orishell.design import Design
+from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
@@ -22,7 +23,8 @@ from orishell.sheet.grid import Grid
 from orishell.shell.standing import find_feet
 from strategies import Request, graph, orthodiagonal_requests, requests
 
-SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SHELTER = EXAMPLES / "shelter.toml"
 PARABOLA = graph("-x**2", -1, 1)
 STRAIGHT = graph("0*x", 0, 2)
 G = 9.81
@@ -108,22 +110,22 @@ def test_thrust_is_the_slope_of_energies(request: Request, share: float) -> None
     (before, shorter), (energy, span), (after, longer) = states
     assert found.energy[k] == pytest.approx(energy, abs=1e-10 * found.total * span)
     assert found.span[k] == pytest.approx(span, rel=1e-12)
+    assume(abs(longer - shorter) > 1e-8 * span)
     expected = -(after - before) / (longer - shorter)
     assert found.thrust[k] == pytest.approx(expected, rel=1e-4, abs=1e-4 * found.total)
 
 
-@settings(max_examples=20)
-@given(st.one_of(requests(), orthodiagonal_requests()))
-def test_thrust_at_the_target_to_eight_digits(request: Request) -> None:
+@pytest.mark.parametrize("bare", [False, True])
+@pytest.mark.parametrize("name", ["figure1", "figure2", "canopy", "tunnel", "from_svg"])
+def test_thrust_at_the_target_to_eight_digits(name: str, bare: bool) -> None:
     """Against extrapolated differences: to either side, backwards near the end.
 
     Where the zigzag of a column nearly closes, see the next test: these differences are too wide.
     """
-    mechanism = request.feasible().mechanism
+    file = read_design_file(EXAMPLES / f"{name}.toml")
+    mechanism = file.pattern.design(file.f, file.g).mechanism
+    mechanism = mechanism.without_flaps() if bare else mechanism
     target, rows = mechanism.target_drive, (0, mechanism.grid.rows - 1)
-    feet = mechanism.positions(np.array([0.0, target]))[:, rows][:, :, mechanism.inner_columns]
-    flat, closed = np.linalg.norm(feet[:, 1] - feet[:, 0], axis=-1)
-    assume((closed > 0.1 * flat).all())
     found = measure_weight(mechanism, rows, 1.0, states=2)
     inside = mechanism.end_drive - target > 0.1
     table = []

@@ -47,7 +47,9 @@ def test_rabbit_ear_closes_the_sheet_into_our_pack(example: str, tmp_path: Path)
     """
     text = (EXAMPLES / f"{example}.toml").read_text(encoding="utf-8")
     design_file = tmp_path / "shell.toml"
-    design_file.write_text(f'{text}\n[deployment]\nfrom = "pack"\n', encoding="utf-8")
+    if "[deployment]" not in text:
+        text += '\n[deployment]\nfrom = "pack"\n'
+    design_file.write_text(text, encoding="utf-8")
     write_fold(tmp_path / "shell.fold", design_shell(design_file).document)
     content = _read(tmp_path)
     key, *folded = _fold(tmp_path, len(content["faces_vertices"]) // 2)
