@@ -89,19 +89,20 @@ def require_whole_motion(sheet: Sheet, seed: int) -> None:
     # opposite sides of it.
     h = NEAR * sheet.target_drive
     before, after = (np.abs(states[k] - states[0]).max() for k in (5, 6))
-    wide = sheet.positions(sheet.target_drive + 1e4 * h * np.array([-1.0, 1.0]))
-    speed = np.abs(wide[1] - wide[0]).max() / (2e4 * h)
+    wide = sheet.positions(sheet.target_drive + 1e2 * h * np.array([-1.0, 1.0]))
+    speed = np.abs(wide[1] - wide[0]).max() / (2e2 * h)
     for step in (before, after):
-        assert step == pytest.approx(speed * h, rel=1e-3, abs=1e-14 * size)
-    assert np.abs(states[5] + states[6] - 2 * states[0]).max() < 1e-3 * speed * h + 1e-14 * size
+        assert step == pytest.approx(speed * h, rel=1e-2, abs=1e-14 * size)
+    assert np.abs(states[5] + states[6] - 2 * states[0]).max() < 1e-2 * speed * h + 1e-14 * size
 
 
 def require_signs_of_the_target(sheet: Sheet, drives: Array) -> None:
-    """Mountains and valleys stay so, and unfolded creases unfolded."""
+    """Mountains and valleys stay so; what is as good as unfolded at the target never turns over."""
     signs = crease_signs(sheet.fold_angles(drives))
     target = crease_signs(sheet.fold_angles(sheet.target_drive))
     np.testing.assert_array_equal(signs.row, np.broadcast_to(target.row, signs.row.shape))
-    np.testing.assert_array_equal(signs.column, np.broadcast_to(target.column, signs.column.shape))
+    assert (signs.column * target.column >= 0).all()
+    assert (signs.column.max(axis=0, initial=0) * signs.column.min(axis=0, initial=0) >= 0).all()
     assert (target.row != 0).all()
 
 
