@@ -170,7 +170,7 @@ def test_without_flaps(tmp_path: Path, example: str, columns: int) -> None:
     (tmp_path / "shell.toml").write_text(text)
     done = orishell("design", "shell.toml", "--out", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert "warning: without flaps (flap = 0) nothing stops the motion" in done.stderr
+    assert "warning: without flaps (flap = 0) nothing but its supports" in done.stderr
     assert "keeps the shell from closing beyond its target" in done.stderr
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [".orishell.json", *FILES]
     fold = json.loads((tmp_path / "out" / "shell.fold").read_text())

@@ -72,7 +72,7 @@ def test_planes_that_bisect_make_any_g_flat_foldable(request: Request) -> None:
     f = fit_profile(request.f, options["rows"] + 1, options["xi"], options["theta"])
     g = trace_curve(request.g).in_own_frame()
     chords = place_chords(g, options["columns"], options["spacing"], options["placement"])
-    locked = mechanism.positions(np.pi)[:, mechanism.inner_columns]
+    locked = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
     size = diagonal(mechanism.positions(0.0))
     middle = len(locked) // 2
     np.testing.assert_allclose(locked[middle, :, :2], chords.vertices, atol=1e-12 * size)
@@ -124,7 +124,9 @@ def require_flat_foldable_zigzag(design: Design, g: Curve) -> None:
     vertices = np.stack([mechanism.points.real, mechanism.points.imag], axis=-1)
     assert design.closeness["g"] == measure_closeness(trace, vertices)
     if mechanism.tilt == 0:
-        row = mechanism.positions(np.pi)[mechanism.grid.rows // 2, mechanism.inner_columns]
+        row = mechanism.positions(mechanism.target_drive)[
+            mechanism.grid.rows // 2, mechanism.inner_columns
+        ]
         np.testing.assert_allclose(row[:, :2], vertices, atol=1e-12 * size)
 
 

@@ -55,6 +55,10 @@ class Miura:
         return self
 
     @property
+    def still(self) -> Miura:
+        return self
+
+    @property
     def end_drive(self) -> float:
         return float(np.pi)
 

@@ -84,7 +84,7 @@ def test_summary(tmp_path: Path) -> None:
 def test_contact_not_looked_for() -> None:
     made = design_shell(EXAMPLE, clash="unexamined")
     assert made.report.parameters["stage_deg"] == made.report.parameters["motion_end_deg"]
-    assert made.report.not_checked == ("contact between panels before lock",)
+    assert made.report.not_checked == ("contact between panels on the way",)
 
 
 def test_a_stage_that_panels_do_not_reach(tmp_path: Path) -> None:

@@ -55,6 +55,11 @@ class FlapSheet:
         return replace(self, flaps=(0.0, 0.0))  # type: ignore[type-var]
 
     @property
+    def still(self) -> Self:
+        """The sheet itself."""
+        return self
+
+    @property
     def target_drive(self) -> float:
         """Where the tightest panel column has the fold angle that its rest leaves it: pi if 0."""
         return target_drive(self._rest)

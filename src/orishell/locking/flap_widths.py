@@ -31,7 +31,9 @@ def reaches_target(request: Request, *, flaps_only: bool = False) -> bool:
         design = request.designed()
     except DesignError:
         return False
-    return not find_lock(design, tolerance=request.tolerance, flaps_only=flaps_only).early
+    return not find_lock(
+        design, tolerance=request.tolerance, flaps_only=flaps_only, beyond=False
+    ).early
 
 
 def widest_flap(request: Request, design: Design) -> float | None:

@@ -40,6 +40,7 @@ def find_lock(
     *,
     tolerance: float = CONTACT_TOLERANCE,
     flaps_only: bool = False,
+    beyond: bool = True,
     progress: Progress = unwatched,
 ) -> Lock:
     """Return where a design's motion ends, and the first contact on the way there.
@@ -50,6 +51,8 @@ def find_lock(
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     flaps_only
         Look for contacts of the flaps only.
+    beyond
+        Look for contacts beyond the target as well. Otherwise only :attr:`Lock.early` counts.
 
     Notes
     -----
@@ -73,7 +76,7 @@ def find_lock(
             progress=progress,
         )
 
-    path = search(sheet.path_end, size)
+    path = search(sheet.path_end if beyond else min(sheet.path_end, sheet.target), size)
     for meeting in (sheet.target, sheet.end):
         near = path.contact
         if near is None or not LATE * meeting < near.drive <= meeting:
@@ -138,7 +141,7 @@ class _Sheet:
 
     @classmethod
     def of(cls, design: Design) -> _Sheet:
-        mechanism = design.mechanism
+        mechanism = design.mechanism.still
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
         if design.thickness:
@@ -202,7 +205,8 @@ class _Sheet:
     ) -> tuple[tuple[Panel, Panel], ...]:
         """Pairs of panels that touch at the target without being meant to, with its flaps."""
         if boards is not None:
-            return replace(self, mechanism=boards).touching(None, tolerance)
+            flapped = replace(self, mechanism=boards, target=boards.target_drive)
+            return flapped.touching(None, tolerance)
         faces = self.mechanism.grid.faces_vertices()
         points = self.mechanism.positions(self.target).reshape(-1, 3)
         pairs = find_contacts(points, faces, tolerance)

@@ -49,6 +49,15 @@ class Mechanism(Protocol):
         ...
 
     @property
+    def still(self) -> Mechanism:
+        """The same sheet, turning as little as may be while it folds: contact is looked for in it.
+
+        Panels touch or not however the sheet as a whole turns, and what turns less needs fewer
+        states to be examined.
+        """
+        ...
+
+    @property
     def target_drive(self) -> float:
         """The drive angle at which the shell meets its target; the flat sheet is drive 0."""
         ...

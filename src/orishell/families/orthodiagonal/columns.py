@@ -50,7 +50,8 @@ class Columns:
         omega = np.hypot(turn, rest * cosine)
         kappa = np.where(there, 1.0, np.sin(drive / 2) / omega)
         closing = cosine[..., None] * np.hypot(rest * self.step, self.k)
-        return kappa, np.hypot(self._fixed, closing) / omega[..., None]
+        advance = np.hypot(self._fixed, closing) / omega[..., None]
+        return kappa, np.where(there[..., None], self.locked, advance)
 
     def enclosures(self, start: Array, stop: Array) -> tuple[Enclosure, Enclosure]:
         """Kappa (S, 1) and N (S, n+1) over ranges (S, 1) of the drive (radians).

@@ -19,7 +19,7 @@ unit quaternions A + B i, with complex A = w + z k and B = x + y k.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -107,6 +107,11 @@ class LongitudinalLinearRepeating:
     def without_flaps(self) -> LongitudinalLinearRepeating:
         """The sheet itself."""
         return self
+
+    @property
+    def still(self) -> LongitudinalLinearRepeating:
+        """The sheet whose middle panel does not turn."""
+        return replace(self, pose=Pose())
 
     @property
     def target_drive(self) -> float:
