@@ -69,6 +69,8 @@ class Design:
         are no part of ``mechanism``.
     largest_fold
         How far its hinges close (radians).
+    thickness
+        Thickness of its panels, which limits how far they fold; 0 for none (length).
     ending_at
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
@@ -84,6 +86,7 @@ class Design:
     origin: Array = field(default_factory=lambda: np.zeros(3))
     boards: Mechanism | None = None
     largest_fold: float = np.pi
+    thickness: float = 0.0
     ending_at: Callable[[float], Design] | None = None
 
     def with_clipped_flaps(self) -> Design:

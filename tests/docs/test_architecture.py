@@ -16,11 +16,12 @@ from house_picture import (
     upward,
 )
 
-MOST_ROOMS = 24
+MOST_ROOMS = 25
 """More than these nobody keeps in mind.
 
-One more than before: how a shell travels and what holds it, ``deployment``, is a subject of its
-own, which asks the motion and nothing of families, proof or files.
+Two more than before: how a shell travels and what holds it, ``deployment``, and what its panels are
+as boards, ``solids``, are subjects of their own. Both ask the motion, and nothing of families,
+proof or files.
 """
 
 

@@ -120,10 +120,14 @@ export interface DeploymentReport {
   flap_attachment: "folded" | "clipped" | null;
   /** How far its hinges close. */
   largest_fold_deg: number;
+  /** Thickness of its panels, 0 for none, and the largest with which half of every panel is left at the target; None if it is not limited. */
+  thickness: number;
+  /** Thickness of its panels, 0 for none, and the largest with which half of every panel is left at the target; None if it is not limited. */
+  largest_thickness: number | null;
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
-  closing: "flaps" | "clash" | "crease" | "hinges" | "clipped flaps" | null;
+  closing: "flaps" | "clash" | "crease" | "hinges" | "boards" | "clipped flaps" | null;
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
   opening: "ties" | null;
   /** The state that packs smallest; None if that was not asked for. */
@@ -263,7 +267,7 @@ export interface LockReport {
   /** Where it ends; None if nothing ends it. */
   drive_deg: number | null;
   /** What ends it. */
-  cause: "flaps" | "clash" | "crease" | "hinges" | null;
+  cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
   /** Mean distance of inner vertices from the line between those above and below, at the target. */
@@ -286,11 +290,11 @@ export interface NamedDesign {
 export interface PackedReport {
   /** Its drive angle. */
   drive_deg: number;
-  /** Its smallest box, turned as it may be, panels without thickness. */
+  /** Its smallest box, turned as it may be, of panels with their thickness. */
   length: number;
-  /** Its smallest box, turned as it may be, panels without thickness. */
+  /** Its smallest box, turned as it may be, of panels with their thickness. */
   width: number;
-  /** Its smallest box, turned as it may be, panels without thickness. */
+  /** Its smallest box, turned as it may be, of panels with their thickness. */
   height: number;
   /** How many panels lie on top of each other: boards make it that many times as thick. */
   layers: number;

@@ -11,6 +11,7 @@ const CAUSES = {
   clash: "panels meet",
   crease: "a crease is folded flat",
   hinges: "hinges close no further",
+  boards: "boards close no further",
 };
 
 /** A list of names and figures; `container` is emptied first. */

@@ -39,6 +39,8 @@ function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }
       return "Held from closing by a crease that is folded flat";
     case "hinges":
       return "Held from closing by its hinges";
+    case "boards":
+      return "Held from closing by the thickness of its boards";
     case "clash":
       return "Beyond the target panels meet";
     default:

@@ -94,6 +94,8 @@ def _held(shell: Shell) -> Iterator[str]:
             yield f"path      clear from flat to {in_degrees(lock.pack)} deg: {proved}"
     yield from _deployment(shell.report.deployment, shell.report.unit)
     held = shell.report.deployment
+    if lock.proof is not None and shell.file.thickness:
+        yield "not checked: " + "; ".join(shell.report.not_checked)
     if not lock.early:
         yield (
             f"held      at {in_degrees(lock.target)} deg: from closing by {HOLDING[held.closing]}, "
@@ -132,6 +134,7 @@ HOLDING = {
     "crease": "a crease folded flat",
     "clash": "panels that meet",
     "hinges": "its hinges",
+    "boards": "the thickness of its boards",
     "ties": "its ties",
     None: "its supports only",
 }

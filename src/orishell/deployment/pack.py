@@ -8,9 +8,9 @@ import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.deployment.box import Box, smallest_box
-from orishell.motion import Mechanism, diagonal
+from orishell.motion import Mechanism, diagonal, panel_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import area_vectors, lengths
+from orishell.sheet.quads import area_vectors, grid_corners, lengths
 
 THIN = 1e-3
 """A bundle counts as at least this thick, relative to the diagonal of the flat sheet."""
@@ -39,7 +39,7 @@ class Pack:
     __repr__ = in_one_line
 
 
-def find_pack(mechanism: Mechanism, limit: float, states: int = 25) -> Pack:
+def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: float = 0.0) -> Pack:
     """Return the state from the target to a limit that packs smallest.
 
     That is where length times width times height of the smallest box is least, a height below
@@ -52,11 +52,13 @@ def find_pack(mechanism: Mechanism, limit: float, states: int = 25) -> Pack:
         Drive angle up to which the motion is known to be free (radians), at least the target's.
     states
         Number of states that are compared, at equal steps of the drive.
+    thickness
+        Thickness of the panels (length): the box holds them as if they stood back from nothing.
     """
     floor = THIN * diagonal(mechanism.positions(0.0))
     best: tuple[float, float, Box] | None = None
     for drive in np.linspace(limit, mechanism.target_drive, states).tolist():
-        box = smallest_box(mechanism.positions(drive).reshape(-1, 3))
+        box = smallest_box(_surfaces(mechanism.positions(drive), thickness))
         size = box.length * box.width * max(box.height, floor)
         if best is None or size < best[0]:
             best = size, drive, box
@@ -64,6 +66,15 @@ def find_pack(mechanism: Mechanism, limit: float, states: int = 25) -> Pack:
     _, drive, box = best
     points = mechanism.positions(drive).reshape(-1, 3)
     return Pack(drive, box, count_layers(points, mechanism.grid.faces_vertices(), box.axes))
+
+
+def _surfaces(positions: Array, thickness: float) -> Array:
+    """Vertices (V, 3) of panels, or of their upper and lower faces if they have a thickness."""
+    if not thickness:
+        return positions.reshape(-1, 3)
+    corners, normals = grid_corners(positions), panel_normals(positions)
+    over = 0.5 * thickness * normals[..., None, :]
+    return np.concatenate([corners + over, corners - over]).reshape(-1, 3)
 
 
 def count_layers(points: Array, faces: Integers, axes: Array | None = None) -> int:

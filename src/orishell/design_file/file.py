@@ -58,6 +58,10 @@ class _Motion(Table):
     contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
 
 
+class _Panel(Table):
+    thickness: Annotated[Number, Field(ge=0)] = 0.0
+
+
 class _Tolerance(Table):
     surface: Annotated[Number, Field(gt=0)]
     panel_min: Annotated[Number, Field(ge=0)] = 0.0
@@ -81,6 +85,7 @@ class _File(Table):
     tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
     deployment: DeploymentTable = DeploymentTable()
+    panel: _Panel = _Panel()
     workshop: WorkshopTable = WorkshopTable()
 
     @field_validator("target")
@@ -121,6 +126,8 @@ class DesignFile:
         Where a shell that can stand is put.
     deployment
         How it is deployed.
+    thickness
+        Thickness of its panels: boards on both faces of a hinge membrane; 0 for none (length).
     """
 
     path: Path
@@ -134,6 +141,7 @@ class DesignFile:
     workshop: Workshop
     ground: Ground = "z0"
     deployment: Deployment = FROM_FLAT
+    thickness: float = 0.0
 
     __repr__ = in_one_line
 
@@ -245,6 +253,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         workshop,
         file.shell.ground,
         file.deployment.settings(),
+        file.panel.thickness,
     )
 
 
@@ -268,6 +277,7 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
         "tolerance": _Tolerance,
         "motion": _Motion,
         "deployment": DeploymentTable,
+        "panel": _Panel,
         "pattern": model,
         "workshop": WorkshopTable,
     }

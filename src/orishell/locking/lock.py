@@ -22,6 +22,7 @@ from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
 from orishell.motion import Mechanism, corrugation_depth, diagonal, drive_at_fold
 from orishell.numerics.arrays import Booleans, Integers
 from orishell.sheet.grid import Grid
+from orishell.solids import drive_for_height
 
 CONTACT_TOLERANCE = 1e-9
 """Distance at which panels touch, relative to the diagonal of the flat sheet."""
@@ -112,10 +113,8 @@ def lock_without_clash(
     """
     sheet = _Sheet.of(design)
     if sheet.folded_flat is None:
-        stopped = sheet.end < design.mechanism.end_drive
-        return sheet.lock(
-            sheet.end if stopped else None, "hinges" if stopped else None, None, proof, touching
-        )
+        drive = None if sheet.stop is None else sheet.end
+        return sheet.lock(drive, sheet.stop, None, proof, touching)
     row, column = sheet.folded_flat
     flaps = column in sheet.mechanism.flap_columns
     found = Contact(
@@ -137,15 +136,21 @@ class _Sheet:
     end: float
     folded_flat: Panel | None
     """Row and column of the panel above a row crease that is folded flat at the end."""
+    stop: Cause | None
+    """What stops the motion before a crease is folded flat."""
 
     @classmethod
     def of(cls, design: Design) -> _Sheet:
         mechanism = design.mechanism.still
         end = drive_at_fold(mechanism, design.largest_fold)
+        stop: Cause | None = "hinges" if end < mechanism.end_drive else None
+        if design.thickness:
+            limit = drive_for_height(mechanism, design.thickness / 2, end)
+            end, stop = (limit, "boards") if limit < end else (end, stop)
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)
         first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        return cls(mechanism, mechanism.target_drive, end, first)
+        return cls(mechanism, mechanism.target_drive, end, first, stop)
 
     @property
     def columns(self) -> int:

@@ -16,11 +16,14 @@ from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import largest_fold
+from orishell.solids import largest_folds, largest_height
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
 UP = 5e-4
 """A fold angle that is offered is so much above what is needed (degrees)."""
+THINNER = (0.99, 0.5, 0.1)
+"""Shares of the largest thickness that are offered."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,6 +44,8 @@ class Request:
         How far hinges close (radians).
     from_pack
         Whether the shell is to be opened from a pack, beyond its target.
+    thickness
+        Thickness of the panels, 0 for none (length).
     """
 
     pattern: Pattern
@@ -49,6 +54,7 @@ class Request:
     clipped: bool = False
     largest_fold: float = np.pi
     from_pack: bool = False
+    thickness: float = 0.0
 
     __repr__ = in_one_line
 
@@ -67,16 +73,18 @@ class Request:
         Raises
         ------
         DesignError
-            If the family cannot make it, or hinges do not close as far as its target asks.
+            If the family cannot make it, or hinges or boards do not close as far as its target
+            asks.
         """
         design = (
             self.pattern.design_without_target()
             if self.target is None
             else self.pattern.design(*self.target)
         )
-        design = replace(design, largest_fold=self.largest_fold)
+        design = replace(design, largest_fold=self.largest_fold, thickness=self.thickness)
         design = design.with_clipped_flaps() if self.clipped else design
         _require_hinges(design, self.from_pack)
+        _require_room(design)
         return design
 
     def changed(self, remedy: Remedy) -> Self:
@@ -89,12 +97,15 @@ class Request:
         model = type(self.pattern) if family is None else FAMILIES[str(family)].pattern
         deployment = tables.get("deployment", {})
         fold = deployment.get("largest_fold_deg", np.rad2deg(self.largest_fold))
+        thickness = tables.get("panel", {}).get("thickness", self.thickness)
         assert isinstance(fold, float | int)
+        assert isinstance(thickness, float | int)
         return replace(
             self,
             clipped=deployment.get("flap_attachment", None) == "clipped" or self.clipped,
             largest_fold=float(np.deg2rad(fold)),
             from_pack=self.from_pack and deployment.get("from") != "flat",
+            thickness=float(thickness),
             pattern=self.pattern.changed(tables.get("pattern", {}), model),
             target=self.target
             and (
@@ -120,6 +131,29 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
         size=f"a crease folds by {in_degrees(needed)} degrees there, hinges by at most "
         f"{in_degrees(limit)}",
         candidates=[*clipped, Remedy({"deployment.largest_fold_deg": min(asked, 180.0)})],
+    )
+
+
+def _require_room(design: Design) -> None:
+    """Refuse boards so thick that they leave too little of a panel at the target."""
+    mechanism = design.mechanism
+    if not design.thickness:
+        return
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    if design.thickness <= most:
+        return
+    flaps = bool(mechanism.flap_columns)
+    clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if flaps else []
+    thinner = [Remedy({"panel.thickness": rounded(share * most, 4)}) for share in THINNER]
+    raise DesignError(
+        "boards would stand back so far from their creases that less than half of a panel is left",
+        place="at the target",
+        keys=("panel.thickness",),
+        size="flaps that are part of the sheet fold flat there, which no board allows"
+        if flaps
+        else f"panels may be {most:.4g} thick, and are {design.thickness:.4g}",
+        candidates=clipped or thinner,
     )
 
 

@@ -19,7 +19,7 @@ Kind = Literal[
     "at the sheet's edge",
     "distant panels",
 ]
-Cause = Literal["flaps", "clash", "crease", "hinges"]
+Cause = Literal["flaps", "clash", "crease", "hinges", "boards"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class Lock:
         Where it ends, or None if nothing ends it (radians).
     cause
         Flaps folded onto each other as designed, panels that clash, another crease that is folded
-        flat, or hinges that close no further.
+        flat, hinges that close no further, or boards that leave too little of a panel.
     first_contact
         The first contact, if there is one.
     target

@@ -25,6 +25,7 @@ from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.shell.standing import Feet
+from orishell.solids import largest_folds, largest_height
 
 GRAVITY = 9.81
 """Metres per second squared."""
@@ -41,7 +42,7 @@ class PackedReport:
     drive_deg
         Its drive angle.
     length, width, height
-        Its smallest box, turned as it may be, panels without thickness.
+        Its smallest box, turned as it may be, of panels with their thickness.
     layers
         How many panels lie on top of each other: boards make it that many times as thick.
     """
@@ -127,6 +128,9 @@ class DeploymentReport:
         Whether flaps are part of the folding sheet; None if there are none.
     largest_fold_deg
         How far its hinges close.
+    thickness, largest_thickness
+        Thickness of its panels, 0 for none, and the largest with which half of every panel is left
+        at the target; None if it is not limited.
     end_drive_deg
         As far as it closes, proved if its path was examined.
     closing, opening
@@ -142,6 +146,8 @@ class DeploymentReport:
     start: Start
     flap_attachment: Attachment | None
     largest_fold_deg: float
+    thickness: float
+    largest_thickness: float | None
     end_drive_deg: float
     closing: Cause | Literal["clipped flaps"] | None
     opening: Literal["ties"] | None
@@ -180,6 +186,8 @@ def describe_deployment(
         start=file.deployment.start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
         largest_fold_deg=tidy_degrees(design.largest_fold),
+        thickness=design.thickness,
+        largest_thickness=_largest_thickness(design) if measured else None,
         end_drive_deg=tidy_degrees(lock.pack),
         closing="clipped flaps" if clipped else lock.cause if lock.pack <= lock.target else None,
         opening="ties" if ties else None,
@@ -205,8 +213,15 @@ def _pairs(design: Design, deployment: Deployment, feet: Feet | None) -> list[Ve
     return feet_ties(design.mechanism, feet.rows)
 
 
+def _largest_thickness(design: Design) -> float | None:
+    mechanism = design.mechanism
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    height = largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    return 2 * height if np.isfinite(height) else None
+
+
 def _packed(design: Design, lock: Lock) -> PackedReport:
-    found = find_pack(design.mechanism, max(lock.pack, lock.target), PACKS)
+    found = find_pack(design.mechanism, max(lock.pack, lock.target), PACKS, design.thickness)
     box = found.box
     return PackedReport(tidy_degrees(found.drive), box.length, box.width, box.height, found.layers)
 

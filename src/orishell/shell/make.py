@@ -52,6 +52,8 @@ wrong: a panel may be as small as a hundred-millionth of the coordinates, and th
 coordinates turns it by so much."""
 
 
+BOARDS = "contact between boards: panels of no thickness touch nowhere on the way"
+
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
 """What becomes of a shell whose panels meet before its target: it is refused, or made and said to
 clash; or nobody looks, for sheets of hundreds of thousands of panels."""
@@ -190,6 +192,7 @@ def make_shell(
         not_checked=(
             *(["contact between panels on the way"] if clash == "unexamined" else []),
             *([] if measured or not compared else ["distance from the surface"]),
+            *([BOARDS] if file.thickness else []),
             *(["the layout on the stock"] if quantities.stock is None else []),
         ),
         stands=describe_feet(design, feet),

@@ -76,7 +76,7 @@ class SearchRequest(Request):
 
     Parameters
     ----------
-    pattern, target, tolerance, clipped, largest_fold, from_pack
+    pattern, target, tolerance, clipped, largest_fold, from_pack, thickness
         As for any request.
     file
         The design file.
@@ -108,7 +108,13 @@ class SearchRequest(Request):
         file = replace(self.file, pattern=self.pattern, target=self.target)
         pattern, _ = meet_tolerance(file, self.limits)
         return Request(
-            pattern, self.target, self.tolerance, self.clipped, self.largest_fold, self.from_pack
+            pattern,
+            self.target,
+            self.tolerance,
+            self.clipped,
+            self.largest_fold,
+            self.from_pack,
+            self.thickness,
         )
 
 
@@ -122,6 +128,7 @@ def request_of(file: DesignFile) -> Request:
         deployment.flap_attachment == "clipped",
         deployment.largest_fold,
         deployment.start == "pack",
+        file.thickness,
     )
     return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 

@@ -1,0 +1,95 @@
+"""How far boards stand back from creases, so that they never meet their neighbours.
+
+The hinges stay in the creases, in the middle of the panels: a membrane between boards of the
+thickness b on both its faces. A crease keeps its sign, so it has a closing side: the top of a
+valley, the bottom of a mountain. Boards beside a crease that folds by phi are on either side of the
+plane that bisects it; at a height b over the membrane they are clear of it if they stand back by
+
+    s = b tan(phi/2)
+
+on the closing side. On the opening side they move apart, and need no more than half the gap that
+the tool cuts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array
+from orishell.sheet.grid import CreaseValues
+
+STATES = 257
+"""States among which the largest fold angles of creases are looked for."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SetBacks:
+    """How far boards stand back from every edge of the sheet.
+
+    Parameters
+    ----------
+    top, bottom
+        For the boards on the upper and the lower face of the flat sheet (E,), in the order of the
+        grid's edges, 0 at the border (length).
+    """
+
+    top: Array
+    bottom: Array
+
+    __repr__ = in_one_line
+
+
+def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
+    """The largest fold angles of all creases on the way from the flat sheet, with their signs.
+
+    Most grow all the way. Of those that do not the largest is that of a parabola through the three
+    states about it, or of these states if that is larger.
+
+    Parameters
+    ----------
+    limit
+        The drive up to which the motion is used (radians).
+    """
+    angles = mechanism.fold_angles(np.linspace(0.0, limit, STATES))
+    return CreaseValues(_largest(angles.row), _largest(angles.column))
+
+
+def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetBacks:
+    """Set-backs of boards from all edges.
+
+    Parameters
+    ----------
+    folds
+        The largest fold angles, in (-pi, pi), valley positive (radians).
+    height
+        How high boards stand over the membrane on one face (length).
+    gap
+        What the tool cuts away between two boards, half of it from each (length).
+    """
+    angle = folds.on_edges()
+    crease = folds.on_edges(border=np.inf) < np.inf
+    closing = height * np.tan(np.abs(angle) / 2)
+    least = np.where(crease, gap / 2, 0.0)
+    return SetBacks(
+        top=np.maximum(np.where(angle > 0, closing, 0.0), least),
+        bottom=np.maximum(np.where(angle < 0, closing, 0.0), least),
+    )
+
+
+def _largest(angles: Array) -> Array:
+    """The values (...) of the largest size among states (S, ...)."""
+    size = np.abs(angles)
+    at = size.argmax(axis=0)[None]
+    near = [
+        np.take_along_axis(size, np.clip(at + step, 0, len(size) - 1), axis=0)[0]
+        for step in (-1, 0, 1)
+    ]
+    bend = near[0] - 2 * near[1] + near[2]
+    inside = (at[0] > 0) & (at[0] < len(size) - 1) & (bend < 0)
+    rise = np.where(inside, (near[2] - near[0]) ** 2 / (8 * np.where(inside, -bend, 1.0)), 0.0)
+    sign = np.sign(np.take_along_axis(angles, at, axis=0)[0])
+    return np.asarray(sign * np.minimum(near[1] + rise, np.pi))

@@ -1,0 +1,103 @@
+"""How thick boards may be, and how far they fold."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from orishell.design_file import read_design_file
+from orishell.errors import DesignError
+from orishell.motion import largest_fold
+from orishell.sheet.grid import CreaseValues, Grid
+from orishell.shell.make import Shell, make_shell
+from orishell.solids import drive_for_height, largest_folds, largest_height
+from strategies import Request, orthodiagonal_requests, requests
+
+SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
+
+
+def shelter(thickness: float) -> Shell:
+    return make_shell(replace(read_design_file(SHELTER), thickness=thickness), measured=True)
+
+
+def test_a_strip_of_squares_by_hand() -> None:
+    """Squares of side 1 whose creases fold by 120 degrees: tan 60 degrees = sqrt(3).
+
+    Valleys take from the upper boards of both neighbours, mountains from the lower ones.
+    """
+    grid = Grid(4, 2)
+    x, y = np.meshgrid(np.arange(2.0), -np.arange(4.0))
+    flat = np.stack([x, y, 0 * x], axis=-1)
+    turn = np.deg2rad(120)
+    pleats = CreaseValues(row=np.array([[turn], [-turn]]), column=np.zeros((3, 0)))
+    assert largest_height(flat, grid, pleats) == pytest.approx(0.5 / np.sqrt(3))
+    roll = CreaseValues(row=np.array([[turn], [turn]]), column=np.zeros((3, 0)))
+    assert largest_height(flat, grid, roll) == pytest.approx(0.25 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, 0.8) == pytest.approx(0.1 / np.sqrt(3))
+    still = CreaseValues(row=np.zeros((2, 1)), column=np.zeros((3, 0)))
+    assert largest_height(flat, grid, still) == np.inf
+
+
+@settings(max_examples=30)
+@given(st.one_of(requests(), orthodiagonal_requests()), st.floats(0.2, 0.9))
+def test_the_drive_for_a_height_is_the_last_that_leaves_enough(
+    request: Request, share: float
+) -> None:
+    mechanism = request.feasible().mechanism.without_flaps()
+    flat, grid = mechanism.positions(0.0), mechanism.grid
+
+    def most(drive: float) -> float:
+        return largest_height(flat, grid, largest_folds(mechanism, drive))
+
+    height = most(share * mechanism.end_drive)
+    drive = drive_for_height(mechanism, height * (1 - 1e-6))
+    assert drive >= share * mechanism.end_drive * (1 - 1e-3)
+    for before in np.linspace(0, drive, 60)[1:]:
+        assert largest_height(flat, grid, mechanism.fold_angles(before)) >= height * (1 - 2e-6)
+
+
+def test_boards_end_the_motion_of_the_shelter() -> None:
+    """10 mm boards fold to 177 degrees: what is left of the narrowest panel is half of it."""
+    shell = shelter(0.01)
+    mechanism, deployment = shell.design.mechanism, shell.report.deployment
+    assert shell.lock.cause == "boards"
+    widest = np.rad2deg(largest_fold(mechanism, np.array([shell.lock.pack]))[0])
+    assert 177.0 < widest < 177.3
+    folds = largest_folds(mechanism, shell.lock.pack)
+    assert largest_height(mechanism.positions(0.0), mechanism.grid, folds) == pytest.approx(0.005)
+    assert deployment.packed is not None
+    bare = shelter(0.0).report.deployment.packed
+    assert bare is not None
+    # Much thicker than 72 boards: they do not lie flat on each other yet.
+    assert 72 * 0.01 < deployment.packed.height < 1.0
+    assert bare.height < 1e-3
+    assert deployment.packed.length == pytest.approx(bare.length, abs=0.02)
+    assert any("boards" in each for each in shell.report.not_checked)
+
+
+def test_thicker_boards_pack_larger() -> None:
+    sizes = []
+    for thickness in (0.004, 0.01, 0.02, 0.04):
+        packed = shelter(thickness).report.deployment.packed
+        assert packed is not None
+        sizes.append(packed.length * packed.width * packed.height)
+    assert sizes == sorted(sizes)
+
+
+def test_boards_too_thick_for_the_target() -> None:
+    with pytest.raises(DesignError, match=r"panels may be 0\.364 thick, and are 0\.5") as refused:
+        shelter(0.5)
+    (remedy,) = refused.value.remedies
+    thickness = remedy.changes["panel.thickness"]
+    assert isinstance(thickness, float)
+    assert shelter(thickness).lock.cause == "boards"
+
+
+def test_folded_flaps_allow_no_boards() -> None:
+    file = read_design_file(SHELTER.with_name("figure2.toml"))
+    with pytest.raises(DesignError, match="which no board allows") as refused:
+        make_shell(replace(file, thickness=0.01))
+    assert refused.value.remedies[0].changes == {"deployment.flap_attachment": "clipped"}
