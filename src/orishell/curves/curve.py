@@ -42,7 +42,7 @@ class Curve:
     key
         The key of the design file that takes a part of the curve by its parameters as drawn.
     drawn
-        Offset and factor (1 or -1): offset + factor * t is the parameter as the curve was drawn.
+        A parameter, what it is on the curve as drawn, and 1 or -1: what the latter grows by with t.
     scale
         How much the curve has been enlarged since it was drawn.
     """
@@ -53,7 +53,7 @@ class Curve:
     stop: float
     breaks: tuple[float, ...] = ()
     key: Literal["range", "part"] = "part"
-    drawn: tuple[float, float] = (0.0, 1.0)
+    drawn: tuple[float, float, float] = (0.0, 0.0, 1.0)
     scale: float = 1.0
 
     def __post_init__(self) -> None:
@@ -116,8 +116,7 @@ class Curve:
             x, y = self.enclosure(total - high, total - low)
             return x.mirrored(), y.mirrored()
 
-        offset, factor = self.drawn
-        drawn = offset + factor * total, -factor
+        drawn = self.start, float(self.as_drawn(self.stop)), -self.drawn[2]
         return replace(self, jet=jet, enclosure=enclosure, breaks=breaks, drawn=drawn)
 
     def part(self, first: float, last: float) -> Self:
@@ -149,8 +148,8 @@ class Curve:
 
     def as_drawn(self, t: ArrayLike) -> Array:
         """The parameters (...) that t (...) have on the curve as it was drawn, for messages."""
-        offset, factor = self.drawn
-        return offset + factor * np.asarray(t, dtype=np.float64)
+        at, drawn, way = self.drawn
+        return drawn + way * (np.asarray(t, dtype=np.float64) - at)
 
     def drawn_part(self, first: float, last: float) -> tuple[float, float]:
         """The ends of a part in parameters of the curve as drawn, the smaller first, for ``key``.
@@ -171,8 +170,8 @@ class Curve:
         first, last
             The part's ends as the curve was drawn.
         """
-        offset, factor = self.drawn
-        return self.part(*sorted((t - offset) / factor for t in (first, last)))
+        at, drawn, way = self.drawn
+        return self.part(*sorted(at + way * (t - drawn) for t in (first, last)))
 
     def scaled(self, factor: float) -> Self:
         """The curve enlarged about the origin by ``factor`` > 0."""

@@ -77,9 +77,11 @@ class Trace:
 
     def reversed(self) -> Trace:
         """The same points, run through from the last to the first."""
+        start, stop = self.curve.start, self.curve.stop
+        inner = (start + stop) - self.t[-2:0:-1]
         return Trace(
             self.curve.reversed(),
-            (self.curve.start + self.curve.stop) - self.t[::-1],
+            np.concatenate([[start], inner, [stop]]),  # the ends without rounding
             self.points[::-1],
             self.arc[-1] - self.arc[::-1],
             self.arriving[::-1] + np.pi,

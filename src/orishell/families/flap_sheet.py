@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
@@ -28,6 +28,7 @@ class FlapSheet:
     """
 
     __slots__ = ()
+    __dataclass_fields__: ClassVar[dict[str, Any]]  # every sheet is a dataclass
 
     lengths: Array
     points: Complex
@@ -52,7 +53,7 @@ class FlapSheet:
 
     def without_flaps(self) -> Self:
         """The sheet without its flaps; what stays meets the target as it did."""
-        return replace(self, flaps=(0.0, 0.0))  # type: ignore[type-var]
+        return replace(self, flaps=(0.0, 0.0))
 
     @property
     def still(self) -> Self:

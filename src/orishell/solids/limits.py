@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.motion import Mechanism
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.numerics.bisection import bisect
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids.setbacks import find_set_backs
@@ -37,14 +37,7 @@ def largest_height(flat: Array, grid: Grid, folds: CreaseValues, share: float = 
     share
         Share of the way across every panel that must remain.
     """
-    unit = find_set_backs(folds, 1.0)
-    edges = grid.faces_edges()
-    most = 0.0
-    for face in (unit.top, unit.bottom):
-        of_panel = face[edges]
-        taken = np.stack([of_panel[:, 0] + of_panel[:, 2], of_panel[:, 1] + of_panel[:, 3]], axis=1)
-        most = max(most, float((taken / _ways_across(flat, grid)).max()))
-    return (1 - share) / most if most else np.inf
+    return _height(_ways_across(flat, grid), grid.faces_edges(), folds, share)
 
 
 def drive_for_height(
@@ -61,11 +54,12 @@ def drive_for_height(
     share
         Share of the way across every panel that must remain.
     """
-    flat, grid = mechanism.positions(0.0), mechanism.grid
+    edges = mechanism.grid.faces_edges()
+    across = _ways_across(mechanism.positions(0.0), mechanism.grid)
     end = mechanism.end_drive if end is None else end
 
     def works(drive: float) -> bool:
-        return largest_height(flat, grid, mechanism.fold_angles(drive), share) >= height
+        return _height(across, edges, mechanism.fold_angles(drive), share) >= height
 
     good = 0.0
     for drive in np.linspace(0.0, end, STATES)[1:].tolist():
@@ -73,6 +67,14 @@ def drive_for_height(
             return bisect(works, good, drive, relative=FINE)
         good = drive
     return end
+
+
+def _height(across: Array, edges: Integers, folds: CreaseValues, share: float) -> float:
+    """The largest height, from widths (F, 2) and the edges (F, 4) of panels."""
+    unit = find_set_backs(folds, 1.0)
+    back = np.stack([unit.top, unit.bottom])[:, edges]  # (2 faces, F, 4 edges)
+    most = float(((back[..., :2] + back[..., 2:]) / across).max())
+    return (1 - share) / most if most else np.inf
 
 
 def _ways_across(flat: Array, grid: Grid) -> Array:
