@@ -18,6 +18,9 @@ from orishell.surface import Surface
 FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""
 
+Construction = Literal["sandwich", "bevel"]
+"""How panels with a thickness are built."""
+
 Parameter = float | int | str | list[float] | list[str]
 
 
@@ -37,6 +40,48 @@ class Approached:
     surface: Surface | None
 
     __repr__ = in_one_line
+
+
+@dataclass(frozen=True, slots=True)
+class PanelBuild:
+    """What panels with a thickness are made of; lengths in the unit of the curves.
+
+    Parameters
+    ----------
+    thickness
+        Of a panel, boards and membrane together, half of it over the hinge plane.
+    construction
+        "sandwich": boards on both faces of a membrane that is the hinge, cut square. "bevel": solid
+        panels about the hinge plane, chamfered where they close.
+    membrane
+        Thickness of the membrane between the boards of a sandwich.
+    gap
+        What is cut away between two panels where they open.
+    share
+        Largest share of the way across a panel that the set-backs at both its sides may take.
+    setback
+        Longest set-back.
+    stop
+        By how much flaps stop short of folding flat: half of what their row creases lack to 180
+        degrees, at the crease that folds most (radians). None for as little as set-backs allow.
+    density, membrane_density
+        Mass of boards, or of solid panels, and of the membrane per volume; 0 if unknown (kg/m^3).
+    """
+
+    thickness: float
+    construction: Construction = "sandwich"
+    membrane: float = 0.0
+    gap: float = 0.0
+    share: float = 0.5
+    setback: float = np.inf
+    stop: float | None = None
+    density: float = 0.0
+    membrane_density: float = 0.0
+
+    @property
+    def height(self) -> float:
+        """How high a panel stands over its hinge plane (length)."""
+        return 0.5 * self.thickness
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,13 +109,13 @@ class Design:
     origin
         Where the frame of all these coordinates stands in the world (3,): it is added when world
         coordinates are written, so that a shell far from the origin keeps its digits until then.
-    boards
+    clipped
         The sheet with the flaps that are clipped on at the target; None if there are none. They
         are no part of ``mechanism``.
     largest_fold
         How far its hinges close (radians).
-    thickness
-        Thickness of its panels, which limits how far they fold; 0 for none (length).
+    panel
+        What its panels are made of, which limits how far they fold; None if they have no thickness.
     ending_at
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
@@ -84,9 +129,9 @@ class Design:
     warnings: tuple[str, ...]
     approached: Approached | None = None
     origin: Array = field(default_factory=lambda: np.zeros(3))
-    boards: Mechanism | None = None
+    clipped: Mechanism | None = None
     largest_fold: float = np.pi
-    thickness: float = 0.0
+    panel: PanelBuild | None = None
     ending_at: Callable[[float], Design] | None = None
 
     def with_clipped_flaps(self) -> Design:
@@ -94,7 +139,7 @@ class Design:
         bare = self.mechanism.without_flaps()
         if bare.grid == self.mechanism.grid:
             return self
-        return replace(self, mechanism=bare, boards=self.mechanism)
+        return replace(self, mechanism=bare, clipped=self.mechanism)
 
     @property
     def surface(self) -> Surface:

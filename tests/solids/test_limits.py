@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
 from orishell.errors import DesignError
 from orishell.motion import largest_fold
@@ -20,7 +21,13 @@ SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
 
 
 def shelter(thickness: float) -> Shell:
-    return make_shell(replace(read_design_file(SHELTER), thickness=thickness), measured=True)
+    return make_shell(
+        replace(
+            read_design_file(SHELTER),
+            panel=PanelBuild(thickness, membrane=0.02 * thickness) if thickness else None,
+        ),
+        measured=True,
+    )
 
 
 def test_a_strip_of_squares_by_hand() -> None:
@@ -99,5 +106,5 @@ def test_boards_too_thick_for_the_target() -> None:
 def test_folded_flaps_allow_no_boards() -> None:
     file = read_design_file(SHELTER.with_name("figure2.toml"))
     with pytest.raises(DesignError, match="which no board allows") as refused:
-        make_shell(replace(file, thickness=0.01))
+        make_shell(replace(file, panel=PanelBuild(0.01, membrane=2e-4)))
     assert refused.value.remedies[0].changes == {"deployment.flap_attachment": "clipped"}

@@ -5,10 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.design import PanelBuild
 from orishell.errors import DesignError
 from orishell.motion import Mechanism
 from orishell.sheet.grid import CreaseValues, Grid
-from orishell.solids import SetBacks, cut_boards, find_set_backs, largest_folds
+from orishell.solids import build_boards, find_set_backs, largest_folds
+from orishell.solids.outlines import inset_panels
 from strategies import Request, orthodiagonal_requests, requests
 
 
@@ -70,19 +72,36 @@ def test_boards_meet_the_bisecting_plane_at_the_largest_fold() -> None:
 
 def test_boards_of_squares_are_rectangles() -> None:
     flat, grid = square()
-    distance = np.zeros(len(grid.edges_vertices()))
-    edges = {tuple(edge): k for k, edge in enumerate(grid.edges_vertices().tolist())}
-    distance[edges[(3, 4)]], distance[edges[(1, 4)]] = 0.25, 0.1
-    top, bottom = cut_boards(flat, grid, SetBacks(distance, 0 * distance))
+    folds = CreaseValues(
+        row=np.array([[2 * np.arctan(2.5), 0.0]]), column=np.array([[2 * np.arctan(1.0)], [0.0]])
+    )
+    boards = build_boards(flat, grid, PanelBuild(0.2, membrane=0.02), folds)
+    assert boards.panels.tolist() == [0, 0, 1, 1, 2, 2, 3, 3]
+    assert boards.sides.tolist() == [1, -1] * 4
+    top, bottom = (boards.chosen(boards.sides == side) for side in (1, -1))
     assert bottom.areas() == pytest.approx(np.ones(4))
     assert top.areas() == pytest.approx([0.9 * 0.75, 0.9, 0.75, 1.0])
-    assert top.corners[0].min(axis=0) == pytest.approx([0, -0.75])
-    assert top.corners[0].max(axis=0) == pytest.approx([0.9, 0])
+    assert top.volumes() == pytest.approx(0.09 * top.areas())
+    assert top.outlines[0].min(axis=(0, 1)) == pytest.approx([0, -0.75, 0.01])
+    assert top.outlines[0].max(axis=(0, 1)) == pytest.approx([0.9, 0, 0.1])
+
+
+def test_bevelled_squares_are_frusta() -> None:
+    """Gap 0.1: 0.05 all along a crease on the hinge plane, 0.25 more on the closing side."""
+    flat, grid = square()
+    folds = CreaseValues(row=np.array([[2 * np.arctan(2.5), 0.0]]), column=np.zeros((2, 1)))
+    boards = build_boards(flat, grid, PanelBuild(0.2, "bevel", gap=0.1), folds)
+    assert boards.sides.tolist() == [0] * 4
+    below, middle, above = boards.outlines[0, :, :, 2].T[0]
+    assert (below, middle, above) == pytest.approx((-0.1, 0.0, 0.1))
+    full = 0.95 * 0.95
+    assert boards.volumes()[0] == pytest.approx(0.1 * full + 0.1 * 0.95 * (0.95 + 0.75) / 2)
+    assert boards.volumes()[1] == pytest.approx(0.2 * full)
 
 
 @settings(max_examples=60)
-@given(st.integers(0, 2**32 - 1))
-def test_areas_agree_with_half_planes_of_shapely(seed: int) -> None:
+@given(st.integers(0, 2**32 - 1), st.booleans())
+def test_outlines_agree_with_half_planes_of_shapely(seed: int, cut: bool) -> None:
     """A panel cut along a line inside each edge, by polygon clipping of another program."""
     from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
@@ -90,22 +109,40 @@ def test_areas_agree_with_half_planes_of_shapely(seed: int) -> None:
     random = np.random.default_rng(seed)
     flat, grid = square(1)
     flat[..., :2] += random.uniform(-0.3, 0.3, (2, 2, 2))
-    distance = random.uniform(0, 0.25, 4)
-    (board,) = cut_boards(flat, grid, SetBacks(distance, distance))[0].corners
-    corners = flat.reshape(-1, 3)[grid.faces_vertices()[0], :2].copy()
+    distance, relief = random.uniform(0, 0.25, 4), random.uniform(0, 0.3, 4) * cut
+    corners = flat.reshape(-1, 3)[grid.faces_vertices()[0], :2]
+    (outline,) = inset_panels(corners[None], distance[None], grid, relief[None] if cut else None)
     expected: BaseGeometry = Polygon(corners)
-    for k, back in enumerate(distance[grid.faces_edges()[0]]):
-        start, along = corners[k], corners[(k + 1) % 4] - corners[k]
-        along /= np.hypot(*along)
-        inward = np.array([-along[1], along[0]])
-        near = start + back * inward
+
+    def halved(near: np.ndarray, inward: np.ndarray) -> BaseGeometry:
+        along = np.array([inward[1], -inward[0]])
         half = [near - 9 * along, near + 9 * along, near + 9 * (along + inward)]
-        expected = expected.intersection(Polygon([*half, near + 9 * (inward - along)]))
-    assert Polygon(board).area == pytest.approx(expected.area, abs=1e-12)
+        return expected.intersection(Polygon([*half, near + 9 * (inward - along)]))
+
+    sides = np.roll(corners, -1, axis=0) - corners
+    inward = np.stack([-sides[:, 1], sides[:, 0]], axis=-1)
+    inward /= np.hypot(*inward.T)[:, None]
+    for k in range(4):
+        expected = halved(corners[k] + distance[k] * inward[k], inward[k])
+        if cut:
+            halving = inward[k] + inward[k - 1]
+            halving /= np.hypot(*halving)
+            expected = halved(corners[k] + relief[k] * halving, halving)
+    assert outline.shape == (8 if cut else 4, 2)
+    assert Polygon(outline).area == pytest.approx(expected.area, abs=1e-12)
+    assert Polygon(outline).symmetric_difference(expected).area < 1e-12
 
 
 def test_a_panel_that_vanishes_is_named() -> None:
     flat, grid = square()
-    distance = np.full(len(grid.edges_vertices()), 0.6)
+    folds = CreaseValues(row=np.full((1, 2), 2.8), column=np.full((2, 1), 2.8))
     with pytest.raises(DesignError, match=r"leave nothing of a panel, of panel \[0, 0\]"):
-        cut_boards(flat, grid, SetBacks(distance, distance))
+        build_boards(flat, grid, PanelBuild(0.4), folds)
+
+
+def test_no_board_lies_where_a_crease_folds_flat() -> None:
+    flat, grid = square()
+    folds = CreaseValues(row=np.array([[np.pi, 0.0]]), column=np.zeros((2, 1)))
+    boards = build_boards(flat, grid, PanelBuild(0.1, membrane=0.01), folds)
+    named = set(zip(boards.panels.tolist(), boards.sides.tolist(), strict=True))
+    assert named == {(0, -1), (1, 1), (1, -1), (2, -1), (3, 1), (3, -1)}

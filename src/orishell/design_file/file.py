@@ -26,9 +26,11 @@ from orishell.conventions.toml_file import read_toml
 from orishell.conventions.units import Unit
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
+from orishell.design import PanelBuild
 from orishell.design_file.deployment import DeploymentTable
 from orishell.design_file.faults import explain
 from orishell.design_file.limits import require_memory
+from orishell.design_file.panel import PanelTable, SetbackTable
 from orishell.design_file.target import Target, Targets
 from orishell.design_file.workshop import WorkshopTable
 from orishell.errors import InputError
@@ -58,10 +60,6 @@ class _Motion(Table):
     contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
 
 
-class _Panel(Table):
-    thickness: Annotated[Number, Field(ge=0)] = 0.0
-
-
 class _Tolerance(Table):
     surface: Annotated[Number, Field(gt=0)]
     panel_min: Annotated[Number, Field(ge=0)] = 0.0
@@ -85,7 +83,7 @@ class _File(Table):
     tolerance: _Tolerance | None = None
     motion: _Motion = _Motion()
     deployment: DeploymentTable = DeploymentTable()
-    panel: _Panel = _Panel()
+    panel: PanelTable = PanelTable()
     workshop: WorkshopTable = WorkshopTable()
 
     @field_validator("target")
@@ -126,8 +124,8 @@ class DesignFile:
         Where a shell that can stand is put.
     deployment
         How it is deployed.
-    thickness
-        Thickness of its panels: boards on both faces of a hinge membrane; 0 for none (length).
+    panel
+        What its panels are made of; None if they have no thickness.
     """
 
     path: Path
@@ -141,7 +139,7 @@ class DesignFile:
     workshop: Workshop
     ground: Ground = "z0"
     deployment: Deployment = FROM_FLAT
-    thickness: float = 0.0
+    panel: PanelBuild | None = None
 
     __repr__ = in_one_line
 
@@ -253,7 +251,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         workshop,
         file.shell.ground,
         file.deployment.settings(),
-        file.panel.thickness,
+        file.panel.settings(),
     )
 
 
@@ -277,7 +275,7 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
         "tolerance": _Tolerance,
         "motion": _Motion,
         "deployment": DeploymentTable,
-        "panel": _Panel,
+        "panel": PanelTable,
         "pattern": model,
         "workshop": WorkshopTable,
     }
@@ -290,6 +288,8 @@ def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
                 table = Targets
             case ("target", *_):
                 table = Target
+            case ("panel", "largest_setback", *_):
+                table = SetbackTable
             case _:
                 table = tables[str(location[0])]
         return [field.alias or name for name, field in table.model_fields.items()]

@@ -14,8 +14,10 @@ import numpy as np
 from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import nearby_origin
+from orishell.design import PanelBuild
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
+from orishell.sheet.boards import SIDES, Boards
 from orishell.sheet.mesh import QuadMesh
 from orishell.sheet.quads import area_vectors
 
@@ -105,7 +107,11 @@ class Document:
         Numbers of the states that have a name: "flat", "target" (the shell), "pack".
     names
         Names of the panels; empty if they are called by row and column, or by their numbers.
+    panel
+        What panels are made of; None if they have no thickness.
     boards
+        What is built of the panels; None if they have no thickness.
+    clipped
         Boards that are no part of the sheet and clipped on at the target, in the same frame, flat
         and in that one state.
     """
@@ -126,7 +132,9 @@ class Document:
     contact: FirstContact | None = field(default=None, repr=False)
     named: Mapping[str, int] = field(default_factory=dict)
     names: tuple[str, ...] = field(default=(), repr=False)
-    boards: tuple[Document, ...] = field(default=(), repr=False)
+    panel: PanelBuild | None = field(default=None, repr=False)
+    boards: Boards | None = field(default=None, repr=False)
+    clipped: tuple[Document, ...] = field(default=(), repr=False)
 
     __repr__ = in_one_line
 
@@ -177,7 +185,7 @@ class Document:
             )
         return self.states[number]
 
-    def boards_at(self, which: int | str) -> tuple[Document, ...]:
+    def clipped_at(self, which: int | str) -> tuple[Document, ...]:
         """The boards that are clipped on in a state: all of them at the target, none elsewhere.
 
         Parameters
@@ -185,7 +193,30 @@ class Document:
         which
             The state's number or name.
         """
-        return self.boards if which in (SHELL, self.named.get(SHELL)) else ()
+        return self.clipped if which in (SHELL, self.named.get(SHELL)) else ()
+
+    def boards_in(self, state: DocumentState) -> Array:
+        """Corners (B, H, K, 3) of the outlines of all boards in a state, in the document's frame.
+
+        Raises
+        ------
+        InputError
+            If panels have no thickness.
+        """
+        if self.boards is None:
+            raise InputError(
+                "panels have no thickness",
+                where="[panel] thickness",
+                remedy="add the table [panel] to the design file",
+            )
+        return self.boards.carried(self.mesh.faces, self.require_flat(), state.positions)
+
+    def board_name(self, board: int) -> str:
+        """What a board is called: its panel and its side, as in "3,12 top"."""
+        assert self.boards is not None
+        name = self.panel_name(int(self.boards.panels[board]))
+        side = int(self.boards.sides[board])
+        return f"{name} {SIDES[side]}" if side else name
 
     def in_world(self, points: Array) -> Array:
         """World coordinates (..., 3) of points (..., 3) of the document's frame."""

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import overload
 
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line, tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
-from orishell.design import Design
+from orishell.design import Design, PanelBuild
 from orishell.document import SHELL, Document, DocumentState
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.numerics.arrays import Array, Booleans
+from orishell.sheet.boards import Boards
 from orishell.sheet.grid import CreaseValues, Grid, edges_assignment
 from orishell.sheet.mesh import build_mesh
 
@@ -25,7 +26,10 @@ def document_of_motion(
     title: str = "Origami shell",
     curves: Mapping[str, Array] | None = None,
     origin: Array | None = None,
-    boards: Mechanism | None = None,
+    clipped: Mechanism | None = None,
+    panel: PanelBuild | None = None,
+    boards: Boards | None = None,
+    flaps: Boards | None = None,
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
@@ -39,8 +43,10 @@ def document_of_motion(
         Polylines (k, 3) that the shell follows, by name.
     origin
         Where the motion's frame stands in the world (3,); None for the world's origin.
-    boards
+    clipped
         The sheet with flaps that are clipped on at the target, if there are any.
+    panel, boards, flaps
+        What panels are made of, and the boards of both sheets; None if they have no thickness.
     """
     grid = motion.mechanism.grid
     states = states_of(motion)
@@ -56,7 +62,9 @@ def document_of_motion(
         curves=dict(curves or {}),
         origin=np.zeros(3) if origin is None else origin,
         named=motion.named,
-        boards=() if boards is None else _boards_of(boards, unit),
+        panel=panel,
+        boards=boards,
+        clipped=() if clipped is None else _clipped_flaps(clipped, unit, panel, flaps),
     )
 
 
@@ -71,10 +79,12 @@ def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) 
         Number of states from flat to the target.
     """
     motion = FoldingMotion(design.mechanism, frames)
-    return document_of_motion(motion, unit, curves=design.targets, boards=design.boards)
+    return document_of_motion(motion, unit, curves=design.targets, clipped=design.clipped)
 
 
-def _boards_of(mechanism: Mechanism, unit: str) -> tuple[Document, ...]:
+def _clipped_flaps(
+    mechanism: Mechanism, unit: str, panel: PanelBuild | None, boards: Boards | None
+) -> tuple[Document, ...]:
     """The flaps of a sheet, each a strip of panels on its own, in the sheet's frame.
 
     Panels have the row and column that they would have beside the sheet without flaps: left of
@@ -84,7 +94,7 @@ def _boards_of(mechanism: Mechanism, unit: str) -> tuple[Document, ...]:
     mesh = build_mesh(strip.faces_vertices(), strip.vertex_count, strip.edges_vertices())
     flat, target = (FoldedState.of(mechanism, d) for d in (0.0, mechanism.target_drive))
     signs = find_assignment(mechanism)
-    boards = []
+    strips = []
     for flap in mechanism.flap_columns:
         ends, column = slice(flap, flap + 2), flap - mechanism.inner_columns.start
         mine, folds = (
@@ -93,7 +103,7 @@ def _boards_of(mechanism: Mechanism, unit: str) -> tuple[Document, ...]:
         )
         angles = _degrees(folds, mine.on_edges() != 0)
         positions = _clean(target.positions[:, ends].reshape(-1, 3))
-        boards.append(
+        strips.append(
             Document(
                 title=f"Board clipped on beside column {max(column - 1, 0)}",
                 unit=unit,
@@ -105,10 +115,18 @@ def _boards_of(mechanism: Mechanism, unit: str) -> tuple[Document, ...]:
                 grid_shape=(strip.rows, strip.columns),
                 curves={},
                 named={SHELL: 0},
+                panel=panel,
+                boards=boards and _of_column(boards, flap, grid.columns - 1),
                 names=tuple(f"{row},{column}" for row in range(grid.rows - 1)),
             )
         )
-    return tuple(boards)
+    return tuple(strips)
+
+
+def _of_column(boards: Boards, column: int, columns: int) -> Boards:
+    """The boards of one column of panels, as a strip on its own."""
+    mine = boards.chosen(boards.panels % columns == column)
+    return replace(mine, panels=mine.panels // columns)
 
 
 def states_of(motion: FoldingMotion, progress: Progress = unwatched, what: str = "") -> States:

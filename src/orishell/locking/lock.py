@@ -90,7 +90,7 @@ def find_lock(
             found = sheet.contact(PathContact(meeting, clear, near.panels))
             return sheet.lock(meeting, "clash", found, closer.proof, touching)
     early = path.contact is not None and path.contact.drive < sheet.target
-    touching = () if early else sheet.touching(design.boards, size)
+    touching = () if early else sheet.touching(design.clipped, size)
     if path.contact is None:
         return lock_without_clash(design, path.proof, touching)
     found = sheet.contact(path.contact)
@@ -144,8 +144,8 @@ class _Sheet:
         mechanism = design.mechanism.still
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
-        if design.thickness:
-            limit = drive_for_height(mechanism, design.thickness / 2, end)
+        if design.panel is not None:
+            limit = drive_for_height(mechanism, design.panel.height, end)
             end, stop = (limit, "boards") if limit < end else (end, stop)
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)

@@ -79,7 +79,7 @@ def require_pack(design: Design, lock: Lock) -> None:
         return
     contact = lock.first_contact
     # From the flat sheet, flaps are part of it unless something else is said.
-    clipped = {} if design.boards is None else {"deployment.flap_attachment": "clipped"}
+    clipped = {} if design.clipped is None else {"deployment.flap_attachment": "clipped"}
     further = [Remedy({"deployment.largest_fold_deg": 180.0})] if lock.cause == "hinges" else []
     raise DesignError(
         "the shell does not close beyond its target, so that it cannot be opened from a pack",

@@ -10,7 +10,7 @@ import numpy as np
 
 from orishell.conventions.formatting import in_degrees, in_one_line, rounded
 from orishell.curves import Curve, curve_from_formulas, parse_formula
-from orishell.design import Design
+from orishell.design import Design, PanelBuild
 from orishell.errors import DesignError, Remedy, Value
 from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES
@@ -44,8 +44,8 @@ class Request:
         How far hinges close (radians).
     from_pack
         Whether the shell is to be opened from a pack, beyond its target.
-    thickness
-        Thickness of the panels, 0 for none (length).
+    panel
+        What panels are made of; None if they have no thickness.
     """
 
     pattern: Pattern
@@ -54,7 +54,7 @@ class Request:
     clipped: bool = False
     largest_fold: float = np.pi
     from_pack: bool = False
-    thickness: float = 0.0
+    panel: PanelBuild | None = None
 
     __repr__ = in_one_line
 
@@ -81,7 +81,7 @@ class Request:
             if self.target is None
             else self.pattern.design(*self.target)
         )
-        design = replace(design, largest_fold=self.largest_fold, thickness=self.thickness)
+        design = replace(design, largest_fold=self.largest_fold, panel=self.panel)
         design = design.with_clipped_flaps() if self.clipped else design
         _require_hinges(design, self.from_pack)
         _require_room(design)
@@ -97,15 +97,13 @@ class Request:
         model = type(self.pattern) if family is None else FAMILIES[str(family)].pattern
         deployment = tables.get("deployment", {})
         fold = deployment.get("largest_fold_deg", np.rad2deg(self.largest_fold))
-        thickness = tables.get("panel", {}).get("thickness", self.thickness)
         assert isinstance(fold, float | int)
-        assert isinstance(thickness, float | int)
         return replace(
             self,
             clipped=deployment.get("flap_attachment", None) == "clipped" or self.clipped,
             largest_fold=float(np.deg2rad(fold)),
             from_pack=self.from_pack and deployment.get("from") != "flat",
-            thickness=float(thickness),
+            panel=_changed_panel(self.panel, tables.get("panel", {})),
             pattern=self.pattern.changed(tables.get("pattern", {}), model),
             target=self.target
             and (
@@ -137,11 +135,11 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
 def _require_room(design: Design) -> None:
     """Refuse boards so thick that they leave too little of a panel at the target."""
     mechanism = design.mechanism
-    if not design.thickness:
+    if design.panel is None:
         return
     folds = largest_folds(mechanism, mechanism.target_drive)
     most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
-    if design.thickness <= most:
+    if design.panel.thickness <= most:
         return
     flaps = bool(mechanism.flap_columns)
     clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if flaps else []
@@ -152,9 +150,20 @@ def _require_room(design: Design) -> None:
         keys=("panel.thickness",),
         size="flaps that are part of the sheet fold flat there, which no board allows"
         if flaps
-        else f"panels may be {most:.4g} thick, and are {design.thickness:.4g}",
+        else f"panels may be {most:.4g} thick, and are {design.panel.thickness:.4g}",
         candidates=clipped or thinner,
     )
+
+
+def _changed_panel(
+    panel: PanelBuild | None, values: Mapping[str, Value | None]
+) -> PanelBuild | None:
+    if not values:
+        return panel
+    assert panel is not None
+    thickness = values["thickness"]
+    assert isinstance(thickness, float | int)
+    return replace(panel, thickness=float(thickness))
 
 
 def _changed(curve: Curve, values: Mapping[str, Value | None]) -> Curve:

@@ -174,7 +174,7 @@ def describe_deployment(
         If ties do not fit the sheet.
     """
     mechanism = design.mechanism
-    clipped, folded = design.boards is not None, bool(mechanism.flap_columns)
+    clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
     ties = find_ties(mechanism, _pairs(design, file.deployment, feet), lock.pack)
     packed = weight = None
     if measured:
@@ -186,7 +186,7 @@ def describe_deployment(
         start=file.deployment.start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
         largest_fold_deg=tidy_degrees(design.largest_fold),
-        thickness=design.thickness,
+        thickness=_thickness(design),
         largest_thickness=_largest_thickness(design) if measured else None,
         end_drive_deg=tidy_degrees(lock.pack),
         closing="clipped flaps" if clipped else lock.cause if lock.pack <= lock.target else None,
@@ -213,6 +213,10 @@ def _pairs(design: Design, deployment: Deployment, feet: Feet | None) -> list[Ve
     return feet_ties(design.mechanism, feet.rows)
 
 
+def _thickness(design: Design) -> float:
+    return 0.0 if design.panel is None else design.panel.thickness
+
+
 def _largest_thickness(design: Design) -> float | None:
     mechanism = design.mechanism
     folds = largest_folds(mechanism, mechanism.target_drive)
@@ -221,7 +225,7 @@ def _largest_thickness(design: Design) -> float | None:
 
 
 def _packed(design: Design, lock: Lock) -> PackedReport:
-    found = find_pack(design.mechanism, max(lock.pack, lock.target), PACKS, design.thickness)
+    found = find_pack(design.mechanism, max(lock.pack, lock.target), PACKS, _thickness(design))
     box = found.box
     return PackedReport(tidy_degrees(found.drive), box.length, box.width, box.height, found.layers)
 

@@ -44,8 +44,8 @@ def _of_pack(
     if lock.cause == "clash" and lock.first_contact is not None:
         first, second = (list(panel) for panel in lock.first_contact.panels)
         why = f"panels {first} and {second} meet at drive {in_degrees(lock.pack)} degrees"
-    elif lock.cause == "boards":
-        why = f"boards {design.thickness:g} {file.unit} thick close no further than that"
+    elif lock.cause == "boards" and design.panel is not None:
+        why = f"boards {design.panel.thickness:g} {file.unit} thick close no further than that"
     elif lock.cause == "hinges":
         why = f"its hinges close no further than {in_degrees(design.largest_fold)} degrees"
     better = _closes_better(request_of(replace(file, tolerance=None)), packed)
@@ -56,7 +56,7 @@ def _of_pack(
 def _closes_better(request: Request, packed: PackedReport) -> Remedy | None:
     """A change with which the shell is tried and found to close into a flat bundle."""
     remedy = request.pattern.closing
-    if remedy is None or request.largest_fold < np.pi or request.thickness:
+    if remedy is None or request.largest_fold < np.pi or request.panel:
         return None
     try:
         design = request.changed(remedy).designed()

@@ -192,7 +192,7 @@ def make_shell(
         not_checked=(
             *(["contact between panels on the way"] if clash == "unexamined" else []),
             *([] if measured or not compared else ["distance from the surface"]),
-            *([BOARDS] if file.thickness else []),
+            *([BOARDS] if file.panel else []),
             *(["the layout on the stock"] if quantities.stock is None else []),
         ),
         stands=describe_feet(design, feet),
@@ -252,7 +252,7 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
         title=f"{printable(file.path.stem)}: {file.family}, {size} inner vertices",
         curves=design.targets,
         origin=design.origin,
-        boards=design.boards,
+        clipped=design.clipped,
     )
 
 

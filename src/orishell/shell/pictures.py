@@ -123,7 +123,7 @@ def _last_state(design: Design, lock: Lock) -> str:
         return f"The {aim}, which it does not reach"
     if lock.cause == "flaps":
         return "Locked"
-    if design.boards is not None:
+    if design.clipped is not None:
         return "At its target, flaps not drawn"
     return "Folded until it meets the target" if aim == "target" else "Folded to the stage"
 

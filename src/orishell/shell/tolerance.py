@@ -76,7 +76,7 @@ class SearchRequest(Request):
 
     Parameters
     ----------
-    pattern, target, tolerance, clipped, largest_fold, from_pack, thickness
+    pattern, target, tolerance, clipped, largest_fold, from_pack, panel
         As for any request.
     file
         The design file.
@@ -114,7 +114,7 @@ class SearchRequest(Request):
             self.clipped,
             self.largest_fold,
             self.from_pack,
-            self.thickness,
+            self.panel,
         )
 
 
@@ -128,7 +128,7 @@ def request_of(file: DesignFile) -> Request:
         deployment.flap_attachment == "clipped",
         deployment.largest_fold,
         deployment.start == "pack",
-        file.thickness,
+        file.panel,
     )
     return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 

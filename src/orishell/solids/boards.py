@@ -1,44 +1,30 @@
-"""Boards: what is left of panels between their set-backs."""
+"""The boards of a sheet: what is built of its panels, set back from creases."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import combinations
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
-from orishell.errors import DesignError
-from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
-from orishell.solids.setbacks import SetBacks
-
-INSIDE = 1e-12
-"""A corner counts as inside an edge up to this share of the panel's size."""
+from orishell.design import PanelBuild
+from orishell.numerics.arrays import Array, Booleans
+from orishell.sheet.boards import Boards
+from orishell.sheet.grid import CreaseValues, Grid
+from orishell.solids.outlines import inset_panels
+from orishell.solids.setbacks import find_set_backs
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Boards:
-    """The boards on one face of the sheet.
+def build_boards(
+    flat: Array,
+    grid: Grid,
+    build: PanelBuild,
+    folds: CreaseValues,
+    reliefs: Array | None = None,
+) -> Boards:
+    """The boards of all panels.
 
-    Parameters
-    ----------
-    corners
-        Corners (F, 4, 2) of the board of every panel in the flat sheet, counter-clockwise seen from
-        +z. A board with three corners has one of them twice (length).
-    """
-
-    corners: Array
-
-    __repr__ = in_one_line
-
-    def areas(self) -> Array:
-        """Area (F,) of every board."""
-        return _areas(self.corners)
-
-
-def cut_boards(flat: Array, grid: Grid, set_backs: SetBacks) -> tuple[Boards, Boards]:
-    """The boards on the upper and the lower face of a sheet.
+    A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
+    panels beside it have none on its closing side. A bevelled panel is one solid: on the hinge
+    plane it stands back by half the gap, on its faces as far as boards do, and it is straight in
+    between.
 
     Parameters
     ----------
@@ -46,68 +32,52 @@ def cut_boards(flat: Array, grid: Grid, set_backs: SetBacks) -> tuple[Boards, Bo
         Vertices (rows, columns, 3) of the flat sheet.
     grid
         Its grid.
-    set_backs
-        How far boards stand back from the edges.
+    build
+        What panels are made of.
+    folds
+        The largest fold angles, in [-pi, pi], valley positive (radians).
+    reliefs
+        How far corners are cut off at every vertex (rows, columns) (length); None if none is.
 
     Raises
     ------
     DesignError
         If nothing is left of a panel.
     """
-    panels = flat.reshape(-1, 3)[grid.faces_vertices(), :2]
+    faces = grid.faces_vertices()
+    panels = flat.reshape(-1, 3)[faces, :2]
+    back = find_set_backs(folds, build.height, build.gap)
     edges = grid.faces_edges()
-    top, bottom = (
-        Boards(_inset(panels, distance[edges], grid))
-        for distance in (set_backs.top, set_backs.bottom)
-    )
-    return top, bottom
+    cut = None if reliefs is None else reliefs.ravel()[faces]
+    there: list[Booleans] = [
+        np.asarray(np.isfinite(each[edges]).all(axis=1)) for each in (back.top, back.bottom)
+    ]
 
+    def outline(distance: Array, present: Booleans) -> Array:
+        kept = None if cut is None else cut[present]
+        return inset_panels(panels[present], distance[edges][present], grid, kept)
 
-def _inset(panels: Array, distance: Array, grid: Grid) -> Array:
-    """Corners (F, 4, 2) of what is left of convex panels (F, 4, 2) whose edges move inwards.
+    if build.construction == "bevel":
+        middle = find_set_backs(folds, 0.0, build.gap).top
+        solid = there[0] & there[1]
+        levels = [(back.bottom, -build.height), (middle, 0.0), (back.top, build.height)]
+        outlines = np.stack([_at(outline(d, solid), z) for d, z in levels], axis=1)
+        return Boards(np.flatnonzero(solid), np.zeros(int(solid.sum()), np.int64), outlines)
 
-    Its corners are those of the six intersections of two edges that no other edge cuts off.
-    """
-    along = np.roll(panels, -1, axis=1) - panels
-    inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
-    inward /= np.hypot(inward[..., 0], inward[..., 1])[..., None]
-    level = (inward * panels).sum(axis=-1) + distance
-    size = np.abs(along).max(axis=(1, 2))
-
-    crossings = []
-    for first, second in combinations(range(4), 2):
-        a, b = inward[:, first], inward[:, second]
-        area = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-        area = np.where(np.abs(area) > INSIDE, area, np.nan)
-        p, q = level[:, first], level[:, second]
-        crossings.append(
-            np.stack([p * b[:, 1] - q * a[:, 1], q * a[:, 0] - p * b[:, 0]], axis=-1)
-            / area[:, None]
+    low, high = 0.5 * build.membrane, build.height
+    made = []
+    for side, distance, present in ((1, back.top, there[0]), (-1, back.bottom, there[1])):
+        flat_outline = outline(distance, present)
+        ends = (low, high) if side > 0 else (-high, -low)
+        number = np.flatnonzero(present)
+        made.append(
+            (number, np.full(len(number), side), np.stack([_at(flat_outline, z) for z in ends], 1))
         )
-    points = np.stack(crossings, axis=1)
-    over = (points[:, :, None] * inward[:, None]).sum(axis=-1) - level[:, None]
-    kept = (over > -INSIDE * size[:, None, None]).all(axis=-1)
-    return _in_order(points, kept, grid)
+    panels_of, sides, outlines = (np.concatenate(each) for each in zip(*made, strict=True))
+    order = np.lexsort([-sides, panels_of])
+    return Boards(panels_of[order], sides[order], outlines[order])
 
 
-def _in_order(points: Array, kept: Array, grid: Grid) -> Array:
-    """Four corners (F, 4, 2), counter-clockwise, of those kept of points (F, 6, 2)."""
-    few = kept.sum(axis=1) < 3
-    if few.any():
-        row, column = divmod(int(few.argmax()), grid.columns - 1)
-        raise DesignError(
-            "boards of this thickness leave nothing of a panel",
-            place=f"of panel [{row}, {column}]",
-        )
-    middle = np.where(kept[..., None], points, 0.0).sum(axis=1) / kept.sum(axis=1)[:, None]
-    turn = np.arctan2(*np.moveaxis(points - middle[:, None], -1, 0)[::-1])
-    order = np.argsort(np.where(kept, turn, np.inf), axis=1)[:, :4]
-    corners = np.take_along_axis(points, order[..., None], axis=1)
-    there = np.take_along_axis(kept, order, axis=1)
-    return np.where(there[..., None], corners, corners[:, :1])
-
-
-def _areas(corners: Array) -> Array:
-    p, q, r, s = (corners[:, k] for k in range(4))
-    u, v = r - p, s - q
-    return np.asarray(0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]))
+def _at(outline: Array, height: float) -> Array:
+    """Corners (F, K, 3) of outlines (F, K, 2) at a height over the hinge plane."""
+    return np.concatenate([outline, np.full((*outline.shape[:2], 1), height)], axis=-1)

@@ -25,6 +25,9 @@ from orishell.sheet.grid import CreaseValues
 STATES = 257
 """States among which the largest fold angles of creases are looked for."""
 
+SHUT = 1e-9
+"""A crease whose fold angle is this near to pi folds flat (radians)."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SetBacks:
@@ -64,7 +67,8 @@ def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetB
     Parameters
     ----------
     folds
-        The largest fold angles, in (-pi, pi), valley positive (radians).
+        The largest fold angles, in [-pi, pi], valley positive (radians). Beside a crease that folds
+        flat there is no room for a board: its set-back is infinite.
     height
         How high boards stand over the membrane on one face (length).
     gap
@@ -72,7 +76,9 @@ def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetB
     """
     angle = folds.on_edges()
     crease = folds.on_edges(border=np.inf) < np.inf
-    closing = height * np.tan(np.abs(angle) / 2)
+    shut = np.abs(angle) >= np.pi - SHUT
+    closing = height * np.tan(np.where(shut, 0.0, np.abs(angle)) / 2)
+    closing = np.where(shut & (height > 0), np.inf, closing)
     least = np.where(crease, gap / 2, 0.0)
     return SetBacks(
         top=np.maximum(np.where(angle > 0, closing, 0.0), least),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.document import Document
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.drawing import Drawing, Layer, Line, Text
 from orishell.workshop.joints import LETTER_WIDTH, Joint
 from orishell.workshop.outline import whole_sheet
@@ -70,7 +70,7 @@ def draw_map(
     Creases are drawn short, tabs where they lie under the neighbouring panels. Boards that are
     clipped on stand beside the panels that they belong to.
     """
-    own, document = len(document.mesh.faces), with_boards(document)
+    own, document = len(document.mesh.faces), with_clipped(document)
     flat, edges = document.require_flat(), document.mesh.edges
     rims = whole_sheet(document).outlines
     low, high = rims[0].min(axis=0), rims[0].max(axis=0)

@@ -16,7 +16,7 @@ import numpy as np
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Integers
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.fitting import CutSheet, find_turns, require_panels_fit
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import nest_parts
@@ -60,7 +60,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
 
     Splitting takes long. The last layouts are kept: who asks for the same flat sheet on the same
     stock again, whatever its states are, gets the same one. The numbers of panels and creases are
-    those of :func:`~orishell.workshop.boards.with_boards`.
+    those of :func:`~orishell.workshop.clipped.with_clipped`.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
         If there is no flat sheet, or a panel does not fit the stock.
     """
     if workshop.stock is None:
-        return Layout((whole_sheet(with_boards(document)),), None)
+        return Layout((whole_sheet(with_clipped(document)),), None)
     asked = Workshop(
         stock=workshop.stock,
         margin=workshop.margin,
@@ -88,7 +88,7 @@ def require_stock(document: Document, workshop: Workshop) -> None:
         As :func:`lay_out` does.
     """
     width, height = _usable(workshop)
-    everything = with_boards(document)
+    everything = with_clipped(document)
     if not len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
         require_panels_fit(everything, CutSheet.of(everything, width, height, tabs))
@@ -107,7 +107,7 @@ class _FlatSheet:
         digest = hashlib.sha256(repr((document.grid_shape, len(flat), mesh.faces.shape)).encode())
         for array in (flat, mesh.faces, mesh.edges, mesh.edge_faces, mesh.crease):
             digest.update(array.tobytes())
-        for board in document.boards:
+        for board in document.clipped:
             digest.update(cls.of(board).digest)
         bare = replace(document, states=(), curves={}, surface=None, distances=None, report={})
         return cls(digest.digest(), bare)
@@ -115,12 +115,12 @@ class _FlatSheet:
 
 @lru_cache(KEPT)
 def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
-    document = with_boards(sheet.document)
+    document = with_clipped(sheet.document)
     whole = whole_sheet(document)
     width, height = _usable(workshop)
     points = np.concatenate(whole.outlines)
     turns = find_turns(points, width, height)
-    if len(turns) and not sheet.document.boards:
+    if len(turns) and not sheet.document.clipped:
         turned = Placement(0, float(turns[0]), np.zeros(2))
         shift = -turned.move(points).min(axis=0)
         return Layout((whole,), (replace(turned, shift=shift),))
@@ -128,7 +128,7 @@ def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
     allowance = joint if workshop.joint == "tabs" else 0.0
     split: list[Integers] = []
     first = 0
-    for piece in (sheet.document, *sheet.document.boards):
+    for piece in (sheet.document, *sheet.document.clipped):
         split += [first + panels for panels in split_sheet(piece, width, height, allowance)]
         first += len(piece.mesh.faces)
     parts, strips, joints = make_parts(document, split, workshop.joint, joint)

@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.drawing import Layer, Line, Text
 from orishell.workshop.outline import whole_sheet
@@ -76,7 +76,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
         If there is no flat sheet or unit, or it takes too many pages.
     """
     workshop = replace(workshop, creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
-    document = with_boards(document)
+    document = with_clipped(document)
     require_drawable(document)
     part = whole_sheet(document)
     lines, _, texts = part_lines(document, part, workshop)

@@ -10,7 +10,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.workshop import Workshop
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.layout import require_stock
 from orishell.workshop.sheets import Waste, measure_waste
 
@@ -38,7 +38,7 @@ class Quantities:
     ----------
     panels
         Number of panels.
-    boards
+    clipped
         How many of them are panels of boards that are clipped on at the target.
     area
         Area of all panels.
@@ -53,7 +53,7 @@ class Quantities:
     """
 
     panels: int
-    boards: int
+    clipped: int
     area: float
     crease_length: CreaseLength
     outline_length: float
@@ -78,7 +78,7 @@ def measure_quantities(
     InputError
         If only folded states are known, or a panel is larger than the stock.
     """
-    everything = with_boards(document)
+    everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges
     length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
     letters = np.array(everything.assignment)
@@ -95,7 +95,7 @@ def measure_quantities(
     in_metres = conversion(document.unit, "m")
     return Quantities(
         panels=len(everything.mesh.faces),
-        boards=len(everything.mesh.faces) - len(document.mesh.faces),
+        clipped=len(everything.mesh.faces) - len(document.mesh.faces),
         area=area,
         crease_length=CreaseLength(total("M"), total("V"), total("F", "U", "J")),
         outline_length=total("B", "C"),

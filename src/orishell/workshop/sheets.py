@@ -14,7 +14,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.workshop.assembly import draw_map, number_text
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.draw import draw_part, part_lines, require_drawable
 from orishell.workshop.drawing import ORDER, Circle, Drawing, Line, Text
 from orishell.workshop.layout import Layout, lay_out
@@ -70,7 +70,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     InputError
         If there is no flat sheet or no unit, or a panel does not fit the stock.
     """
-    everything = with_boards(document)
+    everything = with_clipped(document)
     if workshop.stock is None:
         return (draw_part(everything, whole_sheet(everything), workshop),)
     require_drawable(everything)
@@ -100,7 +100,7 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
         If there is no flat sheet, or a panel does not fit the stock.
     """
     layout = lay_out(document, workshop)
-    everything = with_boards(document)
+    everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges
     outlines = [outline for part in layout.parts for outline in part.outlines]
     if workshop.stock is None:

@@ -39,7 +39,7 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
         file.write("s off\n")
         file.writelines(_panels(document))
         first = 1 + len(state.positions)
-        for number, board in enumerate(document.boards_at(settings.state), 1):
+        for number, board in enumerate(document.clipped_at(settings.state), 1):
             file.writelines(_vertices(document.in_world(board.shell.positions)))
             file.write(f"g board_{number}\n")
             file.writelines(_faces(board.mesh.faces + first))

@@ -18,7 +18,7 @@ from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.numerics.arrays import Array
 from orishell.sheet.quads import reflex_corners, unit_normals
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.outline import find_outlines
 
 VERSION: Final = 6
@@ -86,10 +86,10 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
 
     model = _Model(document)
     if document.flat is not None:
-        _add_pattern(model, with_boards(document))
+        _add_pattern(model, with_clipped(document))
     positions = document.state(settings.state).positions
     _add_shell(model, document, document.in_world(positions), "shell")
-    for number, board in enumerate(document.boards_at(settings.state), 1):
+    for number, board in enumerate(document.clipped_at(settings.state), 1):
         _add_shell(model, board, document.in_world(board.shell.positions), f"board {number}")
     for name, points in document.curves.items():
         model.add(_polyline(document.in_world(points)), model.layer("target", name), name)

@@ -18,7 +18,7 @@ from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.boards import with_boards
+from orishell.workshop.clipped import with_clipped
 from orishell.workshop.layout import lay_out
 from orishell.workshop.quantities import measure_quantities
 from orishell.workshop.sheets import draw_sheets, measure_waste
@@ -35,7 +35,7 @@ def clipped(example: str) -> Design:
 @cache
 def document_of(example: str) -> Document:
     design = clipped(example)
-    return document_of_motion(FoldingMotion(design.mechanism, 3), "m", boards=design.boards)
+    return document_of_motion(FoldingMotion(design.mechanism, 3), "m", clipped=design.clipped)
 
 
 def outlines(drawing: Drawing) -> list[shapely.Polygon]:
@@ -64,7 +64,7 @@ def test_boards_meet_the_border_columns_at_the_target(example: str) -> None:
     document = document_of(example)
     assert document.grid_shape is not None
     sheet = document.shell.positions.reshape(*document.grid_shape, 3)
-    left, right = (board.shell.positions.reshape(-1, 2, 3) for board in document.boards)
+    left, right = (board.shell.positions.reshape(-1, 2, 3) for board in document.clipped)
     size = float(np.ptp(sheet.reshape(-1, 3), axis=0).max())
     assert np.abs(left[:, 1] - sheet[:, 0]).max() <= 1e-12 * size
     assert np.abs(right[:, 0] - sheet[:, -1]).max() <= 1e-12 * size
@@ -73,11 +73,11 @@ def test_boards_meet_the_border_columns_at_the_target(example: str) -> None:
 @pytest.mark.parametrize("example", SHELLS)
 def test_boards_are_the_flaps_of_the_sheet_that_has_them_folded(example: str) -> None:
     """Panels are congruent, flat and at the target, and fold flat onto each other."""
-    document, mechanism = document_of(example), clipped(example).boards
+    document, mechanism = document_of(example), clipped(example).clipped
     assert mechanism is not None
     faces = mechanism.grid.faces_vertices().reshape(mechanism.grid.rows - 1, -1, 4)
     flat = mechanism.positions(0.0).reshape(-1, 3)
-    for board, column in zip(document.boards, mechanism.flap_columns, strict=True):
+    for board, column in zip(document.clipped, mechanism.flap_columns, strict=True):
         expected = sides(flat[faces[:, column]])
         for points in (board.require_flat(), board.shell.positions):
             found = sides(points[board.mesh.faces])
@@ -93,13 +93,13 @@ def test_panels_of_boards_are_called_by_the_place_beside_the_sheet() -> None:
     document = document_of("figure1")
     assert document.grid_shape is not None
     rows, columns = document.grid_shape
-    left, right = document.boards
+    left, right = document.clipped
     assert [left.panel_name(k) for k in (0, 1)] == ["0,-1", "1,-1"]
     assert right.panel_name(rows - 2) == f"{rows - 2},{columns - 1}"
-    everything = with_boards(document)
+    everything = with_clipped(document)
     assert everything.panel_name(columns) == document.panel_name(columns)
     assert everything.panel_name(len(document.mesh.faces)) == "0,-1"
-    assert with_boards(everything) is everything
+    assert with_clipped(everything) is everything
 
 
 @pytest.mark.parametrize("example", SHELLS)
@@ -107,24 +107,24 @@ def test_without_stock_boards_lie_beside_the_sheet(example: str) -> None:
     document = document_of(example)
     (drawing,) = draw_sheets(document, Workshop(labels="panels"))
     parts = outlines(drawing)
-    assert len(parts) == 1 + len(document.boards) == 3
+    assert len(parts) == 1 + len(document.clipped) == 3
     for one, two in itertools.combinations(parts, 2):
         assert one.distance(two) > 0
     found = measure_quantities(document, Workshop())
     assert sum(part.area for part in parts) == pytest.approx(found.area, rel=1e-9)
     assert sum(part.length for part in parts) == pytest.approx(found.outline_length, rel=1e-9)
     written = {text.words for text in drawing.texts}
-    assert written >= {board.panel_name(0) for board in document.boards}
+    assert written >= {board.panel_name(0) for board in document.clipped}
 
 
 def test_quantities_count_boards() -> None:
     document, workshop = document_of("figure2"), Workshop(areal_density=2.0)
-    bare = measure_quantities(replace(document, boards=()), workshop)
+    bare = measure_quantities(replace(document, clipped=()), workshop)
     found = measure_quantities(document, workshop)
-    panels = [len(board.mesh.faces) for board in document.boards]
-    assert bare.boards == 0
-    assert found.boards == found.panels - bare.panels == sum(panels)
-    more = sum(float(board.areas().sum()) for board in document.boards)
+    panels = [len(board.mesh.faces) for board in document.clipped]
+    assert bare.clipped == 0
+    assert found.clipped == found.panels - bare.panels == sum(panels)
+    more = sum(float(board.areas().sum()) for board in document.clipped)
     assert found.area - bare.area == pytest.approx(more)
     assert found.mass_kg == pytest.approx(2 * found.area)
 
@@ -136,7 +136,7 @@ def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share
     document = document_of(example)
     workshop = stock_for(document, share)
     layout = lay_out(document, workshop)
-    own, everything = len(document.mesh.faces), len(with_boards(document).mesh.faces)
+    own, everything = len(document.mesh.faces), len(with_clipped(document).mesh.faces)
     panels = np.concatenate([part.panels for part in layout.parts])
     assert (np.sort(panels) == np.arange(everything)).all()
     kinds = [set((part.panels >= own).tolist()) for part in layout.parts]
@@ -159,7 +159,7 @@ def test_boards_are_cut_from_the_stock_as_parts_of_their_own(example: str, share
 @pytest.mark.parametrize("example", SHELLS)
 def test_pieces_of_any_sheet_are_parts_of_their_own(example: str) -> None:
     """The same pieces as one sheet, as another program may list them."""
-    everything = with_boards(document_of(example))
+    everything = with_clipped(document_of(example))
     layout = lay_out(everything, stock_for(everything, 0.5))
     for part in layout.parts:
         assert len(set(everything.mesh.pieces[part.panels].tolist())) == 1
@@ -169,11 +169,11 @@ def test_pieces_of_any_sheet_are_parts_of_their_own(example: str) -> None:
 def test_layouts_with_and_without_boards_are_not_confused() -> None:
     document = document_of("figure2")
     workshop = stock_for(document, 0.5)
-    bare = lay_out(replace(document, boards=()), workshop)
+    bare = lay_out(replace(document, clipped=()), workshop)
     assert len(lay_out(document, workshop).parts) > len(bare.parts)
 
 
 def test_a_sheet_without_boards_is_drawn_as_it_is() -> None:
     document = demo_document()
-    assert document.boards == ()
-    assert with_boards(document) is document
+    assert document.clipped == ()
+    assert with_clipped(document) is document

@@ -19,7 +19,7 @@ CLOSE = 0.5
 """They stop where the gap around them is at least this share of such a step."""
 
 
-def with_boards(document: Document) -> Document:
+def with_clipped(document: Document) -> Document:
     """The flat sheet with its clipped boards beside it: pieces that do not hang together.
 
     The boards' vertices, edges and panels come after the sheet's. Each board lies beside the edge
@@ -30,9 +30,9 @@ def with_boards(document: Document) -> Document:
     InputError
         If there is no flat sheet.
     """
-    if not document.boards:
+    if not document.clipped:
         return document
-    pieces = (document, *document.boards)
+    pieces = (document, *document.clipped)
     flats = [document.require_flat(), *_moved_apart(document)]
     first = np.cumsum([0, *map(len, flats)])
 
@@ -54,7 +54,7 @@ def with_boards(document: Document) -> Document:
         grid_shape=None,
         named={},
         names=tuple(p.panel_name(panel) for p in pieces for panel in range(len(p.mesh.faces))),
-        boards=(),
+        clipped=(),
     )
 
 
@@ -69,7 +69,7 @@ def _moved_apart(document: Document) -> Iterator[Array]:
 
     placed, gap = [rim(document)], GAP * mean_edge(document)
     middle = np.array(placed[0].centroid.coords[0])
-    for board in document.boards:
+    for board in document.clipped:
         own = rim(board)
         away = np.array(own.centroid.coords[0]) - middle
         step = gap * away / np.hypot(*away)

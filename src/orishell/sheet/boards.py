@@ -1,0 +1,143 @@
+"""Boards: convex plates fixed on panels, described in the flat sheet and carried along by them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.quads import unit_normals
+
+SIDES = {1: "top", -1: "bottom", 0: "panel"}
+"""What a board is called after its side."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Boards:
+    """Convex plates, each fixed on one panel.
+
+    Parameters
+    ----------
+    panels
+        Number (B,) of the panel that carries each, ascending.
+    sides
+        The face (B,) of the flat sheet that it lies on: 1 on top, -1 at the bottom, 0 for a panel
+        that is one solid on both sides of the hinge plane.
+    outlines
+        Corners (B, H, K, 3) of every board's outlines at H heights, lowest first, counter-clockwise
+        seen from +z: x and y in the flat sheet, z the height over it (length). Corners with the
+        same number lie above each other, joined by an edge; neighbours may coincide. The board is
+        what lies between its outlines: their convex hull.
+    """
+
+    panels: Integers
+    sides: Integers
+    outlines: Array
+
+    __repr__ = in_one_line
+
+    def __len__(self) -> int:
+        return len(self.panels)
+
+    def chosen(self, which: Booleans) -> Boards:
+        """Those of the boards at which ``which`` (B,) is true."""
+        return Boards(self.panels[which], self.sides[which], self.outlines[which])
+
+    def carried(self, faces: Integers, flat: Array, positions: Array) -> Array:
+        """Corners (B, H, K, 3) of all outlines in a folded state.
+
+        Parameters
+        ----------
+        faces
+            Corners (F, 4) of the panels.
+        flat
+            Vertices (V, 2) of the flat sheet.
+        positions
+            Vertices (V, 3) of the state.
+        """
+        lying = np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
+        start, axes = panel_axes(lying[faces], lying[faces])
+        origin, moved = panel_axes(positions[faces], lying[faces])
+        turn = (moved @ np.swapaxes(axes, 1, 2))[self.panels]
+        away = self.outlines - start[self.panels, None, None]
+        return np.asarray(np.einsum("bij,bhkj->bhki", turn, away) + origin[self.panels, None, None])
+
+    def areas(self) -> Array:
+        """Area (B,) of every board's largest outline."""
+        return np.asarray(self._sections().max(axis=1))
+
+    def volumes(self) -> Array:
+        """Volume (B,) of every board; between two outlines sections are quadratic in the height."""
+        middle = 0.5 * (self.outlines[:, 1:] + self.outlines[:, :-1])
+        ends, height = self._sections(), np.diff(self.outlines[:, :, 0, 2], axis=1)
+        between = _areas(middle)
+        return np.asarray(((ends[:, 1:] + ends[:, :-1] + 4 * between) * height).sum(axis=1) / 6)
+
+    def triangles(self) -> tuple[Integers, Booleans]:
+        """Closed surfaces of all boards, seen counter-clockwise from outside.
+
+        Returns
+        -------
+        triangles
+            Corners (B, T, 3), as places among the H K corners of the board's own outlines; corners
+            that coincide have one place.
+        present
+            Which of them (B, T) are there: the others have lost a side to corners that coincide.
+        """
+        count, heights, corners = self.outlines.shape[:3]
+        number = np.arange(heights * corners).reshape(heights, corners)
+        fan = number[0, 0] + np.stack(
+            [np.zeros(corners - 2, int), np.arange(1, corners - 1), np.arange(2, corners)], axis=-1
+        )
+        low, high = number[:-1].ravel(), number[1:].ravel()
+        next_low, next_high = (
+            np.roll(each, -1, axis=1).ravel() for each in (number[:-1], number[1:])
+        )
+        pattern = np.concatenate(
+            [
+                fan[:, ::-1],
+                np.stack([low, next_low, next_high], axis=-1),
+                np.stack([low, next_high, high], axis=-1),
+                fan + (heights - 1) * corners,
+            ]
+        )
+        same = (self.outlines[:, :, :, None] == self.outlines[:, :, None]).all(axis=-1)
+        place = (same.argmax(axis=-1) + number[:, :1]).reshape(count, -1)
+        found = place[:, pattern]
+        a, b, c = np.moveaxis(found, -1, 0)
+        return found, (a != b) & (b != c) & (c != a)
+
+    def _sections(self) -> Array:
+        """Area (B, H) of every outline."""
+        return _areas(self.outlines)
+
+
+def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:
+    """Origin (F, 3) and axes (F, 3, 3), as columns, of a frame fixed in every panel.
+
+    The x axis follows the panel's longer diagonal in the flat sheet, z is its normal.
+
+    Parameters
+    ----------
+    corners
+        Corners (F, 4, 3) of the panels.
+    flat
+        The same in the flat sheet.
+    """
+    first = ((flat[:, 2:] - flat[:, :2]) ** 2).sum(axis=-1).argmax(axis=1)
+    panel = np.arange(len(corners))
+    x = corners[panel, first + 2] - corners[panel, first]
+    z = unit_normals(corners)
+    x -= (x * z).sum(axis=-1, keepdims=True) * z
+    x /= np.sqrt((x * x).sum(axis=-1, keepdims=True))
+    return corners.mean(axis=1), np.stack([x, np.cross(z, x), z], axis=-1)
+
+
+def _areas(outlines: Array) -> Array:
+    """Area (B, H) of outlines (B, H, K, 3)."""
+    x, y = outlines[..., 0], outlines[..., 1]
+    return np.asarray(
+        0.5 * (x * np.roll(y, -1, axis=-1) - y * np.roll(x, -1, axis=-1)).sum(axis=-1)
+    )
