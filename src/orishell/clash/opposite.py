@@ -60,7 +60,7 @@ class OppositeBoards:
     ) -> None:
         self.bodies, self.states, self.tolerance = bodies, states, tolerance
         self.edges, self.normals = bounds
-        panels, vertex = _opposite_panels(grid, settled)
+        panels, vertex = opposite_panels(grid, settled)
         self.pairs, which = bodies.pairs_of(panels)
         self.columns = grid.columns - 1
         self.parts = [bodies.components(numbers, vertex[which]) for numbers in self.pairs]
@@ -129,7 +129,7 @@ class OppositeBoards:
         return self.pairs[0][which], self.pairs[1][which]
 
 
-def _opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
+def opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
     """Panels opposite each other at the inner vertices that are not settled, and these (P,)."""
     panel = np.arange(grid.panel_count).reshape(grid.rows - 1, grid.columns - 1)
     there = ~settled

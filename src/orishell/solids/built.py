@@ -1,4 +1,4 @@
-"""The panels of a design as they are built: boards of the sheet and of flaps that are clipped on."""
+"""The panels of a design as they are built: boards of the sheet and of its clipped flaps."""
 
 from __future__ import annotations
 
