@@ -56,7 +56,7 @@ class Bodies:
 
     def __init__(self, boards: Boards, faces: Integers, flat: Array) -> None:
         self.faces, self.panels = faces, boards.panels
-        self.lying: Array = flat[faces]
+        self.lying: Array = (flat * [1.0, 1.0, 0.0])[faces]
         self.start, self.axes = panel_axes(self.lying, self.lying)
         self.height = float(np.abs(boards.outlines[..., 2]).max(initial=0.0))
         outlines = boards.outlines

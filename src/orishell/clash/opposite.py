@@ -94,7 +94,7 @@ class OppositeBoards:
 
         if stop - start == TICKS // BASE:
             self.sleep[pending] = np.inf
-        asleep = self.sleep[pending] < step
+        asleep = (self.sleep[pending] < step) & (stop - start > 1)
         woken = pending[~asleep]
         left = woken[self._gaps(ends, woken, errors) <= self.tolerance]
         apart = Apartness.of(ends, self._chosen(left))

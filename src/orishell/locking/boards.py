@@ -13,14 +13,16 @@ from orishell.clash.bodies import Apartness
 from orishell.clash.opposite import opposite_panels
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
+from orishell.errors import DesignError
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import Built, build_panels
 
 STATES = 17
 """States in which boards at a vertex are compared to see how far corners must be cut off."""
-LARGEST = 0.5
-"""Corners are cut off at most this far, relative to the shortest edge at their vertex."""
+LARGEST = (0.5, 0.25, 0.125)
+"""Corners are cut off at most this far, relative to the shortest edge at their vertex: as far as
+leaves something of all boards."""
 FINE = 0.05
 """Corners are cut off by this share more than is needed."""
 CLEARANCE = 1e-3
@@ -49,7 +51,7 @@ def prove_boards(
     mechanism = design.mechanism.still
     built = build_panels(design, end)
     for attempt in range(TRIES):
-        bodies = _bodies(mechanism, built)
+        bodies = _bodies(design, built)
         result = find_first_body_contact(
             mechanism, end, tolerance, bodies, settled=built.settled(), progress=progress
         )
@@ -63,9 +65,9 @@ def prove_boards(
     return built, result
 
 
-def _bodies(mechanism: Mechanism, built: Built) -> Bodies:
-    flat = mechanism.positions(0.0).reshape(-1, 3)
-    return Bodies(built.boards, mechanism.grid.faces_vertices(), flat)
+def _bodies(design: Design, built: Built) -> Bodies:
+    flat = design.mechanism.positions(0.0).reshape(-1, 3)
+    return Bodies(built.boards, design.mechanism.grid.faces_vertices(), flat)
 
 
 def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
@@ -81,9 +83,9 @@ def _relieve(
     None if that does not help.
     """
     grid = mechanism.grid
-    room = LARGEST * _shortest_edges(mechanism)
+    shortest = _shortest_edges(mechanism)
     clearance = CLEARANCE * built.build.height
-    bodies = _bodies(mechanism, built)
+    bodies = _bodies(design, built)
     panels, vertices = opposite_panels(grid, built.settled())
     pairs, which = bodies.pairs_of(panels)
     vertex = vertices[which]
@@ -103,15 +105,21 @@ def _relieve(
     def not_apart(reliefs: Array) -> Booleans:
         """Vertices (rows, columns) at which opposite boards meet in one of the states."""
         found = np.zeros(grid.vertex_count, np.bool_)
-        now = _bodies(mechanism, build_panels(design, built.limit, reliefs))
+        now = _bodies(design, build_panels(design, built.limit, reliefs))
         for at, some in meeting:
             if len(some):
                 found[vertex[some[gaps(now, at, some) <= clearance]]] = True
         return found.reshape(grid.rows, grid.columns)
 
     there = not_apart(built.reliefs)
-    enough = np.where(there, room, built.reliefs)
-    if not there.any() or not_apart(enough).any():
+    for share in LARGEST:
+        enough = np.where(there, np.maximum(share * shortest, built.reliefs), built.reliefs)
+        if _can_be_built(design, built.limit, enough):
+            break
+    else:
+        return None
+    room = enough
+    if not there.any() or not_apart(room).any():
         return None
     short = np.where(there, built.reliefs, 0.0)
     for _ in range(HALVINGS):
@@ -119,6 +127,15 @@ def _relieve(
         bad = not_apart(middle)
         short, enough = np.where(there & bad, middle, short), np.where(there & ~bad, middle, enough)
     return np.where(there, np.minimum((1 + more) * enough, room), built.reliefs)
+
+
+def _can_be_built(design: Design, limit: float, reliefs: Array) -> bool:
+    """Whether something is left of all boards."""
+    try:
+        build_panels(design, limit, reliefs)
+    except DesignError:
+        return False
+    return True
 
 
 def _shortest_edges(mechanism: Mechanism) -> Array:

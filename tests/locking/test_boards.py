@@ -1,0 +1,137 @@
+"""Contact of boards: what is proved clear and what is said to meet, against manifold3d's solids."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+
+from orishell.curves import curve_from_formulas, parse_formula
+from orishell.design import Design, PanelBuild
+from orishell.design_file import read_design_file
+from orishell.errors import DesignError
+from orishell.locking import Lock, find_lock
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array
+from orishell.sheet.boards import Boards
+from orishell.solids import largest_folds, largest_height
+from strategies import Request, orthodiagonal_requests, requests
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+STATES = 40
+NOTHING = 1e-12
+"""Overlap below this share of all boards' volume is none."""
+FEW = {"rows": (1, 3, 5), "columns": (3, 4, 5, 6)}
+
+
+def solids(corners: Array, boards: Boards) -> list[Any]:
+    manifold3d = pytest.importorskip("manifold3d")
+    triangles, there = boards.triangles()
+    made = []
+    for own, all_sides, kept in zip(corners, triangles, there, strict=True):
+        used, sides = np.unique(all_sides[kept], return_inverse=True)
+        points = own.reshape(-1, 3)[used]
+        mesh = manifold3d.Mesh64(points, sides.reshape(-1, 3).astype(np.uint64))
+        made.append(manifold3d.Manifold(mesh))
+        assert made[-1].status() == manifold3d.Error.NoError
+    return made
+
+
+def beyond_a_face(corners: Array, pairs: Array) -> Array:
+    """Whether all of the second board lies beyond an upright side, top or bottom of the first."""
+    first, second = (
+        corners[each].reshape(len(pairs), corners.shape[1] * corners.shape[2], 3)
+        for each in pairs.T
+    )
+    outline = corners[pairs[:, 0]][:, 0]
+    up = np.cross(outline[:, 2] - outline[:, 0], outline[:, 3] - outline[:, 1])
+    sides = np.cross(np.roll(outline, -1, axis=1) - outline, up[:, None])
+    normals = np.concatenate([sides, up[:, None], -up[:, None]], axis=1)
+    own = np.einsum("pnx,pcx->pnc", normals, first).max(axis=-1)
+    other = np.einsum("pnx,pcx->pnc", normals, second).min(axis=-1)
+    return np.asarray((other > own).any(axis=1))
+
+
+def overlap(mechanism: Mechanism, boards: Boards, drive: float) -> float:
+    """The largest common volume of two boards of different panels, relative to that of all."""
+    faces, flat = mechanism.grid.faces_vertices(), mechanism.positions(0.0).reshape(-1, 3)
+    corners = boards.carried(faces, flat[:, :2], mechanism.positions(drive).reshape(-1, 3))
+    made = solids(corners, boards)
+    low, high = corners.min(axis=(1, 2)), corners.max(axis=(1, 2))
+    near = ((low[:, None] < high) & (low < high[:, None])).all(axis=-1)
+    near &= boards.panels[:, None] < boards.panels
+    pairs = np.argwhere(near)
+    pairs = pairs[~beyond_a_face(corners, pairs) & ~beyond_a_face(corners, pairs[:, ::-1])]
+    common = [(made[a] ^ made[b]).volume() for a, b in pairs]
+    return max(common, default=0.0) / float(boards.volumes().sum())
+
+
+def with_panels(design: Design, draw: st.DataObject) -> Design:
+    """Random boards, of at most nine tenths of what the target leaves room for."""
+    design = replace(design.with_clipped_flaps(), clipped=None)
+    mechanism = design.mechanism
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    size = float(np.ptp(mechanism.positions(0.0), axis=(0, 1)).max())
+    thickness = draw.draw(st.floats(0.05, 0.9)) * min(most, 0.1 * size)
+    if draw.draw(st.booleans()):
+        build = PanelBuild(thickness, membrane=0.05 * thickness)
+    else:
+        build = PanelBuild(thickness, "bevel", gap=draw.draw(st.floats(0.05, 0.3)) * thickness)
+    return replace(
+        design, panel=replace(build, reach=draw.draw(st.sampled_from(["target", "pack"])))
+    )
+
+
+def check(design: Design) -> Lock:
+    """What the proof says is what manifold3d finds, in states that are not those looked at."""
+    lock = find_lock(design)
+    mechanism = design.mechanism
+    if lock.built is None:
+        return lock
+    boards = lock.built.boards
+    for drive in np.linspace(0.0, lock.pack, STATES):
+        assert overlap(mechanism, boards, drive) < NOTHING
+    if lock.first_contact is not None and lock.first_contact.kind == "boards":
+        at = lock.first_contact.drive
+        beyond = at + np.geomspace(1e-4, 0.05, 8) * mechanism.end_drive
+        assert max(overlap(mechanism, boards, drive) for drive in beyond) > NOTHING
+    return lock
+
+
+generated = settings(max_examples=34, phases=[Phase.generate])
+
+
+@generated
+@given(requests(), st.data())
+def test_parallel_repeating(request: Request, data: st.DataObject) -> None:
+    check(with_panels(few(request, data).feasible(), data))
+
+
+@generated
+@given(orthodiagonal_requests(), st.data())
+def test_orthodiagonal(request: Request, data: st.DataObject) -> None:
+    check(with_panels(few(request, data).feasible(), data))
+
+
+@generated
+@given(st.floats(0.2, 1.0), st.sampled_from([2, 3, 5]), st.integers(3, 7), st.data())
+def test_longitudinal(start: float, rows: int, columns: int, data: st.DataObject) -> None:
+    file = read_design_file(EXAMPLES / "figure3.toml")
+    f = curve_from_formulas(parse_formula("cos(t)"), parse_formula("sin(t)"), start, np.pi - start)
+    pattern = file.pattern.model_copy(update={"column_lengths": "auto"}).sized(rows, columns)
+    try:
+        design = pattern.design(f, file.g)
+    except DesignError:
+        return
+    check(with_panels(design, data))
+
+
+def few(request: Request, data: st.DataObject) -> Request:
+    size = {key: data.draw(st.sampled_from(values)) for key, values in FEW.items()}
+    return replace(request, options={**request.options, **size})
