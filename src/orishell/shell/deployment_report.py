@@ -25,7 +25,7 @@ from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.shell.standing import Feet
-from orishell.solids import largest_folds, largest_height
+from orishell.solids import find_room, largest_folds, largest_height
 
 GRAVITY = 9.81
 """Metres per second squared."""
@@ -219,9 +219,12 @@ def _thickness(design: Design) -> float:
 
 def _largest_thickness(design: Design) -> float | None:
     mechanism = design.mechanism
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    height = largest_height(mechanism.positions(0.0), mechanism.grid, folds)
-    return 2 * height if np.isfinite(height) else None
+    if design.panel is not None:
+        most = find_room(mechanism, design.panel).thickness
+    else:
+        folds = largest_folds(mechanism, mechanism.target_drive)
+        most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    return most if np.isfinite(most) else None
 
 
 def _packed(design: Design, lock: Lock) -> PackedReport:
