@@ -25,7 +25,7 @@ from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.shell.standing import Feet
-from orishell.solids import find_room, largest_folds, largest_height
+from orishell.solids import largest_folds, largest_height, largest_thickness
 
 GRAVITY = 9.81
 """Metres per second squared."""
@@ -129,8 +129,8 @@ class DeploymentReport:
     largest_fold_deg
         How far its hinges close.
     thickness, largest_thickness
-        Thickness of its panels, 0 for none, and the largest with which half of every panel is left
-        at the target; None if it is not limited.
+        Thickness of its panels, 0 for none, and the largest with which set-backs take no more of
+        any than they may; None if it is not limited.
     end_drive_deg
         As far as it closes, proved if its path was examined.
     closing, opening
@@ -218,9 +218,9 @@ def _thickness(design: Design) -> float:
 
 
 def _largest_thickness(design: Design) -> float | None:
-    mechanism = design.mechanism
+    mechanism, clipped = design.mechanism, design.clipped
     if design.panel is not None:
-        most = find_room(mechanism, design.panel).thickness
+        most = largest_thickness(clipped or mechanism, design.panel, clipped=clipped is not None)
     else:
         folds = largest_folds(mechanism, mechanism.target_drive)
         most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)

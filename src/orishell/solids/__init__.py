@@ -5,7 +5,7 @@ from orishell.solids.limits import drive_for_height, largest_height
 from orishell.solids.meeting import Meetings, find_meetings
 from orishell.solids.room import Room, find_room, thinner, wide_gap
 from orishell.solids.setbacks import SetBacks, find_set_backs, largest_folds
-from orishell.solids.stop import find_stop
+from orishell.solids.stop import find_stop, largest_thickness
 
 __all__ = [
     "Meetings",
@@ -19,6 +19,7 @@ __all__ = [
     "find_stop",
     "largest_folds",
     "largest_height",
+    "largest_thickness",
     "thinner",
     "wide_gap",
 ]

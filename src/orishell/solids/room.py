@@ -82,7 +82,13 @@ def thinner(build: PanelBuild, most: float) -> list[Remedy]:
 
 
 def wide_gap(build: PanelBuild, place: str) -> DesignError:
-    """The refusal of a gap that alone takes more of a panel than set-backs may."""
+    """The refusal of a gap that alone takes more of a panel than set-backs may.
+
+    Parameters
+    ----------
+    place
+        Where in the sheet.
+    """
     return DesignError(
         "the gap between panels takes more of one than set-backs may",
         place=place,

@@ -47,12 +47,11 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
         good *= 2
     if good >= MOST:
         # What is doubled may jump over what works.
-        good = bisect_integers(lambda steps: _allowed(mechanism, steps), 0, MOST + 1)
+        good = _last(mechanism)
         if not works(good):
-            most = 2 * _most(mechanism, good, build)
+            most = largest_thickness(mechanism, build)
             if not most:
                 raise wide_gap(build, "at a flap")
-            most = min(most, find_room(mechanism.with_stop(0.0), build).thickness)
             raise DesignError(
                 "boards on flaps would stand back too far from their creases, however early flaps "
                 "stop",
@@ -62,6 +61,27 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
                 candidates=_candidates(build, most),
             )
     return _angle(bisect_integers(works, good, 0))
+
+
+def largest_thickness(mechanism: Mechanism, build: PanelBuild, *, clipped: bool = False) -> float:
+    """The largest thickness of panels, with whatever stop leaves their flaps most room (length).
+
+    Infinite where no crease folds.
+
+    Parameters
+    ----------
+    mechanism
+        The sheet with its flaps, if it has any.
+    build
+        What its panels are made of; with a stop of 0 flaps carry no boards.
+    clipped
+        Flaps are clipped on, and do not fold against the panels beside them.
+    """
+    rest = mechanism.without_flaps() if clipped else mechanism.with_stop(0.0)
+    most = find_room(rest, build).thickness
+    if not mechanism.flap_columns or build.stop == 0:
+        return most
+    return min(most, 2 * _most(mechanism, _last(mechanism), build))
 
 
 def _candidates(build: PanelBuild, most: float) -> Iterator[Remedy]:
@@ -74,6 +94,11 @@ def _candidates(build: PanelBuild, most: float) -> Iterator[Remedy]:
 
 def _angle(steps: int) -> float:
     return float(np.deg2rad(steps / STEPS))
+
+
+def _last(mechanism: Mechanism) -> int:
+    """The largest stop that flaps can have (steps)."""
+    return bisect_integers(lambda steps: _allowed(mechanism, steps), 0, MOST + 1)
 
 
 def _allowed(mechanism: Mechanism, steps: int) -> bool:
