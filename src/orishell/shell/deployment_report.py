@@ -20,12 +20,12 @@ from orishell.deployment import (
     find_ties,
     measure_weight,
 )
-from orishell.design import Design
+from orishell.design import Design, PanelBuild
 from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.shell.standing import Feet
-from orishell.solids import largest_folds, largest_height, largest_thickness
+from orishell.solids import largest_thickness
 
 GRAVITY = 9.81
 """Metres per second squared."""
@@ -218,12 +218,8 @@ def _thickness(design: Design) -> float:
 
 
 def _largest_thickness(design: Design) -> float | None:
-    mechanism, clipped = design.mechanism, design.clipped
-    if design.panel is not None:
-        most = largest_thickness(clipped or mechanism, design.panel, clipped=clipped is not None)
-    else:
-        folds = largest_folds(mechanism, mechanism.target_drive)
-        most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    flapped, build = design.clipped or design.mechanism, design.panel or PanelBuild(0.0)
+    most = largest_thickness(flapped, build, clipped=design.clipped is not None)
     return most if np.isfinite(most) else None
 
 
