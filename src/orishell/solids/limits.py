@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.motion import Mechanism
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.bisection import bisect
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids.setbacks import find_set_backs
@@ -80,14 +80,13 @@ def drive_for_height(
     gap
         What is cut away between two panels where they open (length).
     """
-    flat, grid = mechanism.positions(0.0), mechanism.grid
+    grid, edges = mechanism.grid, mechanism.grid.faces_edges()
+    room = share * _ways_across(mechanism.positions(0.0), grid)
     end = mechanism.end_drive if end is None else end
     bare = bare_faces(mechanism.fold_angles(mechanism.target_drive), grid, mechanism.flap_columns)
 
     def works(drive: float) -> bool:
-        heights = allowed_heights(
-            flat, grid, mechanism.fold_angles(drive), share=share, setback=setback, gap=gap
-        )
+        heights = _heights(room, edges, mechanism.fold_angles(drive), setback, gap)
         return bool((heights[~bare] >= height).all())
 
     good = 0.0
@@ -112,22 +111,8 @@ def allowed_heights(
     The first way is from left to right, the second from bottom to top. 0 where even the gap takes
     too much. Parameters are those of :func:`largest_height`.
     """
-    edges = grid.faces_edges()
     room = share * _ways_across(flat, grid)
-    unit, open_ = find_set_backs(folds, 1.0), find_set_backs(folds, 0.0, gap)
-    # Both of them, from opposite edges: what a height of 1 takes, and half the gap.
-    near, far = np.split(np.stack([unit.top, unit.bottom])[:, edges], 2, axis=-1)
-    near_gap, far_gap = np.split(open_.top[edges], 2, axis=-1)
-    heights = np.minimum.reduce(
-        [
-            _over(room, near + far),
-            _over(room - far_gap, near),
-            _over(room - near_gap, far),
-            _over(setback, np.maximum(near, far)),
-        ]
-    )
-    fits = (near_gap + far_gap <= room) & (np.maximum(near_gap, far_gap) <= setback)
-    return np.where(fits, heights, 0.0)
+    return _heights(room, grid.faces_edges(), folds, setback, gap)
 
 
 def bare_faces(folds: CreaseValues, grid: Grid, columns: Sequence[int]) -> Booleans:
@@ -146,6 +131,26 @@ def bare_faces(folds: CreaseValues, grid: Grid, columns: Sequence[int]) -> Boole
     shut = np.isinf(np.stack([unit.top, unit.bottom])[:, grid.faces_edges()]).any(axis=-1)
     column = np.arange(grid.panel_count) % (grid.columns - 1)
     return np.asarray(shut & np.isin(column, columns))
+
+
+def _heights(
+    room: Array, edges: Integers, folds: CreaseValues, setback: float, gap: float
+) -> Array:
+    """The heights (2, F, 2), from what set-backs may take (F, 2) and the edges (F, 4) of panels."""
+    unit, open_ = find_set_backs(folds, 1.0), find_set_backs(folds, 0.0, gap)
+    # Both of them, from opposite edges: what a height of 1 takes, and half the gap.
+    near, far = np.split(np.stack([unit.top, unit.bottom])[:, edges], 2, axis=-1)
+    near_gap, far_gap = np.split(open_.top[edges], 2, axis=-1)
+    heights = np.minimum.reduce(
+        [
+            _over(room, near + far),
+            _over(room - far_gap, near),
+            _over(room - near_gap, far),
+            _over(setback, np.maximum(near, far)),
+        ]
+    )
+    fits = (near_gap + far_gap <= room) & (np.maximum(near_gap, far_gap) <= setback)
+    return np.where(fits, heights, 0.0)
 
 
 def _over(length: Array | float, share: Array) -> Array:

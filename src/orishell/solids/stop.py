@@ -10,7 +10,8 @@ from orishell.design import PanelBuild
 from orishell.errors import DesignError, Remedy
 from orishell.motion import Mechanism
 from orishell.numerics.bisection import bisect_integers
-from orishell.solids.limits import allowed_heights
+from orishell.sheet.grid import CreaseValues, Grid
+from orishell.solids.limits import largest_height
 from orishell.solids.room import find_room, thinner, wide_gap
 
 STEPS = 100
@@ -115,13 +116,16 @@ def _most(mechanism: Mechanism, steps: int, build: PanelBuild) -> float:
     if not _allowed(mechanism, steps):
         return -np.inf
     stopped = mechanism.with_stop(_angle(steps))
-    heights = allowed_heights(
-        stopped.positions(0.0),
-        stopped.grid,
-        stopped.fold_angles(stopped.target_drive),
-        share=build.share,
-        setback=build.setback,
-        gap=build.gap,
+    flat, folds = stopped.positions(0.0), stopped.fold_angles(stopped.target_drive).row
+    strip, no_columns = Grid(stopped.grid.rows, 2), np.zeros((stopped.grid.rows - 1, 0))
+    return min(
+        largest_height(
+            flat[:, flap : flap + 2],
+            strip,
+            CreaseValues(folds[:, flap : flap + 1], no_columns),
+            build.share,
+            build.setback,
+            gap=build.gap,
+        )
+        for flap in stopped.flap_columns
     )
-    shape = (2, stopped.grid.rows - 1, stopped.grid.columns - 1)
-    return float(heights[..., 1].reshape(shape)[..., list(stopped.flap_columns)].min())
