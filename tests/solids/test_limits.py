@@ -14,7 +14,8 @@ from orishell.errors import DesignError
 from orishell.motion import largest_fold
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.shell.make import Shell, make_shell
-from orishell.solids import drive_for_height, largest_folds, largest_height
+from orishell.solids import drive_for_height, find_room, largest_folds, largest_height
+from orishell.solids.limits import bare_faces
 from strategies import Request, orthodiagonal_requests, requests
 
 SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
@@ -107,3 +108,30 @@ def test_boards_too_thick_for_the_target() -> None:
     thickness = remedy.changes["panel.thickness"]
     assert isinstance(thickness, float)
     assert shelter(thickness).lock.cause == "boards"
+
+
+def test_a_crease_that_folds_flat_leaves_no_height() -> None:
+    """Of the upper boards beside a valley; only flaps may go without them."""
+    grid = Grid(4, 2)
+    x, y = np.meshgrid(np.arange(2.0), -np.arange(4.0))
+    flat = np.stack([x, y, 0 * x], axis=-1)
+    folds = CreaseValues(row=np.array([[np.pi], [-1.0]]), column=np.zeros((3, 0)))
+    assert largest_height(flat, grid, folds) == 0
+    assert bare_faces(folds, grid, [0]).tolist() == [[True, True, False], [False] * 3]
+    assert not bare_faces(folds, grid, []).any()
+
+
+@pytest.mark.parametrize("figure", [1, 2])
+def test_flaps_that_fold_flat_limit_nothing(figure: int) -> None:
+    """They carry no boards where they close; what limits the motion is what does without them."""
+    file = read_design_file(SHELTER.with_name(f"figure{figure}.toml"))
+    sheet = file.pattern.design(file.f, file.g).mechanism
+    build = PanelBuild(0.01, membrane=1e-3)
+    room = find_room(sheet, build)
+    assert not room.on_flap
+    assert 0 < room.thickness <= find_room(sheet.without_flaps(), build).thickness * (1 + 1e-12)
+    assert drive_for_height(sheet, 0.49 * room.thickness) == sheet.end_drive
+    assert drive_for_height(sheet, 0.6 * room.thickness) < sheet.end_drive
+    with_boards = find_room(sheet.with_stop(np.deg2rad(0.1)), build)
+    assert with_boards.on_flap
+    assert with_boards.thickness < 0.01
