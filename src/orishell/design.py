@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.formatting import in_one_line, tidy_degrees
 from orishell.errors import InputError
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
@@ -144,6 +144,20 @@ class Design:
         if bare.grid == self.mechanism.grid:
             return self
         return replace(self, mechanism=bare, clipped=self.mechanism)
+
+    def with_stop(self, stop: float) -> Design:
+        """The design whose flaps stop short of folding flat at the target (radians).
+
+        Raises
+        ------
+        DesignError
+            If the sheet cannot have such flaps.
+        """
+        mechanism = self.mechanism.with_stop(stop)
+        if not stop or not mechanism.flap_columns:
+            return replace(self, mechanism=mechanism)
+        parameters = {**self.parameters, "stop_deg": tidy_degrees(stop)}
+        return replace(self, mechanism=mechanism, parameters=parameters)
 
     @property
     def surface(self) -> Surface:

@@ -160,6 +160,21 @@ def test_any_orthodiagonal_design_up_to_its_pack(request: Request, ranges: int) 
     shares_up_to_the_pack(request.feasible().mechanism, 12, ranges)
 
 
+@settings(max_examples=60)
+@given(
+    st.one_of(requests(), orthodiagonal_requests()),
+    st.floats(1e-3, 0.95),
+    st.sampled_from([20, RANGES]),
+)
+def test_any_design_whose_flaps_have_a_stop(request: Request, share: float, ranges: int) -> None:
+    """Up to the target, and beyond it up to a thousandth before the end of the motion."""
+    sheet = request.feasible().mechanism
+    assert isinstance(sheet, ParallelRepeating | Orthodiagonal)
+    stopped = sheet.with_stop(share * sheet._sharpest_angle() / 2)
+    for end in (stopped.target_drive, stopped.end_drive * (1 - 1e-3)):
+        shares_of_bounds(stopped, 12, ranges, end)
+
+
 @pytest.mark.parametrize("heading", [90, 75])
 def test_a_straight_g_up_to_its_pack(heading: float) -> None:
     # Square to f's plane rows stay straight and kappa = tan(drive/2): its target is at 90 degrees.

@@ -54,6 +54,9 @@ class Miura:
     def without_flaps(self) -> Miura:
         return self
 
+    def with_stop(self, stop: float) -> Miura:
+        return self
+
     @property
     def still(self) -> Miura:
         return self

@@ -14,7 +14,8 @@ from orishell.errors import DesignError
 from orishell.motion import largest_fold
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.shell.make import Shell, make_shell
-from orishell.solids import drive_for_height, largest_folds, largest_height
+from orishell.solids import drive_for_height, find_room, largest_folds, largest_height
+from orishell.solids.limits import bare_faces
 from strategies import Request, orthodiagonal_requests, requests
 
 SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
@@ -43,7 +44,13 @@ def test_a_strip_of_squares_by_hand() -> None:
     assert largest_height(flat, grid, pleats) == pytest.approx(0.5 / np.sqrt(3))
     roll = CreaseValues(row=np.array([[turn], [turn]]), column=np.zeros((3, 0)))
     assert largest_height(flat, grid, roll) == pytest.approx(0.25 / np.sqrt(3))
-    assert largest_height(flat, grid, roll, 0.8) == pytest.approx(0.1 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, 0.2) == pytest.approx(0.1 / np.sqrt(3))
+    # Set-backs of at most 0.1; a gap of 0.3 leaves 0.35 to the other side, and is one in itself.
+    assert largest_height(flat, grid, roll, 0.5, 0.1) == pytest.approx(0.1 / np.sqrt(3))
+    assert largest_height(flat, grid, pleats, gap=0.3) == pytest.approx(0.35 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, gap=0.3) == pytest.approx(0.25 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, 0.5, 0.1, gap=0.3) == 0
+    assert largest_height(flat, grid, pleats, gap=0.6) == 0
     still = CreaseValues(row=np.zeros((2, 1)), column=np.zeros((3, 0)))
     assert largest_height(flat, grid, still) == np.inf
 
@@ -67,7 +74,7 @@ def test_the_drive_for_a_height_is_the_last_that_leaves_enough(
 
 
 def test_boards_end_the_motion_of_the_shelter() -> None:
-    """10 mm boards fold to 177 degrees: what is left of the narrowest panel is half of it."""
+    """10 mm boards fold to 177 degrees: set-backs take half of the narrowest panel."""
     shell = shelter(0.01)
     mechanism, deployment = shell.design.mechanism, shell.report.deployment
     assert shell.lock.cause == "boards"
@@ -95,7 +102,7 @@ def test_thicker_boards_pack_larger() -> None:
 
 
 def test_boards_too_thick_for_the_target() -> None:
-    with pytest.raises(DesignError, match=r"panels may be 0\.364 thick, and are 0\.5") as refused:
+    with pytest.raises(DesignError, match=r"panels may be 0\.2101 thick, and are 0\.5") as refused:
         shelter(0.5)
     (remedy,) = refused.value.remedies
     thickness = remedy.changes["panel.thickness"]
@@ -103,8 +110,28 @@ def test_boards_too_thick_for_the_target() -> None:
     assert shelter(thickness).lock.cause == "boards"
 
 
-def test_folded_flaps_allow_no_boards() -> None:
-    file = read_design_file(SHELTER.with_name("figure2.toml"))
-    with pytest.raises(DesignError, match="which no board allows") as refused:
-        make_shell(replace(file, panel=PanelBuild(0.01, membrane=2e-4)))
-    assert refused.value.remedies[0].changes == {"deployment.flap_attachment": "clipped"}
+def test_a_crease_that_folds_flat_leaves_no_height() -> None:
+    """Of the upper boards beside a valley; only flaps may go without them."""
+    grid = Grid(4, 2)
+    x, y = np.meshgrid(np.arange(2.0), -np.arange(4.0))
+    flat = np.stack([x, y, 0 * x], axis=-1)
+    folds = CreaseValues(row=np.array([[np.pi], [-1.0]]), column=np.zeros((3, 0)))
+    assert largest_height(flat, grid, folds) == 0
+    assert bare_faces(folds, grid, [0]).tolist() == [[True, True, False], [False] * 3]
+    assert not bare_faces(folds, grid, []).any()
+
+
+@pytest.mark.parametrize("figure", [1, 2])
+def test_flaps_that_fold_flat_limit_nothing(figure: int) -> None:
+    """They carry no boards where they close; what limits the motion is what does without them."""
+    file = read_design_file(SHELTER.with_name(f"figure{figure}.toml"))
+    sheet = file.pattern.design(file.f, file.g).mechanism
+    build = PanelBuild(0.01, membrane=1e-3)
+    room = find_room(sheet, build)
+    assert not room.on_flap
+    assert 0 < room.thickness <= find_room(sheet.without_flaps(), build).thickness * (1 + 1e-12)
+    assert drive_for_height(sheet, 0.49 * room.thickness) == sheet.end_drive
+    assert drive_for_height(sheet, 0.6 * room.thickness) < sheet.end_drive
+    with_boards = find_room(sheet.with_stop(np.deg2rad(0.1)), build)
+    assert with_boards.on_flap
+    assert with_boards.thickness < 0.01

@@ -120,9 +120,9 @@ export interface DeploymentReport {
   flap_attachment: "folded" | "clipped" | null;
   /** How far its hinges close. */
   largest_fold_deg: number;
-  /** Thickness of its panels, 0 for none, and the largest with which half of every panel is left at the target; None if it is not limited. */
+  /** Thickness of its panels, 0 for none, and the largest with which set-backs take no more of any than they may; None if it is not limited. */
   thickness: number;
-  /** Thickness of its panels, 0 for none, and the largest with which half of every panel is left at the target; None if it is not limited. */
+  /** Thickness of its panels, 0 for none, and the largest with which set-backs take no more of any than they may; None if it is not limited. */
   largest_thickness: number | null;
   /** As far as it closes, proved if its path was examined. */
   end_drive_deg: number;
@@ -344,7 +344,7 @@ export interface Quantities {
   /** Number of panels. */
   panels: number;
   /** How many of them are panels of boards that are clipped on at the target. */
-  boards: number;
+  clipped: number;
   /** Area of all panels. */
   area: number;
   /** Length of the creases by their assignment. */

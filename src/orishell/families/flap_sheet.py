@@ -7,6 +7,8 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from orishell.conventions.formatting import between, in_degrees, tidy_degrees
+from orishell.errors import DesignError, Remedy
 from orishell.numerics.arrays import Array, Complex
 from orishell.sheet.grid import Grid
 
@@ -25,6 +27,9 @@ class FlapSheet:
         The middle row at lock (n,), n at least 2: vertices of g's polyline.
     flaps
         Size of the left and the right flap (length); 0 where there is none.
+    stop
+        By how much flaps stop short of folding flat at the target: half of what the row crease of
+        a flap that folds most lacks to pi there (radians).
     """
 
     __slots__ = ()
@@ -33,6 +38,7 @@ class FlapSheet:
     lengths: Array
     points: Complex
     flaps: tuple[float, float]
+    stop: float
 
     @property
     def grid(self) -> Grid:
@@ -53,7 +59,29 @@ class FlapSheet:
 
     def without_flaps(self) -> Self:
         """The sheet without its flaps; what stays meets the target as it did."""
-        return replace(self, flaps=(0.0, 0.0))
+        return replace(self, flaps=(0.0, 0.0), stop=0.0)
+
+    def with_stop(self, stop: float) -> Self:
+        """The sheet whose flaps, as wide as they are, stop short of folding flat by this angle.
+
+        Raises
+        ------
+        DesignError
+            If it is no less than half of the sharpest angle of the columns beside them.
+        """
+        if not self.flap_columns:
+            return self
+        limit = self._sharpest_angle() / 2
+        if stop >= limit:
+            most, asked = tidy_degrees(limit), tidy_degrees(stop)
+            raise DesignError(
+                "flaps cannot stop so far short of folding flat",
+                keys=("panel.stop_deg",),
+                size=f"they are to stop {in_degrees(stop)} degrees short, and must less than "
+                f"{in_degrees(limit)}, half of the sharpest angle of the columns beside them",
+                candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
+            )
+        return self._stopped(stop)
 
     @property
     def still(self) -> Self:
@@ -74,6 +102,14 @@ class FlapSheet:
     def _rest(self) -> float:
         """How far the tightest panel column is open at the target, as the mechanism says."""
         raise NotImplementedError
+
+    def _sharpest_angle(self) -> float:
+        """The smallest angle of the first and the last column at the target (radians)."""
+        raise NotImplementedError
+
+    def _stopped(self, stop: float) -> Self:
+        """The sheet with a stop that it can have, its flaps as wide as they are."""
+        return replace(self, stop=stop)
 
     @property
     def _existing(self) -> slice:

@@ -143,10 +143,10 @@ def _end_without_clash(
     proof: ProofRecord | None,
     touching: tuple[tuple[Panel, Panel], ...],
 ) -> Lock:
-    if sheet.folded_flat is None:
+    if sheet.meeting is None:
         drive = None if sheet.stop is None else sheet.end
         return sheet.lock(drive, sheet.stop, None, proof, touching)
-    row, column = sheet.folded_flat
+    row, column = sheet.meeting
     flaps = column in sheet.mechanism.flap_columns
     found = Contact(
         sheet.end,
@@ -169,21 +169,34 @@ class _Sheet:
     """Row and column of the panel above a row crease that is folded flat at the end."""
     stop: Cause | None
     """What stops the motion before a crease is folded flat."""
+    meeting: Panel | None
+    """Row and column of the panel above a row crease about which panels, or boards, meet there."""
 
     @classmethod
     def of(cls, design: Design) -> _Sheet:
         mechanism = design.mechanism.still
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
-        if design.panel is not None:
-            limit = mechanism.target_drive
-            if design.panel.reach == "pack":
-                limit = drive_for_height(mechanism, design.panel.height, end)
+        target, build = mechanism.target_drive, design.panel
+        if mechanism.flap_columns and target < mechanism.end_drive and target <= end:
+            # Boards of the flaps meet at the target, where the others have room.
+            end, stop = target, "flaps"
+        elif build is not None:
+            limit = target
+            if build.reach == "pack":
+                limit = drive_for_height(
+                    mechanism, build.height, end, build.share, build.setback, gap=build.gap
+                )
             end, stop = (limit, "boards") if limit < end else (end, stop)
-        flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
-        places = np.argwhere(flat)
+        folds = np.abs(mechanism.fold_angles(end).row)
+        if stop == "flaps":
+            on_flap = np.isin(np.arange(folds.shape[1]), mechanism.flap_columns)
+            meeting = np.where(on_flap, folds, 0.0).argmax()
+            row, column = divmod(int(meeting), folds.shape[1])
+            return cls(mechanism, target, end, None, stop, (row, column))
+        places = np.argwhere(folds >= np.pi - FOLDED_FLAT)
         first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        return cls(mechanism, mechanism.target_drive, end, first, stop)
+        return cls(mechanism, target, end, first, stop, first)
 
     @property
     def columns(self) -> int:

@@ -16,14 +16,12 @@ from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import largest_fold
-from orishell.solids import largest_folds, largest_height
+from orishell.solids import Room, find_room, find_stop, thinner, wide_gap
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
 UP = 5e-4
 """A fold angle that is offered is so much above what is needed (degrees)."""
-THINNER = (0.99, 0.5, 0.1)
-"""Shares of the largest thickness that are offered."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,23 +72,21 @@ class Request:
         ------
         DesignError
             If the family cannot make it, or hinges or boards do not close as far as its target
-            asks.
+            asks, also where flaps with boards stop short of folding flat.
         """
         design = (
             self.pattern.design_without_target()
             if self.target is None
             else self.pattern.design(*self.target)
         )
-        design = replace(design, largest_fold=self.largest_fold, panel=self._panel)
+        design = replace(design, largest_fold=self.largest_fold)
+        if self.panel is not None:
+            reach: Literal["target", "pack"] = "pack" if self.from_pack else "target"
+            design = _with_panels(design, replace(self.panel, reach=reach))
         design = design.with_clipped_flaps() if self.clipped else design
         _require_hinges(design, self.from_pack)
         _require_room(design)
         return design
-
-    @property
-    def _panel(self) -> PanelBuild | None:
-        reach: Literal["target", "pack"] = "pack" if self.from_pack else "target"
-        return self.panel and replace(self.panel, reach=reach)
 
     def changed(self, remedy: Remedy) -> Self:
         """The request with other values at keys of the design file."""
@@ -137,38 +133,63 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
     )
 
 
+def _with_panels(design: Design, panel: PanelBuild) -> Design:
+    """The design with panels of a thickness: its flaps stop where their boards meet."""
+    flaps = design.mechanism.flap_columns
+    stop = 0.0 if not flaps else panel.stop
+    if stop is None:
+        stop = find_stop(design.mechanism, panel)
+    return replace(design.with_stop(stop), panel=replace(panel, stop=stop))
+
+
 def _require_room(design: Design) -> None:
-    """Refuse boards so thick that they leave too little of a panel at the target."""
-    mechanism = design.mechanism
-    if design.panel is None:
+    """Refuse boards so thick that they take too much of a panel at the target."""
+    build = design.panel
+    if build is None:
         return
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
-    if design.panel.thickness <= most:
+
+    def narrowest(build: PanelBuild) -> Room:
+        rooms = [find_room(design.mechanism, build)]
+        if design.clipped is not None:
+            rooms.append(find_room(design.clipped, build, clipped=True))
+        return min(rooms, key=lambda room: room.thickness)
+
+    room = narrowest(build)
+    if build.thickness <= room.thickness:
         return
-    flaps = bool(mechanism.flap_columns)
-    clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if flaps else []
-    thinner = [Remedy({"panel.thickness": rounded(share * most, 4)}) for share in THINNER]
+    place = f"at the target, {room.crease}"
+    if not room.thickness and narrowest(replace(build, gap=0.0)).thickness:
+        raise wide_gap(build, place)
+    earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
     raise DesignError(
-        "boards would stand back so far from their creases that less than half of a panel is left",
-        place="at the target",
+        "boards would take more of a panel than set-backs may",
+        place=place,
         keys=("panel.thickness",),
-        size="flaps that are part of the sheet fold flat there, which no board allows"
-        if flaps
-        else f"panels may be {most:.4g} thick, and are {design.panel.thickness:.4g}",
-        candidates=clipped or thinner,
+        size=f"panels may be {room.thickness:.4g} thick, and are {build.thickness:.4g}",
+        candidates=[*earlier, *thinner(build, room.thickness)],
     )
 
 
 def _changed_panel(
     panel: PanelBuild | None, values: Mapping[str, Value | None]
 ) -> PanelBuild | None:
-    if not values:
-        return panel
-    assert panel is not None
-    thickness = values["thickness"]
-    assert isinstance(thickness, float | int)
-    return replace(panel, thickness=float(thickness))
+    if panel is None:
+        return None
+    for name, value in values.items():
+        if name == "stop_deg":
+            stop = None if value == "auto" else float(np.deg2rad(_number(value)))
+            panel = replace(panel, stop=stop)
+        elif name == "gap":
+            panel = replace(panel, gap=_number(value))
+        else:
+            assert name == "thickness"
+            panel = replace(panel, thickness=_number(value))
+    return panel
+
+
+def _number(value: Value | None) -> float:
+    assert isinstance(value, float | int)
+    return float(value)
 
 
 def _changed(curve: Curve, values: Mapping[str, Value | None]) -> Curve:

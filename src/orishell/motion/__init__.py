@@ -2,7 +2,6 @@
 
 from orishell.motion.hinges import drive_at_fold, largest_fold
 from orishell.motion.mechanism import (
-    RESOLUTION,
     FoldedState,
     FoldingMotion,
     Mechanism,
@@ -10,8 +9,8 @@ from orishell.motion.mechanism import (
     measure_fold_angles,
     mechanism_in_one_line,
     panel_normals,
-    require_resolution,
 )
+from orishell.motion.resolution import RESOLUTION, require_resolution
 from orishell.motion.sizes import corrugation_depth, diagonal, extents, sheet_area
 
 __all__ = [

@@ -6,7 +6,7 @@ angle. The flat sheet is the mechanism at drive 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -14,13 +14,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.formatting import in_degrees, in_one_line
-from orishell.errors import DesignError, InputError, Remedy
+from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import CreaseValues, Grid, crease_signs
 from orishell.sheet.quads import lengths
-
-RESOLUTION = 1e-8
-"""An edge must be at least this long relative to the diagonal of the flat sheet."""
 
 
 class Mechanism(Protocol):
@@ -38,14 +35,32 @@ class Mechanism(Protocol):
 
     @property
     def flap_columns(self) -> tuple[int, ...]:
-        """Numbers of those columns of panels that are flaps: folded onto themselves at the target.
+        """Numbers of those columns of panels that are flaps, whose panels meet at the target.
 
-        Where there is one, the motion ends at the target.
+        Where there is one, the motion ends at the target: there they are folded onto themselves,
+        or, with a stop, their boards meet, although the sheet would go on.
         """
         ...
 
     def without_flaps(self) -> Mechanism:
         """The sheet without its flaps, which goes on beyond its target; itself if it has none."""
+        ...
+
+    def with_stop(self, stop: float) -> Mechanism:
+        """The sheet whose flaps stop short of folding flat; itself if it has none.
+
+        The row crease of a flap that folds most has the fold angle pi - 2 stop at the target.
+
+        Parameters
+        ----------
+        stop
+            At least 0, for flaps that fold flat (radians).
+
+        Raises
+        ------
+        DesignError
+            If it is too large for the sheet.
+        """
         ...
 
     @property
@@ -215,38 +230,6 @@ def mechanism_in_one_line(mechanism: Mechanism) -> str:
         f"{type(mechanism).__name__}({grid.rows} x {grid.columns} vertices, {grid.panel_count} "
         f"panels, drive to {in_degrees(mechanism.target_drive)} degrees)"
     )
-
-
-def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> None:
-    """Refuse panels so small that the rounding of coordinates would bend them.
-
-    Parameters
-    ----------
-    candidates
-        What may give larger panels.
-
-    Raises
-    ------
-    DesignError
-        If an edge is shorter than :data:`RESOLUTION` of the sheet's diagonal.
-    """
-    flat = mechanism.positions(0.0)
-    size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
-    edges = {
-        "a row": lengths(np.diff(flat, axis=1)),
-        "a column": lengths(np.diff(flat, axis=0)),
-    }
-    name = min(edges, key=lambda each: float(edges[each].min()))
-    shortest = float(edges[name].min())
-    if shortest < RESOLUTION * size:
-        row, column = np.unravel_index(int(edges[name].argmin()), edges[name].shape)
-        raise DesignError(
-            "a panel is so small that the rounding of coordinates would bend it",
-            place=f"at row {row}, column {column}",
-            size=f"an edge of {name} is {shortest:.4g} long, and must be at least {RESOLUTION:g} "
-            f"of the sheet's diagonal, which is {size:.4g}",
-            candidates=candidates,
-        )
 
 
 def panel_normals(positions: Array) -> Array:

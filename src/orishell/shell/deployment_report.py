@@ -20,12 +20,12 @@ from orishell.deployment import (
     find_ties,
     measure_weight,
 )
-from orishell.design import Design
+from orishell.design import Design, PanelBuild
 from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.shell.standing import Feet
-from orishell.solids import largest_folds, largest_height
+from orishell.solids import largest_thickness
 
 GRAVITY = 9.81
 """Metres per second squared."""
@@ -129,8 +129,8 @@ class DeploymentReport:
     largest_fold_deg
         How far its hinges close.
     thickness, largest_thickness
-        Thickness of its panels, 0 for none, and the largest with which half of every panel is left
-        at the target; None if it is not limited.
+        Thickness of its panels, 0 for none, and the largest with which set-backs take no more of
+        any than they may; None if it is not limited.
     end_drive_deg
         As far as it closes, proved if its path was examined.
     closing, opening
@@ -218,10 +218,9 @@ def _thickness(design: Design) -> float:
 
 
 def _largest_thickness(design: Design) -> float | None:
-    mechanism = design.mechanism
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    height = largest_height(mechanism.positions(0.0), mechanism.grid, folds)
-    return 2 * height if np.isfinite(height) else None
+    flapped, build = design.clipped or design.mechanism, design.panel or PanelBuild(0.0)
+    most = largest_thickness(flapped, build, clipped=design.clipped is not None)
+    return most if np.isfinite(most) else None
 
 
 def _packed(design: Design, lock: Lock) -> PackedReport:

@@ -3,15 +3,26 @@
 from orishell.solids.boards import build_boards
 from orishell.solids.built import Built, build_panels
 from orishell.solids.limits import drive_for_height, largest_height
+from orishell.solids.meeting import Meetings, find_meetings
+from orishell.solids.room import Room, find_room, thinner, wide_gap
 from orishell.solids.setbacks import SetBacks, find_set_backs, largest_folds
+from orishell.solids.stop import find_stop, largest_thickness
 
 __all__ = [
     "Built",
+    "Meetings",
+    "Room",
     "SetBacks",
     "build_boards",
     "build_panels",
     "drive_for_height",
+    "find_meetings",
+    "find_room",
     "find_set_backs",
+    "find_stop",
     "largest_folds",
     "largest_height",
+    "largest_thickness",
+    "thinner",
+    "wide_gap",
 ]

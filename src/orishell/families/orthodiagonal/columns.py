@@ -19,7 +19,7 @@ class Columns:
     """Steps over the panel columns (n+1,), flaps at both ends, and the motion that they allow."""
 
     k: Array  # along K
-    locked: Array  # along n at the target: l sin eps, positive but for flaps
+    locked: Array  # along n at the target: l sin eps, positive but for flaps that fold flat
     existing: slice  # those that are not missing flaps
 
     @property

@@ -16,7 +16,8 @@ that motion leaves alone. With k_j and N_j what panel column j takes along K and
 
     k_j = l_j cos eps_j cos(beta_mid/2),     N_j^2 = (l_j sin eps_j)^2 + q^2 k_j^2,
 
-for a flap k = +-width and N = q width, and K, M their running sums from column 1,
+for a flap k = +-width cos eta and N(target) = width sin eta, and K, M their running sums from
+column 1,
 
     X_ij = P_i + K_j a_i + M_j n,            cot alpha_{i,4j} = T_i k_j/N_j(flat),
 
@@ -30,8 +31,9 @@ flat sheet left at the target, the *rest* r (0 for a flap). The drive rho has
     (omega N_j)^2 = (N_j(target)^2 - r^2 N_j(flat)^2) + (r^2 N_j(flat)^2 + k_j^2) cos(rho/2)^2:
 
 sums of squares, so that no digits are lost near the target, at tan(rho/2) = 1/r, or near the end.
-With flaps r = 0 and kappa = sin(rho/2), as in the paper; where all rows are straight r = 1 and
-kappa = tan(rho/2), and the zigzags of the columns close.
+With flaps that fold flat r = 0 and kappa = sin(rho/2), as in the paper; where all rows are straight
+r = 1 and kappa = tan(rho/2), and the zigzags of the columns close. Flaps stop short of folding flat
+by the stop at the sharpest vertex: sin eta = sin(stop)/sin(beta_min/2).
 """
 
 from __future__ import annotations
@@ -83,6 +85,8 @@ class Orthodiagonal(FlapSheet):
     kept
         Share (2, m+2) of its width that the left and the right flap keep at every row, in (0, 1]:
         less than 1 where a flap is cut off at an end of f.
+    stop
+        By how much flaps stop short of folding flat at the target (radians).
     """
 
     lengths: Array
@@ -95,6 +99,7 @@ class Orthodiagonal(FlapSheet):
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
     trims: tuple[float, float] = (0.0, 0.0)
     kept: Array = field(default_factory=lambda: np.ones((2, 1)))
+    stop: float = 0.0
 
     __repr__ = mechanism_in_one_line
 
@@ -208,6 +213,9 @@ class Orthodiagonal(FlapSheet):
     def _rest(self) -> float:
         return self._columns().rest
 
+    def _sharpest_angle(self) -> float:
+        return float(self.angles.min())
+
     def _cuts(self) -> list[tuple[Array, int, int]]:
         """For each flap that is cut: the shares (m+2,) it keeps, its column, the one beside it."""
         flaps = ((self.flaps[0], 0, 1), (self.flaps[1], -1, -2))
@@ -236,10 +244,12 @@ class Orthodiagonal(FlapSheet):
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
         inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)
         # A missing flap has any width here: what it gives is left out of the sheet.
-        left, right = -side[0] * (self.flaps[0] or 1.0), side[1] * (self.flaps[1] or 1.0)
+        left, right = (width or 1.0 for width in self.flaps)
+        sine = np.sin(self.stop) / np.sin(self.angles.min() / 2)
+        cosine = np.sqrt(1 - sine**2)
         return Columns(
-            k=np.concatenate([[left], inner, [right]]),
-            locked=np.concatenate([[0.0], segment.imag, [0.0]]),
+            k=np.concatenate([[-side[0] * left * cosine], inner, [side[1] * right * cosine]]),
+            locked=np.concatenate([[left * sine], segment.imag, [right * sine]]),
             existing=self._existing,
         )
 
@@ -253,9 +263,9 @@ class Orthodiagonal(FlapSheet):
         along = np.hypot(tangent, 1.0) * shift
         points = np.concatenate(
             [
-                [self.points[0] + (along[0] - along[1]) * t],
+                [self.points[0] + (along[0] - along[1] - 1j * columns.locked[0]) * t],
                 self.points,
-                [self.points[-1] + (along[-1] - along[-2]) * t],
+                [self.points[-1] + (along[-1] - along[-2] + 1j * columns.locked[-1]) * t],
             ]
         )
         locked = np.stack([points + along * (lock.real - 1) * t, along * lock.imag])

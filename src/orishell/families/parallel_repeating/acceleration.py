@@ -51,8 +51,10 @@ def bound_edges(
     mean = segment.mean(chords / chords.sum())
     axis, segment = axis - mean, segment - mean
 
-    first = axis.part(slice(1)) - tight.arctan2((columns.tau * columns.cos_left)[:1])
-    last = axis.part(slice(-1, None)) + tight.arctan2((columns.tau * columns.cos_right)[-1:])
+    outer = columns.tau[[0, -1]] * [columns.cos_left[0], columns.cos_right[-1]]
+    flap = tight.hypot(columns.slope_beyond[[0, -1]]).arctan2(outer)
+    first = axis.part(slice(1)) - flap.part(slice(1))
+    last = axis.part(slice(-1, None)) + flap.part(slice(1, None))
     along = lengths * np.concatenate(
         [spinning_acceleration(angle) for angle in (first, segment, last)], axis=-1
     )

@@ -8,8 +8,9 @@ tau_j = tan(xi_j/2) and delta the angles between row segments and t, equation (2
 
     nu = tau_j sin delta_{2j-1} = tau_{j+1} sin delta_{2j},
 
-is the same seen from both; a flap has nu = 0. The paper's motion, from kappa = 0 in the flat sheet
-to kappa = 1 at the target, goes on beyond it: with q^2 = 1 - kappa^2, in units of cos(xi_j/2),
+is the same seen from both; a flap has nu = tan(stop), 0 in the paper. The paper's motion, from
+kappa = 0 in the flat sheet to kappa = 1 at the target, goes on beyond it: with q^2 = 1 - kappa^2,
+in units of cos(xi_j/2),
 
     cos(psi_j/2) = kappa,   sin(psi_j/2) = sqrt(tau_j^2 + q^2),
     cos eps sin(psi_j/2) = tau_j cos delta,   sin eps sin(psi_j/2) = w = sqrt(nu^2 + q^2),
@@ -22,7 +23,7 @@ creases,
 
 and all squares are sums of w^2 of the tightest and of what is beyond the rest, nu^2 - rest^2 or
 tau^2 - rest^2. So no digits are lost near the target, which is at tan(rho/2) = 1/rest, or near the
-end. With flaps the rest is 0 and the target the end, as in the paper.
+end. With flaps that fold flat the rest is 0 and the target the end, as in the paper.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ from numpy.typing import ArrayLike
 from orishell.design import FlapSide
 from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.parallel_repeating.acceleration import bound_edges
-from orishell.families.parallel_repeating.columns import Columns, turned, unit
+from orishell.families.parallel_repeating.columns import Columns, from_middle, interleaved, turned
 from orishell.families.parallel_repeating.distances import squared_distances
 from orishell.families.vertex import column_fold_angle, row_fold_angle
 from orishell.motion import mechanism_in_one_line
@@ -67,6 +68,8 @@ class ParallelRepeating(FlapSheet):
         Lengths of the row creases across the left and the right flap; 0 where there is none.
     flap_sides
         To which end of f each flap folds: "end" is along +t, "start" along -t.
+    stop
+        By how much flaps stop short of folding flat at the target (radians).
     """
 
     xi: float
@@ -76,6 +79,7 @@ class ParallelRepeating(FlapSheet):
     axes: Complex
     flaps: tuple[float, float]
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
+    stop: float = 0.0
 
     __repr__ = mechanism_in_one_line
 
@@ -94,11 +98,11 @@ class ParallelRepeating(FlapSheet):
 
     def column_arcs(self) -> Array:
         """Arc length (m+2,) along the first column from its middle vertex."""
-        return _from_middle(self.lengths)
+        return from_middle(self.lengths)
 
     def locked_heights(self) -> Array:
         """Height z (m+2,) of every row at lock, 0 at the middle row."""
-        return _from_middle(self._rising() * self.lengths * np.cos(self.xi / 2))
+        return from_middle(self._rising() * self.lengths * np.cos(self.xi / 2))
 
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).
@@ -146,8 +150,8 @@ class ParallelRepeating(FlapSheet):
         grid = self.grid
         out = np.empty((*drive.shape, grid.rows, grid.columns, 3))
         flat = out.reshape(*drive.shape, grid.rows, grid.columns * 3)
-        np.multiply(reach[:, None], _interleaved(spread)[..., None, :], out=flat)
-        flat += _interleaved(middle)[..., None, :]
+        np.multiply(reach[:, None], interleaved(spread)[..., None, :], out=flat)
+        flat += interleaved(middle)[..., None, :]
         out[..., 2] = (height * kappa[..., None])[..., None]
         return out
 
@@ -204,8 +208,10 @@ class ParallelRepeating(FlapSheet):
         left = segment * self.axes[1:].conj()  # -exp(-i delta_{2j})
         ratio = right.imag / left.imag
         tau = np.tan(self.xi / 2) * np.concatenate([[1.0], np.cumprod(ratio)])
-        flap = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
-        slope = np.concatenate([[0.0], tau[:-1] * right.imag, [0.0]])
+        side = np.array([1.0 if side == "end" else -1.0 for side in self.flap_sides])
+        stop = np.tan([self.stop])
+        flap = side * np.sqrt(1 - (stop / tau[[0, -1]]) ** 2)
+        slope = np.concatenate([stop, tau[:-1] * right.imag, stop])
         return Columns(
             tau=tau,
             cos_left=np.concatenate([flap[:1], -left.real]),
@@ -219,6 +225,15 @@ class ParallelRepeating(FlapSheet):
     @property
     def _rest(self) -> float:
         return self._columns().rest
+
+    def _sharpest_angle(self) -> float:
+        return float(2 * np.arctan(self._columns().tau[[0, -1]].min()))
+
+    def _stopped(self, stop: float) -> ParallelRepeating:
+        stopped = replace(self, stop=stop)
+        sizes = zip(self.flaps, self.with_flaps(1).flaps, stopped.with_flaps(1).flaps, strict=True)
+        left, right = (size * after / before for size, before, after in sizes)
+        return replace(stopped, flaps=(left, right))
 
     def _phase(self, columns: Columns, drive: Array) -> tuple[Array, Array]:
         """Kappa and the tightest w (...), exactly 1 and the rest at the target."""
@@ -242,10 +257,8 @@ class ParallelRepeating(FlapSheet):
         # column from the segment at its left: exp(i (eps - delta)), exactly 1 at the target.
         inner, slope = w[..., 1:-1], columns.slope[1:-1]
         gain = (tight - rest) * (tight + rest) / (inner + slope)
-        turn = unit(turned(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain))
-        turn_next = unit(
-            turned(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
-        )
+        turn = turned(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain)
+        turn_next = turned(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
         ones = np.ones((*tight.shape[:-1], 1), dtype=np.complex128)
         of_axis = np.concatenate([ones, np.cumprod(turn * turn_next, axis=-1)], axis=-1)
         of_segment = of_axis[..., :-1] * turn
@@ -268,27 +281,13 @@ class ParallelRepeating(FlapSheet):
         axis = of_axis * self.axes * back
         spread = axis * half
 
-        # Flap creases leave along t at lock: exp(-i eps_L) to the left, exp(i eps_R) to the right.
-        left = axis[..., :1] * (columns.tau[0] * columns.cos_left[0] - 1j * tight) / half[..., :1]
-        right = (
-            axis[..., -1:] * (columns.tau[-1] * columns.cos_right[-1] + 1j * tight) / half[..., -1:]
-        )
+        # Flap creases leave columns 1 and n: exp(-i eps_L) to the left, exp(i eps_R) to the right.
+        cosines = columns.tau[0] * columns.cos_left[0], columns.tau[-1] * columns.cos_right[-1]
+        left = axis[..., :1] * (cosines[0] - 1j * w[..., :1]) / half[..., :1]
+        right = axis[..., -1:] * (cosines[1] + 1j * w[..., -1:]) / half[..., -1:]
         row = np.concatenate(
             [row[..., :1] + self.flaps[0] * left, row, row[..., -1:] + self.flaps[1] * right],
             axis=-1,
         )
         spread = np.concatenate([spread[..., :1], spread, spread[..., -1:]], axis=-1)
         return row[..., self._existing], spread[..., self._existing]
-
-
-def _from_middle(steps: Array) -> Array:
-    """Running sums (K+1,) of steps (K,), K even, zero in the middle."""
-    half = len(steps) // 2
-    return np.concatenate([-np.cumsum(steps[:half][::-1])[::-1], [0.0], np.cumsum(steps[half:])])
-
-
-def _interleaved(z: Complex) -> Array:
-    """(..., n) complex numbers as (..., 3 n) coordinates x, y, 0."""
-    coordinates = np.zeros((*z.shape, 3))
-    coordinates[..., 0], coordinates[..., 1] = z.real, z.imag
-    return coordinates.reshape(*z.shape[:-1], -1)

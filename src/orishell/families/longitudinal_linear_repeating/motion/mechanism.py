@@ -108,6 +108,10 @@ class LongitudinalLinearRepeating:
         """The sheet itself."""
         return self
 
+    def with_stop(self, stop: float) -> LongitudinalLinearRepeating:
+        """The sheet itself."""
+        return self
+
     @property
     def still(self) -> LongitudinalLinearRepeating:
         """The sheet whose middle panel does not turn."""
