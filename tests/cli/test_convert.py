@@ -14,7 +14,8 @@ from orishell.io.all_formats import FORMATS, find_formats
 from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
-FILES = {each.file for each in FORMATS if each.ready()}
+SHEETS = [each for each in FORMATS if not each.solid]
+FILES = {each.file for each in SHEETS if each.ready()}
 
 
 @pytest.fixture(scope="module")
@@ -29,6 +30,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_write_all(written: Path) -> None:
     names = {path.name for path in written.iterdir()}
+    assert not [each.file for each in FORMATS if each.solid and each.file in names]
     assert FILES | {"report.json", "overview.png", "deviation.png", "creases.csv"} <= names
     # 25 frames
     assert {f"shell-{number:04d}.vtu" for number in range(25)} <= names
@@ -36,7 +38,7 @@ def test_write_all(written: Path) -> None:
     assert (written / "notes.txt").read_text() == "mine"
 
 
-@pytest.mark.parametrize("name", [each.name for each in FORMATS if each.name != "html"])
+@pytest.mark.parametrize("name", [each.name for each in SHEETS if each.name != "html"])
 def test_convert_writes_what_design_writes(name: str, written: Path, tmp_path: Path) -> None:
     (format_,) = find_formats([name])
     done = orishell("convert", written / "shell.fold", format_.file, cwd=tmp_path)
@@ -82,6 +84,7 @@ def test_quantities_are_those_of_the_tables(written: Path) -> None:
         (("shell.fold", "shell.fold/x.obj"), "is a file"),
         (("shell.fold", "taken.obj"), "a directory is in the way"),
         (("folded.fold", "flat.dxf"), "no flat sheet"),
+        (("shell.fold", "shell.3mf"), "[panel] thickness: panels have no thickness"),
         (("miura.fold", "flat.dxf"), "--unit says which it is."),
         (("miura.fold", "solid.glb"), "--unit says which it is."),
     ],

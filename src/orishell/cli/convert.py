@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, shortened, state_named
+from orishell.cli.files import STATE_HELP, shortened, shown_states
 from orishell.cli.printing import say
 from orishell.conventions.units import MILLIMETRES
 from orishell.errors import InputError
@@ -16,7 +16,7 @@ from orishell.errors import InputError
 def convert(
     file: Annotated[Path, typer.Argument(help="The FOLD file to convert.")],
     out: Annotated[Path, typer.Argument(help="The file to write; its ending names the format.")],
-    state: Annotated[str, typer.Option(help=STATE_HELP)] = "target",
+    state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
     workshop: Annotated[
         Path | None,
         typer.Option(help=r"A TOML file with a table \[workshop], for instance a design file."),
@@ -40,7 +40,7 @@ def convert(
             expected="one of " + ", ".join(MILLIMETRES),
         )
     settings = Settings(
-        state=state_named(state),
+        **shown_states(state),
         workshop=DEFAULT if workshop is None else read_workshop(workshop),
     )
     try:

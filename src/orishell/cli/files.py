@@ -13,7 +13,10 @@ from orishell.io.registry import ALL, MODULES
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
 
 STATES = ("flat", "target", "pack")
-STATE_HELP = f"State for formats that show only one: {', '.join(STATES)}, or a frame's number."
+STATE_HELP = (
+    f"State for formats that show only one: {', '.join(STATES)}, or a frame's number. Without it: "
+    "target, but flat for what is printed (3mf)."
+)
 
 
 def directory(text: str) -> Path:
@@ -47,6 +50,20 @@ def state_named(text: str) -> int | str:
         got=repr(text),
         expected=f"{', '.join(STATES)}, or the number of a frame from 0",
     )
+
+
+def shown_states(text: str | None) -> dict[str, int | str]:
+    """What ``--state`` says of the states in :class:`orishell.io.Settings`.
+
+    Raises
+    ------
+    InputError
+        If it is neither a name nor a number.
+    """
+    if text is None:
+        return {}
+    state = state_named(text)
+    return {"state": state, "print_state": state}
 
 
 def shortened(paths: Iterable[Path]) -> list[str]:

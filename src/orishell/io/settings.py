@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from orishell.document import SHELL
+from orishell.document import FLAT, SHELL
 from orishell.workshop import DEFAULT, Workshop
 
 
@@ -16,11 +16,14 @@ class Settings:
     ----------
     state
         The state that formats with one state show, by name or number.
+    print_state
+        The state in which solids are printed, by name or number.
     workshop
         How the flat sheet is drawn and cut.
     """
 
     state: int | str = SHELL
+    print_state: int | str = FLAT
     workshop: Workshop = DEFAULT
 
 

@@ -10,7 +10,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.quads import unit_normals
 
-COINCIDING = 1e-8
+COINCIDING = 1e-6
 """Corners of an outline that are nearer to each other than this share of the board are one."""
 
 SIDES = {1: "top", -1: "bottom", 0: "panel"}
@@ -89,7 +89,7 @@ class Boards:
         present
             Which of them (B, T) are there: the others have lost a side to corners that coincide.
         """
-        count, heights, corners = self.outlines.shape[:3]
+        heights, corners = self.outlines.shape[1:3]
         number = np.arange(heights * corners).reshape(heights, corners)
         fan = number[0, 0] + np.stack(
             [np.zeros(corners - 2, int), np.arange(1, corners - 1), np.arange(2, corners)], axis=-1
