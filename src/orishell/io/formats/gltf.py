@@ -16,7 +16,7 @@ from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles
 from orishell.io.poses import find_frames, longer_diagonals, quaternions
 from orishell.io.settings import Settings
 from orishell.io.triangles import TRIANGLES, find_splits
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""
@@ -67,7 +67,9 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     origins, axes = find_frames(rest, along)
     inks = _inks(document)
     buffers = Buffers()
-    meshes = _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks)
+    meshes = _meshes(
+        buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks, _shown(document)
+    )
     if document.boards is not None:
         solids, panels = document.boards_in(state), document.boards.panels
         away = _moved(document, solids, nearby, scale) - origins[panels, None, None]
@@ -138,28 +140,29 @@ def _inks(document: Document) -> dict[str, Integers]:
 
 
 def _meshes(
-    buffers: Buffers, local: Array, splits: Integers, inks: dict[str, Integers]
+    buffers: Buffers, local: Array, splits: Integers, inks: dict[str, Integers], shown: Booleans
 ) -> list[dict[str, Any]]:
-    """One mesh for each panel with corners (F, 4, 3) in its own frame: its area and its lines."""
+    """One mesh for each panel with corners (F, 4, 3) in its own frame: its area and its lines.
+
+    ``shown`` (F,) says whose area is there.
+    """
     corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=VERTICES, byteStride=12)
-    upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
-    normals = buffers.add(upright, "VEC3", target=VERTICES, byteStride=12)
-    used = np.unique(splits)
-    triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
-    first = buffers.add(triangles, "SCALAR", target=INDICES)
-    indices = (first + np.searchsorted(used, splits)).tolist()
-    meshes: list[dict[str, Any]] = [
-        {
-            "primitives": [
+    meshes: list[dict[str, Any]] = [{"primitives": []} for _ in local]
+    if shown.any():
+        upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
+        normals = buffers.add(upright, "VEC3", target=VERTICES, byteStride=12)
+        used = np.unique(splits[shown])
+        triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
+        first = buffers.add(triangles, "SCALAR", target=INDICES)
+        indices = first + np.searchsorted(used, splits)
+        for panel in np.flatnonzero(shown).tolist():
+            meshes[panel]["primitives"].append(
                 {
                     "attributes": {"POSITION": corners + panel, "NORMAL": normals},
-                    "indices": index,
+                    "indices": int(indices[panel]),
                     "material": 0,
                 }
-            ]
-        }
-        for panel, index in enumerate(indices)
-    ]
+            )
     sides = np.stack([np.arange(4), (np.arange(4) + 1) % 4], axis=1).astype(np.uint16)
     shared: dict[int, int] = {}
     for material, drawn in enumerate(inks.values(), start=1):
@@ -179,23 +182,24 @@ def _meshes(
     return meshes
 
 
+def _shown(document: Document) -> Booleans:
+    """Panels (F,) whose area is seen: all but those that are one solid."""
+    shown = np.ones(len(document.mesh.faces), dtype=bool)
+    if document.boards is not None:
+        shown[document.boards.panels[document.boards.sides == 0]] = False
+    return shown
+
+
 def _add_boards(
     buffers: Buffers, meshes: list[dict[str, Any]], document: Document, local: Array
 ) -> None:
-    """Give panels their boards, whose corners (B, H, K, 3) are in the panels' own frames.
-
-    The panel itself stays where it is the membrane between two boards, or has none.
-    """
+    """Give panels their boards, whose corners (B, H, K, 3) are in the panels' own frames."""
     assert document.boards is not None
-    assert document.panel is not None
     panels = document.boards.panels
     found, present = document.boards.triangles()
     places = np.arange(len(panels))[:, None, None]
     triangles = local.reshape(len(panels), -1, 3)[places, found]
     accessors = buffers.add_solids(triangles, present)
-    if document.panel.construction == "bevel":
-        for panel in np.unique(panels).tolist():
-            del meshes[panel]["primitives"][0]
     for panel, (corners, normals) in zip(panels.tolist(), accessors.tolist(), strict=True):
         meshes[panel]["primitives"].append(
             {"attributes": {"POSITION": corners, "NORMAL": normals}, "material": 0}
