@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, shortened, shown_states
+from orishell.cli.files import STATE_HELP, shortened, state_named
 from orishell.cli.printing import say
 from orishell.conventions.units import MILLIMETRES
 from orishell.errors import InputError
@@ -39,9 +39,8 @@ def convert(
             got=repr(unit),
             expected="one of " + ", ".join(MILLIMETRES),
         )
-    settings = Settings(
-        **shown_states(state),
-        workshop=DEFAULT if workshop is None else read_workshop(workshop),
+    settings = Settings.showing(
+        state_named(state), DEFAULT if workshop is None else read_workshop(workshop)
     )
     try:
         written = convert_fold(file, out, settings, unit)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, shown_states
+from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, state_named
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
 from orishell.cli.summary import summarize
@@ -48,7 +48,7 @@ def design(
 
     OutputDirectory(out).require_usable()
     _require_formats(write)
-    states = shown_states(state)
+    shown = state_named(state)
     clash: ClashPolicy = "unexamined" if no_clash_test else "allowed" if allow_clash else "refused"
     with bar() as progress:
         try:
@@ -61,7 +61,7 @@ def design(
     chosen, missing = formats_for(write.split(","), shell.document)
     for each in missing:
         say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)
-    settings = Settings(**states, workshop=shell.file.workshop)
+    settings = Settings.showing(shown, shell.file.workshop)
     earlier = OutputDirectory(out).of_earlier_run()
     with bar() as progress:
         written = write_shell(shell, out, chosen, settings, progress)

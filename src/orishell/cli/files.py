@@ -32,15 +32,15 @@ def directory(text: str) -> Path:
     return Path(text)
 
 
-def state_named(text: str) -> int | str:
-    """The state that ``--state`` asks for: a name or a number.
+def state_named(text: str | None) -> int | str | None:
+    """The state that ``--state`` asks for: a name or a number; None if it asks for none.
 
     Raises
     ------
     InputError
         If it is neither.
     """
-    if text in STATES:
+    if text is None or text in STATES:
         return text
     if text.isascii() and text.isdecimal() and len(text) < 10:
         return int(text)
@@ -50,20 +50,6 @@ def state_named(text: str) -> int | str:
         got=repr(text),
         expected=f"{', '.join(STATES)}, or the number of a frame from 0",
     )
-
-
-def shown_states(text: str | None) -> dict[str, int | str]:
-    """What ``--state`` says of the states in :class:`orishell.io.Settings`.
-
-    Raises
-    ------
-    InputError
-        If it is neither a name nor a number.
-    """
-    if text is None:
-        return {}
-    state = state_named(text)
-    return {"state": state, "print_state": state}
 
 
 def shortened(paths: Iterable[Path]) -> list[str]:

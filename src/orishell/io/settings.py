@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Self
 
 from orishell.document import FLAT, SHELL
 from orishell.workshop import DEFAULT, Workshop
@@ -25,6 +26,13 @@ class Settings:
     state: int | str = SHELL
     print_state: int | str = FLAT
     workshop: Workshop = DEFAULT
+
+    @classmethod
+    def showing(cls, state: int | str | None, workshop: Workshop = DEFAULT) -> Self:
+        """Settings with one state for all formats; None for the one that each shows by itself."""
+        if state is None:
+            return cls(workshop=workshop)
+        return cls(state, state, workshop)
 
 
 DEFAULT_SETTINGS = Settings()

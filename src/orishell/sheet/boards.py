@@ -173,7 +173,7 @@ def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:
     corners
         Corners (F, 4, 3) of the panels.
     flat
-        The same in the flat sheet.
+        The same (F, 4, 3) in the flat sheet.
     """
     first = ((flat[:, 2:] - flat[:, :2]) ** 2).sum(axis=-1).argmax(axis=1)
     panel = np.arange(len(corners))
