@@ -39,7 +39,8 @@ def all_boards(document: Document, *, clipped: bool = True) -> list[tuple[str, f
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
 def test_build123d_reads_every_board(construction: Construction, tmp_path: Path) -> None:
     require_build123d()
-    document = board_document("orthodiagonal", construction)
+    origin = np.array([0.0, 0.0, 0.25])
+    document = replace(board_document("orthodiagonal", construction), origin=origin)
     write_step(tmp_path / "shell-target.step", document, Settings())
     assert {path.name for path in tmp_path.iterdir()} == {"shell-target.step", "shell-flat.step"}
     expected = all_boards(document)
@@ -63,6 +64,7 @@ def test_build123d_reads_every_board(construction: Construction, tmp_path: Path)
     outlines = np.concatenate(
         [each.boards_in(each.shell).reshape(-1, 3) for each in (document, *document.clipped)]
     )
+    outlines += origin
     np.testing.assert_allclose([*target.min], 1000 * outlines.min(axis=0), atol=1e-3)
     np.testing.assert_allclose([*target.max], 1000 * outlines.max(axis=0), atol=1e-3)
 

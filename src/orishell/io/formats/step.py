@@ -43,8 +43,11 @@ def write_step(path: Path, document: Document, settings: Settings) -> None:
     for name in (SHELL, FLAT, "pack"):
         if name in document.named or name in {SHELL, FLAT}:
             file = path if name == SHELL else path.with_name(f"{stem}-{name}{path.suffix}")
-            solids = solids_lying(document) if name == FLAT else solids_in(document, name)
-            _write(file, document, solids, np.zeros(3) if name == FLAT else document.nearby)
+            if name == FLAT:
+                _write(file, document, solids_lying(document), np.zeros(3), "")
+            else:
+                moved = document.origin - document.nearby
+                _write(file, document, solids_in(document, name), moved, _about(document))
 
 
 def build123d_is_there() -> bool:
@@ -52,13 +55,19 @@ def build123d_is_there() -> bool:
     return find_spec("build123d") is not None
 
 
-def _write(file: Path, document: Document, solids: tuple[Solids, ...], nearby: Array) -> None:
-    """Write boards; ``nearby`` (3,) is the point of the world that coordinates are about."""
+def _about(document: Document) -> str:
+    """In words, the point that coordinates are about; nothing for the world's origin."""
+    nearby = conversion(document.require_unit(), "mm") * document.nearby + 0.0
+    return " about ({:g}, {:g}, {:g}) mm".format(*nearby) if nearby.any() else ""
+
+
+def _write(
+    file: Path, document: Document, solids: tuple[Solids, ...], moved: Array, about: str
+) -> None:
+    """Write boards that are moved (3,), in millimetres."""
     from build123d import Compound, export_step
 
     scale = conversion(document.require_unit(), "mm")
-    moved = document.origin - nearby if nearby.any() else np.zeros(3)
-    about = " about ({:g}, {:g}, {:g}) mm".format(*(scale * nearby + 0.0)) if nearby.any() else ""
     title = f"{' '.join(document.title.split())}{about}".encode("ascii", "replace").decode()
     made = [
         _solid(corners.reshape(-1, 3), _polygons(places, len(corners)), name)
