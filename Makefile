@@ -6,6 +6,7 @@
 # make studio  builds and starts the studio
 # make docs    the documentation, into build/docs/
 # make paper   the paper's figures and numbers beside ours, into build/paper/
+# make cad     build123d for STEP and the tests that ask it, 0.7 GB
 # make node    other people's software for the tests that ask it, into build/node (node, npm)
 
 PYTHON ?= python3
@@ -17,7 +18,7 @@ PARALLEL := --numprocesses logical --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test docs paper pages test-pages studio node quick bench lint types contracts check format clean
+.PHONY: demo test docs paper pages test-pages studio cad node quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -45,6 +46,8 @@ docs: $(VENV)/.docs
 
 paper: $(VENV)/.run
 	$(BIN)/python examples/paper.py build/paper
+
+cad: $(VENV)/.cad
 
 node: $(NODE)/.installed
 
@@ -99,6 +102,11 @@ $(PAGES): $(FRONTEND)
 $(VENV)/.test: $(VENV)/.run
 	@echo "installing into $(VENV) ..."
 	@$(PIP) --editable ".[test]"
+	@touch $@
+
+$(VENV)/.cad: $(VENV)/.test
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable ".[test,cad]"
 	@touch $@
 
 $(VENV)/.docs: $(VENV)/.studio

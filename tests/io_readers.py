@@ -19,6 +19,7 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import NDArray
 
+from cad_tools import objects_of, read_3mf
 from orishell.io import read_fold
 
 Array = NDArray[np.float64]
@@ -200,6 +201,18 @@ def rhino(path: Path) -> Content:
     return Content(metres, np.array(space), lengths=lengths)
 
 
+def step(path: Path) -> Content:
+    from build123d import import_step
+
+    corners = import_step(path).vertices()
+    return Content(1e-3, np.array([(corner.X, corner.Y, corner.Z) for corner in corners]))
+
+
+def threemf(path: Path) -> Content:
+    meshes = [each.GetVertices() for each in objects_of(read_3mf(path))]
+    return Content(1e-3, np.array([tuple(point.Coordinates) for mesh in meshes for point in mesh]))
+
+
 def tables(path: Path) -> Content:
     with path.open(newline="") as file:
         heads, *rows = list(csv.reader(file))
@@ -242,6 +255,8 @@ READERS: dict[str, Callable[[Path], Content]] = {
     "ply": ply,
     "glb": glb,
     "3dm": rhino,
+    "step": step,
+    "3mf": threemf,
     "vtu": vtu,
     "csv": tables,
     "html": html,

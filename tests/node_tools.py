@@ -67,8 +67,8 @@ def _installed(name: str) -> str | None:
     return json.loads(manifest.read_text())["version"] if manifest.is_file() else None
 
 
-def lacking(what: str) -> NoReturn:
+def lacking(what: str, required: str = REQUIRED) -> NoReturn:
     """End a test that lacks something: skipped, or failed where the environment requires it."""
-    if os.environ.get(REQUIRED) == "1":
-        pytest.fail(f"{REQUIRED}=1, but {what}", pytrace=False)
+    if os.environ.get(required) == "1":
+        pytest.fail(f"{required}=1, but {what}", pytrace=False)
     pytest.skip(what)

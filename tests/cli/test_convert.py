@@ -9,12 +9,15 @@ import pytest
 
 from command_line import orishell, orishell_process
 from documents import demo_document, folded_only
+from orishell.design_file import starter_file
 from orishell.io import write_fold
 from orishell.io.all_formats import FORMATS, find_formats
+from orishell.io.formats import step
 from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
-FILES = {each.file for each in FORMATS if each.ready()}
+SHEETS = [each for each in FORMATS if not each.solid]
+FILES = {each.file for each in SHEETS if each.ready()}
 
 
 @pytest.fixture(scope="module")
@@ -29,6 +32,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_write_all(written: Path) -> None:
     names = {path.name for path in written.iterdir()}
+    assert not [each.file for each in FORMATS if each.solid and each.file in names]
     assert FILES | {"report.json", "overview.png", "deviation.png", "creases.csv"} <= names
     # 25 frames
     assert {f"shell-{number:04d}.vtu" for number in range(25)} <= names
@@ -36,7 +40,7 @@ def test_write_all(written: Path) -> None:
     assert (written / "notes.txt").read_text() == "mine"
 
 
-@pytest.mark.parametrize("name", [each.name for each in FORMATS if each.name != "html"])
+@pytest.mark.parametrize("name", [each.name for each in SHEETS if each.name != "html"])
 def test_convert_writes_what_design_writes(name: str, written: Path, tmp_path: Path) -> None:
     (format_,) = find_formats([name])
     done = orishell("convert", written / "shell.fold", format_.file, cwd=tmp_path)
@@ -82,6 +86,7 @@ def test_quantities_are_those_of_the_tables(written: Path) -> None:
         (("shell.fold", "shell.fold/x.obj"), "is a file"),
         (("shell.fold", "taken.obj"), "a directory is in the way"),
         (("folded.fold", "flat.dxf"), "no flat sheet"),
+        (("shell.fold", "shell.3mf"), "[panel] thickness: panels have no thickness"),
         (("miura.fold", "flat.dxf"), "--unit says which it is."),
         (("miura.fold", "solid.glb"), "--unit says which it is."),
     ],
@@ -116,6 +121,39 @@ def test_unknown_formats_are_refused_before_any_work(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "'dwg'" in done.stderr
     assert not list(tmp_path.iterdir())
+
+
+THICK = """
+[deployment]
+flap_attachment = "clipped"
+
+[panel]
+thickness = 0.01
+membrane = 0.001
+"""
+
+
+def test_solids_of_thick_panels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With them "all" means 3MF, and STEP where build123d is; who names STEP is told at once."""
+    monkeypatch.setattr(step, "find_spec", lambda name: None)
+    (tmp_path / "thick.toml").write_text(starter_file("orthodiagonal") + THICK)
+    command = ("design", "thick.toml", "--out", "out", "--no-clash-test", "--write")
+    done = orishell(*command, "step", cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr == (
+        "orishell: --write: STEP needs the library build123d, which is not installed. "
+        'Remedy: pip install "orishell[cad]".\n'
+    )
+    assert not (tmp_path / "out").exists()
+    done = orishell(*command, "all", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    warning = 'warning: shell-target.step is not written: pip install "orishell[cad]"'
+    assert warning in done.stderr
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert "shell.3mf" in names
+    assert not [name for name in names if name.endswith(".step")]
+    obj = (tmp_path / "out" / "shell.obj").read_text()
+    assert "\ng 0,0_top\n" in obj
 
 
 def test_a_full_disk_leaves_no_half_file(tmp_path: Path) -> None:

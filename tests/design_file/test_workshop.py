@@ -42,6 +42,7 @@ def test_all_keys(tmp_path: Path) -> None:
     joint_width = 0.03
     paper = "A3"
     paper_scale = 0.1
+    model_scale = 0.05
     areal_density = 1.4
     """
     settings = read(tmp_path, text)

@@ -11,21 +11,24 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from documents import EXAMPLES, FAMILIES, demo_document
+from cad_tools import REQUIRED as CAD
+from documents import EXAMPLES, FAMILIES, board_document, demo_document
 from io_readers import READERS
+from node_tools import REQUIRED as NODE
 from node_tools import lacking
-from orishell.document import LARGEST, Document
+from orishell.document import LARGEST, SHELL, Document
 from orishell.errors import InputError
 from orishell.io import Settings, document_of_fold, read_fold, write_fold
-from orishell.io.all_formats import FORMATS, find_formats, format_of
+from orishell.io.all_formats import FORMATS, find_formats, format_of, formats_for
 from orishell.io.format import Format
 from orishell.io.registry import ALL, MODULES
+from orishell.io.solids import solids_in
 
 Array = NDArray[np.float64]
 
 METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "ft": 0.3048}
-SINGLE = {"glb", "stl", "3dm", "html"}
-"""Formats whose coordinates are single precision."""
+SINGLE = {"glb", "stl", "3dm", "html", "3mf", "step"}
+"""Formats whose coordinates are single precision, or about as exact."""
 
 
 def in_unit(document: Document, unit: str) -> Document:
@@ -39,6 +42,11 @@ def farthest(points: Array, others: Array) -> float:
     return float(away.min(axis=1).max())
 
 
+def corners(document: Document) -> Array:
+    """Corners (k, 3) of all boards at the target."""
+    return np.concatenate([each.corners.reshape(-1, 3) for each in solids_in(document, SHELL)])
+
+
 @pytest.mark.parametrize("format_", FORMATS, ids=lambda each: each.name)
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("unit", ["m", "in"])
@@ -46,11 +54,11 @@ def test_what_is_written_is_read_back(
     format_: Format, family: str, unit: str, tmp_path: Path
 ) -> None:
     if not format_.ready():
-        lacking("the viewer has not been built: make pages")
-    document = in_unit(demo_document(family), unit)
+        lacking(f"{format_.missing}: {format_.remedy}", CAD if format_.solid else NODE)
+    document = in_unit((board_document if format_.solid else demo_document)(family), unit)
     assert document.flat is not None
     path = tmp_path / format_.file
-    format_.write(path, document, Settings())
+    format_.write(path, document, Settings(print_state="target"))
     content = READERS[format_.name](path)
     scale = 1.0
     if content.metres is not None:
@@ -59,6 +67,8 @@ def test_what_is_written_is_read_back(
     if content.space is not None:
         precision = 1e-6 if format_.name in SINGLE else 1e-12
         there, here = scale * content.space, document.shell.positions
+        if format_.solid:  # corners of boards, up to the place where they are printed
+            there, here = (each - each.min(axis=0) for each in (there, corners(document)))
         assert farthest(there, here) < precision * size
         assert farthest(here, there) < precision * size
     if content.plane is not None and format_.name != "origami-simulator":
@@ -143,6 +153,21 @@ def test_names_and_endings() -> None:
     for path in ("b.dwg", "b", ".svg"):
         with pytest.raises(InputError, match="no format has this ending"):
             format_of(Path(path))
+
+
+def test_all_means_solids_only_where_panels_have_a_thickness() -> None:
+    thin, thick = demo_document("orthodiagonal"), board_document("orthodiagonal")
+    solid = {each.name for each in FORMATS if each.solid}
+    assert solid == {"step", "3mf"}
+    chosen, missing = formats_for([ALL], thin)
+    assert solid.isdisjoint(each.name for each in (*chosen, *missing))
+    chosen, missing = formats_for([ALL], thick)
+    assert {*chosen, *missing} == set(FORMATS)
+    assert all(each.ready() for each in chosen)
+    assert not any(each.ready() for each in missing)
+    # Who names one gets it, or learns why not.
+    assert "3mf" in {each.name for each in formats_for(["3mf", ALL], thin)[0]}
+    assert [each.name for each in formats_for(["", "3mf"], thin)[0]] == ["3mf"]
 
 
 def test_what_no_format_holds_is_refused() -> None:

@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import json
 import struct
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from documents import FAMILIES, demo_document
+from documents import FAMILIES, board_document, demo_document
 from node_tools import ask_node
 from orishell.io.formats.gltf import write_gltf
 from orishell.io.settings import DEFAULT_SETTINGS
 
+DOCUMENTS = {
+    **{family: partial(demo_document, family) for family in FAMILIES},
+    "sandwich": partial(board_document, "orthodiagonal", "sandwich"),
+    "bevel": partial(board_document, "orthodiagonal", "bevel"),
+}
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_no_errors_and_no_warnings(tmp_path: Path, family: str) -> None:
-    document = demo_document(family)
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_no_errors_and_no_warnings(tmp_path: Path, name: str) -> None:
+    document = DOCUMENTS[name]()
     write_gltf(tmp_path / "shell.glb", document, DEFAULT_SETTINGS)
     report = ask_node("validate_gltf.cjs", {"path": str(tmp_path / "shell.glb")})
     assert report["mimeType"] == "model/gltf-binary"

@@ -16,7 +16,7 @@ from orishell.errors import InputError
 def convert(
     file: Annotated[Path, typer.Argument(help="The FOLD file to convert.")],
     out: Annotated[Path, typer.Argument(help="The file to write; its ending names the format.")],
-    state: Annotated[str, typer.Option(help=STATE_HELP)] = "target",
+    state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
     workshop: Annotated[
         Path | None,
         typer.Option(help=r"A TOML file with a table \[workshop], for instance a design file."),
@@ -39,9 +39,8 @@ def convert(
             got=repr(unit),
             expected="one of " + ", ".join(MILLIMETRES),
         )
-    settings = Settings(
-        state=state_named(state),
-        workshop=DEFAULT if workshop is None else read_workshop(workshop),
+    settings = Settings.showing(
+        state_named(state), DEFAULT if workshop is None else read_workshop(workshop)
     )
     try:
         written = convert_fold(file, out, settings, unit)

@@ -15,7 +15,6 @@ from orishell.cli.summary import summarize
 from orishell.errors import ClashError, InputError
 
 if TYPE_CHECKING:
-    from orishell.io.format import Format
     from orishell.shell.make import ClashPolicy
 
 
@@ -39,22 +38,17 @@ def design(
         typer.Option("--no-clash-test", help="Do not look for contact (for very fine sheets)."),
     ] = False,
     write: Annotated[str, typer.Option(help=WRITE_HELP)] = "",
-    state: Annotated[str, typer.Option(help=STATE_HELP)] = "target",
+    state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
 ) -> None:
     """Design a shell, verify its motion, write shell.fold, report.json and pictures."""
     from orishell.io import OutputDirectory, Settings
-    from orishell.io.all_formats import FORMATS
-    from orishell.io.formats.html import BUILD_PAGES
-    from orishell.io.registry import ALL
+    from orishell.io.all_formats import formats_for
     from orishell.shell.export import write_shell
     from orishell.shell.make import design_shell
 
     OutputDirectory(out).require_usable()
-    formats, number = _formats(write), state_named(state)
-    if ALL in write.split(","):
-        for each in FORMATS:
-            if each not in formats:
-                say(f"orishell: warning: {each.file} is not written: {BUILD_PAGES}", err=True)
+    _require_formats(write)
+    shown = state_named(state)
     clash: ClashPolicy = "unexamined" if no_clash_test else "allowed" if allow_clash else "refused"
     with bar() as progress:
         try:
@@ -64,10 +58,13 @@ def design(
             raise
     for warning in shell.report.warnings:
         say(f"orishell: warning: {warning}", err=True)
-    settings = Settings(state=number, workshop=shell.file.workshop)
+    chosen, missing = formats_for(write.split(","), shell.document)
+    for each in missing:
+        say(f"orishell: warning: {each.file} is not written: {each.remedy}", err=True)
+    settings = Settings.showing(shown, shell.file.workshop)
     earlier = OutputDirectory(out).of_earlier_run()
     with bar() as progress:
-        written = write_shell(shell, out, formats, settings, progress)
+        written = write_shell(shell, out, chosen, settings, progress)
     if json_report:
         say(json.dumps({**shell.report.as_dict(), "seconds": shell.seconds}, indent=2))
     else:
@@ -75,10 +72,12 @@ def design(
         say("\n".join(summarize(shell, written, removed)))
 
 
-def _formats(names: str) -> tuple[Format, ...]:
+def _require_formats(names: str) -> None:
+    """Refuse unknown formats, and named ones that cannot be written here, before any work."""
     from orishell.io.all_formats import find_formats
 
     try:
-        return find_formats(name for name in names.split(",") if name.strip())
+        for each in find_formats(names.split(",")):
+            each.require_ready()
     except InputError as error:
         raise error.located("--write:") from None

@@ -13,7 +13,10 @@ from orishell.io.registry import ALL, MODULES
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
 
 STATES = ("flat", "target", "pack")
-STATE_HELP = f"State for formats that show only one: {', '.join(STATES)}, or a frame's number."
+STATE_HELP = (
+    f"State for formats that show only one: {', '.join(STATES)}, or a frame's number. Without it: "
+    "target, but flat for what is printed (3mf)."
+)
 
 
 def directory(text: str) -> Path:
@@ -29,15 +32,15 @@ def directory(text: str) -> Path:
     return Path(text)
 
 
-def state_named(text: str) -> int | str:
-    """The state that ``--state`` asks for: a name or a number.
+def state_named(text: str | None) -> int | str | None:
+    """The state that ``--state`` asks for: a name or a number; None if it asks for none.
 
     Raises
     ------
     InputError
         If it is neither.
     """
-    if text in STATES:
+    if text is None or text in STATES:
         return text
     if text.isascii() and text.isdecimal() and len(text) < 10:
         return int(text)

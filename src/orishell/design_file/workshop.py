@@ -39,6 +39,7 @@ class WorkshopTable(Table):
     joint_width: Length | Auto = "auto"
     paper: Literal["A4", "A3"] = "A4"
     paper_scale: Annotated[Number, Field(gt=0, le=1)] | Auto = "auto"
+    model_scale: Annotated[Number, Field(ge=LEAST, le=MOST)] = 1.0
     areal_density: NoLength = 0.0
 
     def settings(self, directory: Path | None) -> Workshop:

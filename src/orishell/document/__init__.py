@@ -1,5 +1,5 @@
 """The document that files are written from: of a designed shell, or of any FOLD file."""
 
-from orishell.document.document import LARGEST, SHELL, Document, DocumentState, FirstContact
+from orishell.document.document import FLAT, LARGEST, SHELL, Document, DocumentState, FirstContact
 
-__all__ = ["LARGEST", "SHELL", "Document", "DocumentState", "FirstContact"]
+__all__ = ["FLAT", "LARGEST", "SHELL", "Document", "DocumentState", "FirstContact"]

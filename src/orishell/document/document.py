@@ -27,6 +27,9 @@ LARGEST = 1e36
 SHELL = "target"
 """Name of the state that is the shell as it stands."""
 
+FLAT = "flat"
+"""Name of the state that is the flat sheet."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DocumentState:
@@ -172,7 +175,7 @@ class Document:
             If there is no such state.
         """
         count = len(self.states)
-        named = {"flat": 0, SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
+        named = {FLAT: 0, SHELL: max(count - 1, 0)} | (dict(self.named) if count else {})
         number = named.get(which, count) if isinstance(which, str) else which
         if number == 0 and not count:
             return self._flat_state()

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 
+from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.format import Format
 from orishell.io.registry import ALL, MODULES
@@ -28,7 +29,7 @@ def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
     InputError
         If a name is unknown.
     """
-    asked = {name.strip().lower() for name in names}
+    asked = _asked(names)
     unknown = sorted(asked - {format_.name for format_ in FORMATS} - {ALL})
     if unknown:
         raise InputError(
@@ -41,6 +42,34 @@ def find_formats(names: Iterable[str]) -> tuple[Format, ...]:
         for format_ in FORMATS
         if format_.name in asked or (ALL in asked and format_.ready())
     )
+
+
+def formats_for(
+    names: Iterable[str], document: Document
+) -> tuple[tuple[Format, ...], tuple[Format, ...]]:
+    """The formats to write a document in, and those that "all" leaves out for want of something.
+
+    "all" means formats of solids only where panels have a thickness.
+
+    Parameters
+    ----------
+    names
+        Names of formats, in any order.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown.
+    """
+    asked = _asked(names)
+    meant = [each for each in FORMATS if document.boards is not None or not each.solid]
+    chosen = [each for each in find_formats(asked) if each.name in asked or each in meant]
+    missing = [each for each in meant if ALL in asked and each not in chosen]
+    return tuple(chosen), tuple(missing)
+
+
+def _asked(names: Iterable[str]) -> set[str]:
+    return {name.strip().lower() for name in names if name.strip()}
 
 
 def format_of(path: Path) -> Format:

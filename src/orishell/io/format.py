@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from orishell.document import Document
+from orishell.errors import InputError
 from orishell.io.settings import Settings
 
 
@@ -30,6 +31,10 @@ class Format:
         Whether it shows the surface that the shell follows, if the document has it.
     ready
         Whether what it needs is there.
+    missing, remedy
+        What is not there otherwise, in a sentence, and what to do.
+    solid
+        Whether it shows nothing but boards, so that panels must have a thickness.
     """
 
     name: str
@@ -39,3 +44,17 @@ class Format:
     write: Callable[[Path, Document, Settings], None]
     lays_surface: bool = False
     ready: Callable[[], bool] = lambda: True
+    missing: str = ""
+    remedy: str = ""
+    solid: bool = False
+
+    def require_ready(self) -> None:
+        """Refuse to go on where what it needs is missing.
+
+        Raises
+        ------
+        InputError
+            If it is.
+        """
+        if not self.ready():
+            raise InputError(self.missing, remedy=self.remedy)

@@ -18,6 +18,8 @@ MODULES = {
     "ply": "orishell.io.formats.ply",
     "glb": "orishell.io.formats.gltf",
     "3dm": "orishell.io.formats.rhino",
+    "step": "orishell.io.formats.step",
+    "3mf": "orishell.io.formats.threemf",
     "vtu": "orishell.io.formats.vtk",
     "csv": "orishell.io.formats.tables",
     "html": "orishell.io.formats.html",

@@ -148,17 +148,12 @@ def _require_room(design: Design) -> None:
     if build is None:
         return
 
-    def narrowest(build: PanelBuild) -> Room:
-        rooms = [find_room(design.mechanism, build)]
-        if design.clipped is not None:
-            rooms.append(find_room(design.clipped, build, clipped=True))
-        return min(rooms, key=lambda room: room.thickness)
-
-    room = narrowest(build)
+    sheet = design.clipped or design.mechanism
+    room = find_room(sheet, build)
     if build.thickness <= room.thickness:
         return
     place = f"at the target, {room.crease}"
-    if not room.thickness and narrowest(replace(build, gap=0.0)).thickness:
+    if not room.thickness and find_room(sheet, replace(build, gap=0.0)).thickness:
         raise wide_gap(build, place)
     earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
     raise DesignError(

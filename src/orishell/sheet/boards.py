@@ -10,6 +10,9 @@ from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.quads import unit_normals
 
+COINCIDING = 1e-6
+"""Corners of an outline that are nearer to each other than this share of the board are one."""
+
 SIDES = {1: "top", -1: "bottom", 0: "panel"}
 """What a board is called after its side."""
 
@@ -81,12 +84,12 @@ class Boards:
         Returns
         -------
         triangles
-            Corners (B, T, 3), as places among the H K corners of the board's own outlines; corners
+            Corners (B, T, 3), as places among the H K corners of the board's own outlines; those
             that coincide have one place.
         present
             Which of them (B, T) are there: the others have lost a side to corners that coincide.
         """
-        count, heights, corners = self.outlines.shape[:3]
+        heights, corners = self.outlines.shape[1:3]
         number = np.arange(heights * corners).reshape(heights, corners)
         fan = number[0, 0] + np.stack(
             [np.zeros(corners - 2, int), np.arange(1, corners - 1), np.arange(2, corners)], axis=-1
@@ -103,15 +106,61 @@ class Boards:
                 fan + (heights - 1) * corners,
             ]
         )
-        same = (self.outlines[:, :, :, None] == self.outlines[:, :, None]).all(axis=-1)
-        place = (same.argmax(axis=-1) + number[:, :1]).reshape(count, -1)
-        found = place[:, pattern]
+        found = self.places()[:, pattern]
         a, b, c = np.moveaxis(found, -1, 0)
         return found, (a != b) & (b != c) & (c != a)
+
+    def places(self) -> Integers:
+        """The first corner (B, H K) of its own outline that each corner coincides with."""
+        count, heights, corners = self.outlines.shape[:3]
+        size = np.ptp(self.outlines, axis=(1, 2)).max(axis=-1)
+        away = np.abs(self.outlines[:, :, :, None] - self.outlines[:, :, None]).max(axis=-1)
+        same = away <= COINCIDING * size[:, None, None, None]
+        first = same.argmax(axis=-1) + corners * np.arange(heights)[:, None]
+        return np.asarray(first.reshape(count, -1))
+
+    def surfaces(self, corners: Array) -> Surfaces:
+        """Closed surfaces of all boards in a state, as one mesh.
+
+        Parameters
+        ----------
+        corners
+            Corners (B, H, K, 3) of all outlines in that state, as :meth:`carried` has them.
+        """
+        found, present = self.triangles()
+        count, size = len(self), self.outlines.shape[1] * self.outlines.shape[2]
+        own = (found + size * np.arange(count)[:, None, None])[present]
+        used, triangles = np.unique(own, return_inverse=True)
+        return Surfaces(
+            vertices=corners.reshape(-1, 3)[used],
+            triangles=triangles.reshape(-1, 3),
+            boards=np.repeat(np.arange(count), present.sum(axis=1)),
+        )
 
     def _sections(self) -> Array:
         """Area (B, H) of every outline."""
         return _areas(self.outlines)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surfaces:
+    """Closed surfaces of boards as one mesh of triangles: no two boards share a vertex.
+
+    Parameters
+    ----------
+    vertices
+        Vertices (N, 3), those of a board one after the other.
+    triangles
+        Numbers (T, 3) of their corners, counter-clockwise seen from outside.
+    boards
+        The board (T,) that each triangle belongs to, ascending.
+    """
+
+    vertices: Array
+    triangles: Integers
+    boards: Integers
+
+    __repr__ = in_one_line
 
 
 def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:
@@ -124,7 +173,7 @@ def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:
     corners
         Corners (F, 4, 3) of the panels.
     flat
-        The same in the flat sheet.
+        The same (F, 4, 3) in the flat sheet.
     """
     first = ((flat[:, 2:] - flat[:, :2]) ** 2).sum(axis=-1).argmax(axis=1)
     panel = np.arange(len(corners))

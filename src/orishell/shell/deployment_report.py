@@ -219,7 +219,7 @@ def _thickness(design: Design) -> float:
 
 def _largest_thickness(design: Design) -> float | None:
     flapped, build = design.clipped or design.mechanism, design.panel or PanelBuild(0.0)
-    most = largest_thickness(flapped, build, clipped=design.clipped is not None)
+    most = largest_thickness(flapped, build)
     return most if np.isfinite(most) else None
 
 

@@ -41,8 +41,8 @@ NARROWER = (0.5, 0.1)
 """Shares of a gap that are offered."""
 
 
-def find_room(mechanism: Mechanism, build: PanelBuild, *, clipped: bool = False) -> Room:
-    """How thick the panels of a sheet may be on the way to its target.
+def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
+    """How thick the panels of a sheet with its flaps, folded or clipped on, may be at its target.
 
     Flaps whose creases fold flat carry no boards there, and are left out.
 
@@ -50,8 +50,6 @@ def find_room(mechanism: Mechanism, build: PanelBuild, *, clipped: bool = False)
     ----------
     build
         What they are made of: how much set-backs may take, and the gap.
-    clipped
-        Look at the flaps only, and at what they take between rows: they are clipped on.
     """
     grid, flat = mechanism.grid, mechanism.positions(0.0)
     folds = largest_folds(mechanism, mechanism.target_drive)
@@ -60,8 +58,6 @@ def find_room(mechanism: Mechanism, build: PanelBuild, *, clipped: bool = False)
     )
     heights[bare_faces(folds, grid, mechanism.flap_columns)] = np.inf
     of_flaps = np.isin(np.arange(grid.panel_count) % (grid.columns - 1), mechanism.flap_columns)
-    if clipped:
-        heights[:, ~of_flaps] = heights[..., 0] = np.inf
     _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
     most = 2 * float(heights.min())
     if not np.isfinite(most):

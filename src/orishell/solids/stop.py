@@ -64,7 +64,7 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
     return _angle(bisect_integers(works, good, 0))
 
 
-def largest_thickness(mechanism: Mechanism, build: PanelBuild, *, clipped: bool = False) -> float:
+def largest_thickness(mechanism: Mechanism, build: PanelBuild) -> float:
     """The largest thickness of panels, with whatever stop leaves their flaps most room (length).
 
     Infinite where no crease folds.
@@ -75,11 +75,8 @@ def largest_thickness(mechanism: Mechanism, build: PanelBuild, *, clipped: bool 
         The sheet with its flaps, if it has any.
     build
         What its panels are made of; with a stop of 0 flaps carry no boards.
-    clipped
-        Flaps are clipped on, and do not fold against the panels beside them.
     """
-    rest = mechanism.without_flaps() if clipped else mechanism.with_stop(0.0)
-    most = find_room(rest, build).thickness
+    most = find_room(mechanism.with_stop(0.0), build).thickness
     if not mechanism.flap_columns or build.stop == 0:
         return most
     return min(most, 2 * _most(mechanism, _last(mechanism), build))

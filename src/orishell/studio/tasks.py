@@ -19,7 +19,6 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import Curve, trace_curve
 from orishell.design_file import DesignFile, check_design
-from orishell.document import SHELL
 from orishell.errors import ClashError, InputError, OrishellError
 from orishell.io import Settings
 from orishell.io.all_formats import find_formats
@@ -182,7 +181,7 @@ class Task:
         (format_,) = formats
         file = self._design()
         shell = make_shell(file, self.progress, clash="allowed")
-        settings = Settings(state=_state(self.payload.get("state")), workshop=file.workshop)
+        settings = Settings.showing(_state(self.payload.get("state")), file.workshop)
         with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
             write_format(shell, format_, Path(directory), settings)
             paths = sorted(Path(directory).iterdir())
@@ -250,9 +249,7 @@ def _sampled(curve: Curve, name: str) -> Drawn:
     return [(float(x), float(y)) for x, y in points]
 
 
-def _state(value: object) -> int | str:
-    if value is None:
-        return SHELL
-    if isinstance(value, int | str) and not isinstance(value, bool):
+def _state(value: object) -> int | str | None:
+    if value is None or (isinstance(value, int | str) and not isinstance(value, bool)):
         return value
     raise InputError("there is no such state", where="state", got=repr(value))

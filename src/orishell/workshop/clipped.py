@@ -33,7 +33,7 @@ def with_clipped(document: Document) -> Document:
     if not document.clipped:
         return document
     pieces = (document, *document.clipped)
-    flats = [document.require_flat(), *_moved_apart(document)]
+    flats = [document.require_flat(), *lying_beside(document)]
     first = np.cumsum([0, *map(len, flats)])
 
     def numbered(arrays: Iterable[Integers]) -> Integers:
@@ -58,7 +58,7 @@ def with_clipped(document: Document) -> Document:
     )
 
 
-def _moved_apart(document: Document) -> Iterator[Array]:
+def lying_beside(document: Document) -> Iterator[Array]:
     """The flat vertices (V, 2) of each board, moved outwards until it has a gap around it."""
     from shapely import Polygon
     from shapely.affinity import translate

@@ -50,6 +50,8 @@ class Workshop:
         Size of the paper that ``pattern.pdf`` is tiled over.
     paper_scale
         Size of the paper model relative to the sheet.
+    model_scale
+        Size of a printed model relative to the shell.
     areal_density
         Mass of the sheet in kilograms per square metre; 0 if not known.
     """
@@ -69,6 +71,7 @@ class Workshop:
     joint_width: float | Auto = "auto"
     paper: Paper = "A4"
     paper_scale: float | Auto = "auto"
+    model_scale: float = 1.0
     areal_density: float = 0.0
 
 

@@ -91,8 +91,8 @@ def all_solutions(degrees: Sequence[float]) -> list[tuple[str, Angles]]:
     a1, b1, g1, d1 = first
     found = []
     for version in ("cosine", "sine"):
-        rising = eliminated(first, version)[::-1]
-        for root in mpmath.polyroots(rising, maxsteps=500, extraprec=200, asc=True):
+        falling = eliminated(first, version)
+        for root in mpmath.polyroots(falling, maxsteps=500, extraprec=200):
             if abs(mp.im(root)) > REAL * (1 + abs(root)):
                 continue
             d2 = mp.atan2(1, mp.re(root))

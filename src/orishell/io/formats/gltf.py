@@ -3,29 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from orishell.conventions.colours import MEANINGS, linear_rgb
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.io.format import Format
+from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles
 from orishell.io.poses import find_frames, longer_diagonals, quaternions
 from orishell.io.settings import Settings
 from orishell.io.triangles import TRIANGLES, find_splits
-from orishell.numerics.arrays import Array, Integers
-
-Singles = NDArray[np.float32]
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""
-_FLOAT, _SHORT = 5126, 5123
 _LINES = 1
-_VERTICES, _INDICES = 34962, 34963
 _JSON, _BINARY = b"JSON", b"BIN\0"
 _TURNED = [0, 2, 1], [1.0, 1.0, -1.0]
 
@@ -41,6 +36,9 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     neighbours part by less than s²L/8 if their diagonals are L long and they turn by s radians
     from one state to the next: some thousandths of L with 13 states, a quarter of that with 25.
     A panel must turn by less than 180 degrees from state to state.
+
+    Where panels have a thickness their nodes carry their boards, closed and with flat faces; the
+    panel itself is the membrane between two boards, and left out where it is one solid.
 
     Edges are lines in the colours of mountains and valleys (``conventions.colours``), each with the
     panel on one side of it.
@@ -63,11 +61,19 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     import orjson
 
     scale, nearby = conversion(document.require_unit(), "m"), document.nearby
-    rest = _corners(document, document.state(settings.state).positions, nearby, scale)
+    state = document.state(settings.state)
+    rest = _corners(document, state.positions, nearby, scale)
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
     inks = _inks(document)
-    buffers = _Buffers()
+    buffers = Buffers()
+    meshes = _meshes(
+        buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks, _shown(document)
+    )
+    if document.boards is not None:
+        solids, panels = document.boards_in(state), document.boards.panels
+        away = _moved(document, solids, nearby, scale) - origins[panels, None, None]
+        _add_boards(buffers, meshes, document, away @ axes[panels, None])
     content = {
         "asset": {
             "version": "2.0",
@@ -77,7 +83,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         "scene": 0,
         "scenes": [{"name": document.title, "nodes": [0]}],
         "nodes": _nodes(document, _turned(nearby) * scale, origins, axes),
-        "meshes": _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks),
+        "meshes": meshes,
         "materials": [_material("panel-front"), *map(_material, inks)],
     }
     if len(document.states) > 1:
@@ -87,56 +93,6 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     chunks = _chunk(_JSON, text, b" ") + _chunk(_BINARY, b"".join(buffers.parts), b"\0")
     header = b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little")
     path.write_bytes(header + chunks)
-
-
-@dataclass(slots=True)
-class _Buffers:
-    """The binary part of the file and the tables that say what lies where in it."""
-
-    parts: list[bytes] = field(default_factory=list)
-    views: list[dict[str, Any]] = field(default_factory=list)
-    accessors: list[dict[str, Any]] = field(default_factory=list)
-
-    def add(self, array: NDArray[Any], kind: str, **view: int) -> int:
-        """Store arrays (K, count) or (K, count, width), one accessor each, in one view.
-
-        Returns the number of the first accessor.
-        """
-        data = array.tobytes()
-        begin = sum(len(part) for part in self.parts)
-        self.parts.append(data + bytes(-len(data) % 4))
-        component = _FLOAT if array.dtype == np.float32 else _SHORT
-        first, size = len(self.accessors), len(data) // len(array)
-        self.accessors += [
-            {
-                "bufferView": len(self.views),
-                "byteOffset": number * size,
-                "componentType": component,
-                "count": array.shape[1],
-                "type": kind,
-            }
-            for number in range(len(array))
-        ]
-        self.views.append({"buffer": 0, "byteOffset": begin, "byteLength": len(data), **view})
-        return first
-
-    def add_bounded(self, array: Singles, kind: str, **view: int) -> int:
-        """As :meth:`add`, with the smallest and largest value, as positions and times must."""
-        first = self.add(array, kind, **view)
-        for accessor, low, high in zip(
-            self.accessors[first:], array.min(axis=1), array.max(axis=1), strict=True
-        ):
-            accessor["min"], accessor["max"] = np.atleast_1d(low), np.atleast_1d(high)
-        return first
-
-    def described(self) -> dict[str, Any]:
-        """The tables, as the JSON part has them."""
-        size = sum(len(part) for part in self.parts)
-        return {
-            "accessors": self.accessors,
-            "bufferViews": self.views,
-            "buffers": [{"byteLength": size}],
-        }
 
 
 def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> list[dict[str, Any]]:
@@ -184,28 +140,29 @@ def _inks(document: Document) -> dict[str, Integers]:
 
 
 def _meshes(
-    buffers: _Buffers, local: Array, splits: Integers, inks: dict[str, Integers]
+    buffers: Buffers, local: Array, splits: Integers, inks: dict[str, Integers], shown: Booleans
 ) -> list[dict[str, Any]]:
-    """One mesh for each panel with corners (F, 4, 3) in its own frame: its area and its lines."""
-    corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=_VERTICES, byteStride=12)
-    upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
-    normals = buffers.add(upright, "VEC3", target=_VERTICES, byteStride=12)
-    used = np.unique(splits)
-    triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
-    first = buffers.add(triangles, "SCALAR", target=_INDICES)
-    indices = (first + np.searchsorted(used, splits)).tolist()
-    meshes: list[dict[str, Any]] = [
-        {
-            "primitives": [
+    """One mesh for each panel with corners (F, 4, 3) in its own frame: its area and its lines.
+
+    ``shown`` (F,) says whose area is there.
+    """
+    corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=VERTICES, byteStride=12)
+    meshes: list[dict[str, Any]] = [{"primitives": []} for _ in local]
+    if shown.any():
+        upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
+        normals = buffers.add(upright, "VEC3", target=VERTICES, byteStride=12)
+        used = np.unique(splits[shown])
+        triangles = TRIANGLES[used].reshape(len(used), 6).astype(np.uint16)
+        first = buffers.add(triangles, "SCALAR", target=INDICES)
+        indices = first + np.searchsorted(used, splits)
+        for panel in np.flatnonzero(shown).tolist():
+            meshes[panel]["primitives"].append(
                 {
                     "attributes": {"POSITION": corners + panel, "NORMAL": normals},
-                    "indices": index,
+                    "indices": int(indices[panel]),
                     "material": 0,
                 }
-            ]
-        }
-        for panel, index in enumerate(indices)
-    ]
+            )
     sides = np.stack([np.arange(4), (np.arange(4) + 1) % 4], axis=1).astype(np.uint16)
     shared: dict[int, int] = {}
     for material, drawn in enumerate(inks.values(), start=1):
@@ -213,7 +170,7 @@ def _meshes(
             which = int(drawn[panel])
             if which not in shared:
                 ends = sides[[side for side in range(4) if which >> side & 1]].reshape(1, -1)
-                shared[which] = buffers.add(ends, "SCALAR", target=_INDICES)
+                shared[which] = buffers.add(ends, "SCALAR", target=INDICES)
             meshes[panel]["primitives"].append(
                 {
                     "attributes": {"POSITION": corners + panel},
@@ -225,8 +182,32 @@ def _meshes(
     return meshes
 
 
+def _shown(document: Document) -> Booleans:
+    """Panels (F,) whose area is seen: all but those that are one solid."""
+    shown = np.ones(len(document.mesh.faces), dtype=bool)
+    if document.boards is not None:
+        shown[document.boards.panels[document.boards.sides == 0]] = False
+    return shown
+
+
+def _add_boards(
+    buffers: Buffers, meshes: list[dict[str, Any]], document: Document, local: Array
+) -> None:
+    """Give panels their boards, whose corners (B, H, K, 3) are in the panels' own frames."""
+    assert document.boards is not None
+    panels = document.boards.panels
+    found, present = document.boards.triangles()
+    places = np.arange(len(panels))[:, None, None]
+    triangles = local.reshape(len(panels), -1, 3)[places, found]
+    accessors = buffers.add_solids(triangles, present)
+    for panel, (corners, normals) in zip(panels.tolist(), accessors.tolist(), strict=True):
+        meshes[panel]["primitives"].append(
+            {"attributes": {"POSITION": corners, "NORMAL": normals}, "material": 0}
+        )
+
+
 def _animation(
-    buffers: _Buffers, document: Document, nearby: Array, scale: float, along: Integers
+    buffers: Buffers, document: Document, nearby: Array, scale: float, along: Integers
 ) -> dict[str, Any]:
     """Keys of all panels at all states."""
     origins: list[Array] = []
@@ -276,8 +257,12 @@ def _times(drives: Sequence[float | None]) -> Singles:
 
 def _corners(document: Document, positions: Array, nearby: Array, scale: float) -> Array:
     """Corners (F, 4, 3) of the panels about a point (3,) of the world, in metres, y up."""
-    about = positions + (document.origin - nearby)
-    return np.asarray(_turned(about) * scale + 0.0)[document.mesh.faces]
+    return _moved(document, positions, nearby, scale)[document.mesh.faces]
+
+
+def _moved(document: Document, points: Array, nearby: Array, scale: float) -> Array:
+    """Points (..., 3) about a point (3,) of the world, in metres, y up."""
+    return np.asarray(_turned(points + (document.origin - nearby)) * scale + 0.0)
 
 
 def _turned(points: Array) -> Array:

@@ -17,6 +17,8 @@ from orishell.io.view import dump_view
 VIEWER = files("orishell.io").joinpath("pages", "viewer.js")
 """The viewer, once it is built."""
 
+NOT_BUILT = "the viewer has not been built"
+
 BUILD_PAGES = (
     "install a wheel of orishell that has the pages; in its sources, `npm run pages` in "
     "frontend/ builds them (Node.js 18 or newer)"
@@ -88,7 +90,7 @@ def read_viewer() -> str:
     """
     if not viewer_is_built():
         raise InputError(
-            "the viewer has not been built",
+            NOT_BUILT,
             remedy=BUILD_PAGES,
         )
     return VIEWER.read_text(encoding="utf-8")
@@ -113,4 +115,6 @@ FORMAT = Format(
     write_html,
     lays_surface=True,
     ready=viewer_is_built,
+    missing=NOT_BUILT,
+    remedy=BUILD_PAGES,
 )

@@ -10,6 +10,7 @@ import numpy as np
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.settings import Settings
+from orishell.io.solids import mesh_of, solids_in
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -20,6 +21,9 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     Coordinates are in the document's unit, which a comment names (OBJ has no place for it), and
     have all their digits. A grid has one group for each row of panels, any other sheet one group.
     At the target each board that is clipped on there is a group of its own, after the sheet.
+
+    Where panels have a thickness each of their boards is a group of triangles, a closed surface
+    called by panel and side, as in "3,12_top".
     Without smoothing (``s off``) creases stay sharp.
 
     Parameters
@@ -32,18 +36,36 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no such state.
     """
-    state = document.state(settings.state)
+    write = _sheet if document.boards is None else _solids
+    content = "".join(write(document, settings.state))
     with path.open("w", encoding="utf-8", newline="\n") as file:
         file.write(f"# {' '.join(document.title.split())}\n# Unit: {document.unit}. Up: y.\n")
-        file.writelines(_vertices(document.in_world(state.positions)))
-        file.write("s off\n")
-        file.writelines(_panels(document))
-        first = 1 + len(state.positions)
-        for number, board in enumerate(document.clipped_at(settings.state), 1):
-            file.writelines(_vertices(document.in_world(board.shell.positions)))
-            file.write(f"g board_{number}\n")
-            file.writelines(_faces(board.mesh.faces + first))
-            first += board.mesh.vertex_count
+        file.write(content)
+
+
+def _sheet(document: Document, which: int | str) -> Iterator[str]:
+    """Panels of the sheet, and of the flaps that are clipped on."""
+    positions = document.state(which).positions
+    yield from _vertices(document.in_world(positions))
+    yield "s off\n"
+    yield from _panels(document)
+    first = 1 + len(positions)
+    for number, board in enumerate(document.clipped_at(which), 1):
+        yield from _vertices(document.in_world(board.shell.positions))
+        yield f"g board_{number}\n"
+        yield from _faces(board.mesh.faces + first)
+        first += board.mesh.vertex_count
+
+
+def _solids(document: Document, which: int | str) -> Iterator[str]:
+    """Boards as closed surfaces."""
+    mesh = mesh_of(solids_in(document, which))
+    yield from _vertices(document.in_world(mesh.vertices))
+    yield "s off\n"
+    ends = mesh.first_triangle.tolist()
+    for name, begin, end in zip(mesh.names, ends, ends[1:], strict=False):
+        yield f"g {name.replace(' ', '_')}\n"
+        yield from _faces(mesh.triangles[begin:end] + 1)
 
 
 def _vertices(positions: Array) -> Iterator[str]:
@@ -59,7 +81,7 @@ def _panels(document: Document) -> Iterator[str]:
 
 
 def _faces(faces: Integers) -> Iterator[str]:
-    return (f"f {a} {b} {c} {d}\n" for a, b, c, d in faces.tolist())
+    return (f"f {' '.join(map(str, corners))}\n" for corners in faces.tolist())
 
 
 def _y_up(positions: Array) -> Array:

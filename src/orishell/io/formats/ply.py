@@ -9,12 +9,15 @@ import numpy as np
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.settings import Settings
-
-_FACE = np.dtype([("corner_count", "u1"), ("vertex_indices", "<i4", (4,))])
+from orishell.io.solids import mesh_of, solids_in
+from orishell.numerics.arrays import Array, Integers
 
 
 def write_ply(path: Path, document: Document, settings: Settings) -> None:
     """Write the panels of one state as quadrilaterals.
+
+    Where panels have a thickness it is the closed surfaces of their boards, as triangles; those of
+    boards that are clipped on at the target come last.
 
     The z axis is up. Coordinates are in the document's unit, which a comment names (PLY has no
     place for it), in double precision: not a bit is lost. Panels have no properties: some readers
@@ -30,9 +33,11 @@ def write_ply(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no such state.
     """
-    positions = document.in_world(document.state(settings.state).positions)
-    faces = np.empty(len(document.mesh.faces), _FACE)
-    faces["corner_count"], faces["vertex_indices"] = 4, document.mesh.faces
+    vertices, polygons = _polygons(document, settings.state)
+    positions, corners = document.in_world(vertices), polygons.shape[1]
+    kind = np.dtype([("corner_count", "u1"), ("vertex_indices", "<i4", (corners,))])
+    faces = np.empty(len(polygons), kind)
+    faces["corner_count"], faces["vertex_indices"] = corners, polygons
     lines = [
         "ply",
         "format binary_little_endian 1.0",
@@ -48,6 +53,14 @@ def write_ply(path: Path, document: Document, settings: Settings) -> None:
         file.write("".join(f"{line}\n" for line in lines).encode("ascii", "replace"))
         file.write(positions.astype("<f8").tobytes())
         file.write(faces.tobytes())
+
+
+def _polygons(document: Document, state: int | str) -> tuple[Array, Integers]:
+    """Vertices (V, 3) and the corners of faces, four of a panel or three of a board."""
+    if document.boards is None:
+        return document.state(state).positions, document.mesh.faces
+    mesh = mesh_of(solids_in(document, state))
+    return mesh.vertices, mesh.triangles
 
 
 FORMAT = Format("ply", "shell.ply", (".ply",), "one state (PLY)", write_ply)

@@ -16,7 +16,8 @@ from orishell.conventions.colours import rgb
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.numerics.arrays import Array
+from orishell.io.solids import SolidMesh, mesh_of, solids_in
+from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.quads import reflex_corners, unit_normals
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.outline import find_outlines
@@ -38,6 +39,8 @@ _MEANINGS = {
     "ENGRAVE": "unfolded",
     "mesh": "panel-front",
     "panels": "panel-front",
+    "top": "panel-front",
+    "bottom": "panel-back",
     "f": "curve-f",
     "g": "curve-g",
 }
@@ -50,6 +53,8 @@ _LETTERS = {
     "J": "ENGRAVE",
     "U": "ENGRAVE",
 }
+_SOLIDS = {1: "top", -1: "bottom", 0: "panels"}
+"""Layers of boards by their side."""
 _FIRST_ID = UUID("6f1c2c1e-3d55-8c7e-9c38-0e1a00000000")
 _FIRST_CHUNK, _CHUNK_HEAD = 32, 12
 _PROPERTIES, _HISTORY, _SHORT = 0x10000014, 0x20008021, 0x80000000
@@ -62,7 +67,9 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     Layers are "flat pattern" with CUT, MOUNTAIN, VALLEY and, if there are unfolded or unassigned
     creases, ENGRAVE; "shell" with "mesh" (one mesh, welded, double precision) and "panels" (one
     surface each, named by row and column); at the target "board 1", ... likewise for boards that
-    are clipped on there; "target" with a layer for each curve. The pattern lies at z = 0: its
+    are clipped on there. Where panels have a thickness "mesh" is the surface of the hinges; boards
+    are closed meshes, named by panel and side, on the layers "top" and "bottom", or on "panels" if
+    they are in one piece. "target" has a layer for each curve. The pattern lies at z = 0: its
     outlines are closed polylines, its creases lines with their fold angle as user text. The z axis
     is up. A panel is the bilinear surface of its corners, plane if they are; one with a corner that
     points inwards is a trimmed plane.
@@ -87,10 +94,14 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     model = _Model(document)
     if document.flat is not None:
         _add_pattern(model, with_clipped(document))
-    positions = document.state(settings.state).positions
-    _add_shell(model, document, document.in_world(positions), "shell")
-    for number, board in enumerate(document.clipped_at(settings.state), 1):
-        _add_shell(model, board, document.in_world(board.shell.positions), f"board {number}")
+    clipped = document.clipped_at(settings.state)
+    names = ["shell", *(f"board {number}" for number in range(1, len(clipped) + 1))]
+    states = [document.state(settings.state), *(flap.shell for flap in clipped)]
+    for name, piece, state in zip(names, (document, *clipped), states, strict=True):
+        _add_shell(model, piece, document.in_world(state.positions), name)
+    if document.boards is not None:
+        for name, solids in zip(names, solids_in(document, settings.state), strict=True):
+            _add_solids(model, mesh_of((solids,)), document, name)
     for name, points in document.curves.items():
         model.add(_polyline(document.in_world(points)), model.layer("target", name), name)
     options = rhino3dm.File3dmWriteOptions()
@@ -170,23 +181,36 @@ def _add_pattern(model: _Model, document: Document) -> None:
 
 
 def _add_shell(model: _Model, document: Document, positions: Array, name: str) -> None:
-    """The shell or a board of it in space as one mesh, and panel by panel."""
-    rhino3dm = _rhino3dm()
-
-    mesh = rhino3dm.Mesh()
-    mesh.Vertices.UseDoublePrecisionVertices = True
-    for point in positions.tolist():
-        mesh.Vertices.AddPoint3d(*point)
-    for face in document.mesh.faces.tolist():
-        mesh.Faces.AddFace(*face)
-    mesh.Normals.ComputeNormals()
-    model.add(mesh, model.layer(name, "mesh"), name)
+    """The shell or a flap of it in space as one mesh, and panel by panel if these are surfaces."""
+    model.add(_mesh(positions, document.mesh.faces), model.layer(name, "mesh"), name)
+    if document.boards is not None:
+        return
     corners = positions[document.mesh.faces]
     layer = model.layer(name, "panels")
     reflex: list[bool] = np.any(reflex_corners(corners), axis=1).tolist()
     for panel, (points, concave) in enumerate(zip(corners, reflex, strict=True)):
         surface = _trimmed(points) if concave else _bilinear(points)
         model.add(surface, layer, f"panel {document.panel_name(panel)}")
+
+
+def _add_solids(model: _Model, mesh: SolidMesh, document: Document, name: str) -> None:
+    """Boards as closed meshes."""
+    for side, (board, vertices, triangles) in zip(mesh.sides.tolist(), mesh.each(), strict=True):
+        shape = _mesh(document.in_world(vertices), triangles)
+        model.add(shape, model.layer(name, _SOLIDS[side]), f"panel {board}")
+
+
+def _mesh(positions: Array, faces: Integers) -> Any:
+    rhino3dm = _rhino3dm()
+
+    mesh = rhino3dm.Mesh()
+    mesh.Vertices.UseDoublePrecisionVertices = True
+    for point in positions.tolist():
+        mesh.Vertices.AddPoint3d(*point)
+    for face in faces.tolist():
+        mesh.Faces.AddFace(*face)
+    mesh.Normals.ComputeNormals()
+    return mesh
 
 
 def _bilinear(corners: Array) -> Any:

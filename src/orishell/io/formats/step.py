@@ -1,0 +1,124 @@
+"""All boards as solids in STEP, for programs of computer-aided design."""
+
+from __future__ import annotations
+
+import re
+from importlib.util import find_spec
+from itertools import count
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from orishell.conventions.units import conversion
+from orishell.document import FLAT, SHELL, Document
+from orishell.io.format import Format
+from orishell.io.settings import Settings
+from orishell.io.solids import Solids, solids_in, solids_lying
+from orishell.numerics.arrays import Array, Integers
+
+TIME: Final = "1970-01-01T00:00:00"
+"""The time that files name: the same input gives the same bytes."""
+_PART: Final = re.compile(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\()'\d+'([^;]*;)")
+
+
+def write_step(path: Path, document: Document, settings: Settings) -> None:
+    """Write every board as a solid with plane faces: the target to ``path``, the others beside it.
+
+    Beside ``shell-target.step`` are ``shell-flat.step`` and, where there is a pack,
+    ``shell-pack.step``; beside any other ``NAME.step`` they are ``NAME-flat.step`` and so on.
+    Boards are called by panel and side, as in "3,12 top". At the target those that are clipped on
+    come last; in the flat state, the flat sheet with z up, they lie beside the sheet.
+
+    Lengths are in millimetres, as the file says. Coordinates are about the document's origin or,
+    far from it, about a point beside the shell, which the file's name for all boards says.
+
+    Raises
+    ------
+    InputError
+        If panels have no thickness, the document names no unit, or build123d is not installed.
+    """
+    FORMAT.require_ready()
+    stem = path.stem.removesuffix(f"-{SHELL}")
+    for name in (SHELL, FLAT, "pack"):
+        if name in document.named or name in {SHELL, FLAT}:
+            file = path if name == SHELL else path.with_name(f"{stem}-{name}{path.suffix}")
+            if name == FLAT:
+                _write(file, document, solids_lying(document), np.zeros(3), "")
+            else:
+                moved = document.origin - document.nearby
+                _write(file, document, solids_in(document, name), moved, _about(document))
+
+
+def build123d_is_there() -> bool:
+    """Whether the library that writes STEP is installed."""
+    return find_spec("build123d") is not None
+
+
+def _about(document: Document) -> str:
+    """In words, the point that coordinates are about; nothing for the world's origin."""
+    nearby = conversion(document.require_unit(), "mm") * document.nearby + 0.0
+    return " about ({:g}, {:g}, {:g}) mm".format(*nearby) if nearby.any() else ""
+
+
+def _write(
+    file: Path, document: Document, solids: tuple[Solids, ...], moved: Array, about: str
+) -> None:
+    """Write boards that are moved (3,), in millimetres."""
+    from build123d import Compound, export_step
+
+    scale = conversion(document.require_unit(), "mm")
+    title = f"{' '.join(document.title.split())}{about}".encode("ascii", "replace").decode()
+    made = [
+        _solid(corners.reshape(-1, 3), _polygons(places, len(corners)), name)
+        for each in solids
+        for name, corners, places in zip(
+            each.names, scale * (each.corners + moved), each.boards.places(), strict=True
+        )
+    ]
+    export_step(Compound(label=title, children=made), file, write_pcurves=False, timestamp=TIME)
+    _renumber(file)
+
+
+def _renumber(file: Path) -> None:
+    """Number the parts of the assembly from 1: the library goes on where its last file ended."""
+    numbers = count(1)
+
+    def numbered(found: re.Match[str]) -> str:
+        rest = re.sub("\n *", "", found[2])  # lines end elsewhere after longer numbers
+        return f"{found[1]}'{next(numbers)}'{rest}"
+
+    text = _PART.sub(numbered, file.read_text(encoding="ascii"))
+    file.write_text(text, encoding="ascii", newline="\n")
+
+
+def _polygons(places: Integers, heights: int) -> list[list[int]]:
+    """Corners of a board's faces, counter-clockwise seen from outside, each of them once."""
+    rings = places.reshape(heights, -1)
+    low, high = rings[:-1], rings[1:]
+    around = np.stack([low, np.roll(low, -1, axis=1), np.roll(high, -1, axis=1), high], axis=-1)
+    faces = [rings[0, ::-1].tolist(), rings[-1].tolist(), *around.reshape(-1, 4).tolist()]
+    once = [list(dict.fromkeys(face)) for face in faces]
+    return [face for face in once if len(face) > 2]
+
+
+def _solid(points: Array, polygons: list[list[int]], name: str) -> Any:
+    """The solid between plane polygons."""
+    from build123d import Face, Shell, Solid, Wire
+
+    place = [tuple(point) for point in points.tolist()]
+    faces = [Face(Wire.make_polygon([place[corner] for corner in face])) for face in polygons]
+    return Solid(Shell(faces), label=name)
+
+
+FORMAT = Format(
+    "step",
+    "shell-target.step",
+    (".step", ".stp"),
+    "solid boards in every state (STEP)",
+    write_step,
+    ready=build123d_is_there,
+    missing="STEP needs the library build123d, which is not installed",
+    remedy='pip install "orishell[cad]"',
+    solid=True,
+)
