@@ -79,4 +79,4 @@ def seen_from_outside(document: Document, side: Side) -> SeenBoards:
 
 def distinct_corners(outline: Array) -> Array:
     """The corners (k, 2) of a closed outline (K, 2), those that coincide taken once."""
-    return outline[(outline != np.roll(outline, 1, axis=0)).any(axis=1)]
+    return np.asarray(outline[(outline != np.roll(outline, 1, axis=0)).any(axis=1)])

@@ -126,7 +126,5 @@ class _Outlines:
 
 
 @lru_cache(KEPT)
-def _nest(
-    boards: _Outlines, width: float, height: float, spacing: float
-) -> tuple[Placement, ...]:
+def _nest(boards: _Outlines, width: float, height: float, spacing: float) -> tuple[Placement, ...]:
     return nest_parts(boards.outlines, width, height, spacing)

@@ -18,7 +18,7 @@ from orishell.workshop.board_outlines import MIRRORED
 from orishell.workshop.board_parts import BoardPart, board_parts, nest_boards
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.draw import draw_page, drawn_box
-from orishell.workshop.drawing import ORDER, Drawing
+from orishell.workshop.drawing import ORDER, Drawing, Line, Text
 from orishell.workshop.placing import Content, shifted
 from orishell.workshop.settings import Workshop
 from orishell.workshop.stock_sheet import draw_stock_sheet
@@ -119,12 +119,13 @@ def _moves_apart(document: Document, workshop: Workshop) -> Array:
     run = flat[mesh.edges[creases, 1]] - flat[mesh.edges[creases, 0]]
     way = centres[mesh.edge_faces[creases, 1]] - centres[mesh.edge_faces[creases, 0]]
     across = np.abs(run[:, 0] * way[:, 1] - run[:, 1] * way[:, 0]) / np.hypot(*run.T)
-    return centres * (clear / float(across.min()))
+    return np.asarray(centres * (clear / float(across.min())))
 
 
 def _joined(parts: Sequence[BoardPart], moves: Array, side: int) -> Content:
     """What is drawn of parts, in the order of work."""
-    lines, texts = [], []
+    lines: list[Line] = []
+    texts: list[Text] = []
     for part in parts:
         move = moves[part.panel] * (MIRRORED if side < 0 else 1.0)
         drawn = shifted(part.content(), *move.tolist())

@@ -15,10 +15,14 @@ from orishell.workshop.fitted_words import label_edges, label_middles, ways_acro
 
 FLUSH = 1e-9
 """Chamfers narrower than this share of the mean edge are none."""
-LARGEST, LARGEST_ANGLE = 0.25, 0.1
-"""Height of part numbers and of angles at most, as shares of the mean edge."""
-ROOM = 2.5
-"""Heights of an angle that must fit beside the part number."""
+LARGEST = 0.25
+"""Height of part numbers at most, as a share of the mean edge."""
+LARGEST_ANGLE, SMALLEST_ANGLE = 0.06, 0.02
+"""Height of angles at most and at least, as shares of the mean edge; smaller ones are left out."""
+ROOM = 1.5
+"""Heights of an angle that must fit on the panel's face."""
+PLACE = 0.2
+"""Where an angle stands on its edge, from its first end: opposite ones do not meet."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,18 +67,21 @@ def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]
         f"{angle:.1f}°{'T' if side > 0 else 'B'}"
         for angle, side in zip(chamfers.angles_deg, chamfers.sides, strict=True)
     )
-    beside = label_edges(
-        words, inner[chamfers.boards], chamfers.ends, ROOM, LARGEST_ANGLE * size
+    at = chamfers.boards
+    most = LARGEST_ANGLE * size
+    angles = label_edges(
+        words, inner[at], chamfers.ends, tall=ROOM, most=most, share=PLACE, usual=100
     )
-    taken = np.zeros(len(inner))
-    np.maximum.at(taken, chamfers.boards, 1.5 * beside.heights)
-    shown = beside.heights > 0
-    for board, text in zip(chamfers.boards[shown].tolist(), beside.of(shown), strict=True):
-        texts[board].append(text)
+    shown = angles.heights >= SMALLEST_ANGLE * size
     corners = document.require_flat()[document.mesh.faces[solids.panels]]
-    numbers = label_middles(
-        solids.names, inner, ways_across(corners), LARGEST * size, [(inner, taken)]
-    )
+    across, most = ways_across(corners), LARGEST * size
+    numbers = label_middles(solids.names, inner, across, most)
+    taken = np.zeros(len(inner))
+    meets = shown & numbers.at(at).meet(angles)
+    np.maximum.at(taken, at, np.where(meets, 1.5 * angles.heights, 0.0))
+    numbers = label_middles(solids.names, inner, across, most, [(inner, taken)])
+    for board, text in zip(at[shown].tolist(), angles.of(shown), strict=True):
+        texts[board].append(text)
     for board, text in enumerate(numbers.of(np.ones(len(inner), np.bool_))):
         texts[board].append(text)
     return lines, texts
@@ -96,23 +103,31 @@ def _find_chamfers(document: Document, flush: float) -> _Chamfers:
         board, corner = np.nonzero((width > flush) & (there > flush))
         ends = np.stack([face, np.roll(face, -1, axis=1)], axis=2)
         leaning = np.rad2deg(np.arctan2(width, height))
-        found.append((board, ends[board, corner], leaning[board, corner], np.full(len(board), side)))
+        found.append(
+            (board, ends[board, corner], leaning[board, corner], np.full(len(board), side))
+        )
     return _Chamfers(*(np.concatenate(each) for each in zip(*found, strict=True)))
 
 
 def _common_faces(document: Document) -> Array:
-    """Corners (S, K, 2) of what both faces of every solid panel have in common, seen from above."""
+    """Corners (S, K, 2) of what both faces of every solid panel have in common, seen from above.
+
+    Where that is nothing, those of its outline on the hinge plane.
+    """
     import shapely
 
     levels = _solid_levels(document)[..., :2]
-    common = shapely.intersection(shapely.polygons(levels[:, 0]), shapely.polygons(levels[:, 2]))
-    rings = [each[:-1] for each in map(shapely.get_coordinates, shapely.normalize(common))]
-    most = max(map(len, rings), default=0)
-    padded = [np.pad(ring, ((0, most - len(ring)), (0, 0)), mode="edge") for ring in rings]
-    # Normalised rings run clockwise.
-    return np.array(padded).reshape(len(rings), most, 2)[:, ::-1]
+    bottom, middle, top = (shapely.polygons(levels[:, level]) for level in range(3))
+    common = np.asarray(shapely.intersection(bottom, top))
+    empty = shapely.area(common) <= FLUSH * shapely.area(middle)
+    rings = shapely.normalize(np.where(empty, middle, common))
+    points, owner = shapely.get_coordinates(rings, return_index=True)
+    counts = np.bincount(owner, minlength=len(levels))
+    place = np.minimum(np.arange(counts.max(initial=1) - 1), counts[:, None] - 2)
+    clockwise = points[place + (np.cumsum(counts) - counts)[:, None]]
+    return np.asarray(clockwise[:, ::-1])
 
 
 def _solid_levels(document: Document) -> Array:
     assert document.boards is not None
-    return document.boards.outlines[document.boards.sides == 0]
+    return np.asarray(document.boards.outlines[document.boards.sides == 0])

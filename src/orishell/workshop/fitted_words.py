@@ -42,6 +42,7 @@ class Labels:
     __repr__ = in_one_line
 
     def of(self, chosen: Booleans) -> tuple[Text, ...]:
+        """Those that are chosen (N,), but for words without a height."""
         angles = np.arctan2(self.directions[:, 1], self.directions[:, 0])
         rows = zip(self.words, self.middles.tolist(), self.heights, angles, chosen, strict=True)
         return tuple(
@@ -49,6 +50,29 @@ class Labels:
             for words, (x, y), height, angle, shown in rows
             if shown and height > 0
         )
+
+    def at(self, places: Integers) -> Labels:
+        """Those at some places (M,)."""
+        words = tuple(self.words[place] for place in places.tolist())
+        return Labels(words, self.middles[places], self.directions[places], self.heights[places])
+
+    def meet(self, others: Labels) -> Booleans:
+        """Which of them (N,) meet the one of the others in the same place."""
+        x, y = self.directions, np.column_stack([-self.directions[:, 1], self.directions[:, 0]])
+        halves = [
+            0.5 * each.heights[:, None] * [(CHARACTER * len(word), 1.0) for word in each.words]
+            for each in (self, others)
+        ]
+        away = others.middles - self.middles
+        turn = np.abs(np.stack([(x * others.directions).sum(1), (y * others.directions).sum(1)]))
+        meets = np.ones(len(self.words), np.bool_)
+        for along, (cosine, sine), own in (
+            (x, turn, halves[0][:, 0]),
+            (y, turn[::-1], halves[0][:, 1]),
+        ):
+            reach = own + cosine * halves[1][:, 0] + sine * halves[1][:, 1]
+            meets &= np.abs((along * away).sum(axis=1)) < reach
+        return meets
 
 
 def label_middles(
@@ -92,7 +116,14 @@ def label_middles(
 
 
 def label_edges(
-    words: tuple[str, ...], outlines: Array, ends: Array, tall: float, most: float
+    words: tuple[str, ...],
+    outlines: Array,
+    ends: Array,
+    *,
+    tall: float,
+    most: float,
+    share: float = 0.5,
+    usual: float = USUAL,
 ) -> Labels:
     """Words along edges, inside outlines.
 
@@ -108,14 +139,19 @@ def label_edges(
         Height of what is to fit, in heights of the text.
     most
         Height of words at most.
+    share
+        Where they stand on their edge, from its first end.
+    usual
+        As :data:`USUAL`; 100 for words that are each as high as there is room.
     """
     along = readable(ends[:, 1] - ends[:, 0])
-    middles, above = ends.mean(axis=1), np.column_stack([-along[:, 1], along[:, 0]])
+    middles = (1 - share) * ends[:, 0] + share * ends[:, 1]
+    above = np.column_stack([-along[:, 1], along[:, 0]])
     sign = np.sign(((centroids(outlines) - middles) * above).sum(axis=1))
     counts = np.array([len(word) for word in words], dtype=np.int64)
     offset = (BESIDE + 0.5 * (tall - 1.0)) * sign
     heights = text_heights(outlines, middles, along, counts, tall=tall, offset=offset)
-    heights = evened(FILLED * heights, most)
+    heights = evened(FILLED * heights, most, usual)
     return Labels(words, middles + (BESIDE * sign * heights)[:, None] * above, along, heights)
 
 
@@ -184,8 +220,8 @@ def text_heights(
     return np.asarray(np.maximum(heights, 0.0))
 
 
-def evened(heights: Array, most: float) -> Array:
+def evened(heights: Array, most: float, usual: float = USUAL) -> Array:
     """Heights (N,) cut down to one that most labels reach, and to ``most``."""
     if not len(heights):
         return heights
-    return np.minimum(heights, min(float(np.percentile(heights, USUAL)), most))
+    return np.minimum(heights, min(float(np.percentile(heights, usual)), most))

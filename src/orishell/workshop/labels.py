@@ -25,6 +25,7 @@ from orishell.workshop.settings import Workshop
 WITH_PANELS = 2.5
 """Heights of a crease's label that must fit where panels are labelled too."""
 
+
 def part_labels(document: Document, part: Part, workshop: Workshop) -> tuple[Text, ...]:
     """What is engraved on a part, in the sheet's own coordinates; never upside down.
 
@@ -83,7 +84,7 @@ def _crease_labels(document: Document, part: Part, tall: float) -> tuple[Labels,
     chosen = np.argmax(np.where(here, 2.0, 0.0) + (side > 0), axis=1)
     rows = np.arange(len(folding))
     panel = beside[rows, chosen]
-    labels = label_edges(words, panels[panel], ends, tall, 0.1 * mean_edge(document))
+    labels = label_edges(words, panels[panel], ends, tall=tall, most=0.1 * mean_edge(document))
     on_part = here.any(axis=1) & np.isin(folding, part.creases)
     return labels, np.where(on_part, panel, -1)
 
@@ -108,5 +109,3 @@ def _convex_panels(document: Document) -> Array:
     larger = signed_areas(one) >= signed_areas(two)
     corners[reflex] = np.where(larger[:, None, None], one, two)
     return corners
-
-

@@ -190,9 +190,7 @@ def _drawn_length(drawn: Drawing, layer: Layer) -> float:
     return total
 
 
-def sheet_facts(
-    document: Document, part: Part, size: Array, workshop: Workshop
-) -> tuple[str, ...]:
+def sheet_facts(document: Document, part: Part, size: Array, workshop: Workshop) -> tuple[str, ...]:
     """What the title block says of a part of the sheet.
 
     Parameters
