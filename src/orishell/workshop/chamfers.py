@@ -117,7 +117,7 @@ def _common_faces(document: Document) -> Array:
     import shapely
 
     levels = _solid_levels(document)[..., :2]
-    bottom, middle, top = (shapely.polygons(levels[:, level]) for level in range(3))
+    bottom, middle, top = (np.asarray(shapely.polygons(levels[:, k])) for k in range(3))
     common = np.asarray(shapely.intersection(bottom, top))
     empty = shapely.area(common) <= FLUSH * shapely.area(middle)
     rings = shapely.normalize(np.where(empty, middle, common))

@@ -19,6 +19,11 @@ def has_membrane(document: Document) -> bool:
     return document.boards is not None and bool(document.boards.sides.any())
 
 
+def sheet_title(document: Document) -> str:
+    """The document's title, with a word that the sheet is a membrane if boards are glued on it."""
+    return document.title + (", membrane" if has_membrane(document) else "")
+
+
 def with_glue_areas(document: Document, part: Part) -> Part:
     """A part of the sheet with the places of the upper boards marked on it.
 

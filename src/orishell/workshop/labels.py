@@ -49,6 +49,12 @@ def part_labels(document: Document, part: Part, workshop: Workshop) -> tuple[Tex
     return texts
 
 
+def panel_labels(document: Document, taken: float) -> tuple[Text, ...]:
+    """Row and column of all panels, with a width kept free along their edges."""
+    width = np.full(len(document.mesh.faces), taken)
+    return _panel_labels(document, width).of(np.ones(len(width), np.bool_))
+
+
 def _panel_labels(document: Document, taken: Array) -> Labels:
     """Row and column in the middle of every panel, along its longer direction.
 

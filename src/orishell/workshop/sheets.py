@@ -19,7 +19,7 @@ from orishell.workshop.board_sheets import draw_boards
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
 from orishell.workshop.drawing import Drawing
-from orishell.workshop.glue import back_of, has_membrane, with_glue_areas
+from orishell.workshop.glue import back_of, sheet_title, with_glue_areas
 from orishell.workshop.layout import Layout, lay_out, usable_stock
 from orishell.workshop.outline import signed_areas, whole_sheet
 from orishell.workshop.part import Part
@@ -74,7 +74,7 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     InputError
         If there is no flat sheet or no unit, or a panel does not fit the stock.
     """
-    everything = _titled(with_clipped(document))
+    everything = replace(with_clipped(document), title=sheet_title(document))
     if workshop.stock is None:
         part = with_glue_areas(everything, whole_sheet(everything))
         return (draw_part(everything, part, workshop),)
@@ -93,7 +93,7 @@ def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
 
     None where there is no membrane, or no board on its lower face.
     """
-    everything = _titled(with_clipped(document))
+    everything = replace(with_clipped(document), title=sheet_title(document))
     if everything.boards is None or not (everything.boards.sides < 0).any():
         return ()
     if workshop.stock is None:
@@ -125,13 +125,6 @@ def draw_sheet_files(
     drawn += [(f"-back-{k}" if numbered else "-back", back) for k, back in enumerate(backs, 1)]
     for ending, drawing in chain(drawn, draw_boards(document, workshop)):
         yield path.with_stem(path.stem + ending), drawing
-
-
-def _titled(document: Document) -> Document:
-    """The document, called the membrane if boards are glued on it."""
-    if not has_membrane(document):
-        return document
-    return replace(document, title=f"{document.title}, membrane")
 
 
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
@@ -174,7 +167,7 @@ def _draw_sheet(document: Document, workshop: Workshop, layout: Layout, number: 
             words = number_text(document, part, texts)
             texts += (replace(words, angle=-placement.angle),)
         placed.append(((lines, circles, texts), placement))
-    title = _sheet_title(document.title, layout, number)
+    title = _numbered(document.title, layout, number)
     return draw_stock_sheet(placed, title, document.unit, workshop)
 
 
@@ -186,7 +179,7 @@ def _draw_back(document: Document, workshop: Workshop, layout: Layout, number: i
         for part, p in _placed(layout)
         if p.sheet == number
     ]
-    title = _sheet_title(f"{document.title}, back", layout, number)
+    title = _numbered(f"{document.title}, back", layout, number)
     return draw_stock_sheet(placed, title, document.unit, workshop)
 
 
@@ -196,5 +189,5 @@ def _placed(layout: Layout) -> Iterator[tuple[Part, Placement]]:
     return zip(layout.parts, layout.placements, strict=True)
 
 
-def _sheet_title(title: str, layout: Layout, number: int) -> str:
+def _numbered(title: str, layout: Layout, number: int) -> str:
     return title + (f", sheet {number + 1} of {layout.sheets}" if layout.sheets > 1 else "")
