@@ -38,6 +38,16 @@ export interface AssignmentReport {
   maekawa: boolean;
 }
 
+/** Number of boards by the face that they lie on. */
+export interface BoardCount {
+  /** Boards on the upper and on the lower face of the membrane. */
+  top: number;
+  /** Boards on the upper and on the lower face of the membrane. */
+  bottom: number;
+  /** Solid panels. */
+  solid: number;
+}
+
 /** Bounding box of a state. */
 export interface BoxReport {
   /** Along x, y and z. */
@@ -300,6 +310,36 @@ export interface PackedReport {
   layers: number;
 }
 
+/** What panels with a thickness are made of; lengths and areas in the document's unit. */
+export interface PanelBill {
+  /** How many boards there are, those that are clipped on included. */
+  boards: BoardCount;
+  /** Area of all boards, each at its largest. */
+  board_area: number;
+  /** Area of the membrane, without tabs and strips; 0 if there is none. */
+  membrane_area: number;
+  /** Area of the boards' faces on the membrane. */
+  glue_area: number;
+  /** Length of the creases that fold. */
+  hinge_length: number;
+  /** Mass by part. */
+  mass_kg: PanelMass;
+  /** Of the shell at its target, in the world; None if its mass is not known. */
+  centre_of_mass: [number, number, number] | null;
+  /** Number of sheets of stock for the boards; None if there is no stock, or that was not asked for. */
+  stock_sheets: number | null;
+}
+
+/** Mass of panels with a thickness (kg). */
+export interface PanelMass {
+  /** Of boards, or of solid panels; None if their density is not known. */
+  boards: number | null;
+  /** Of the membrane; None if its density is not known, 0 if there is none. */
+  membrane: number | null;
+  /** Of both; None if one is not known. */
+  total: number | null;
+}
+
 /** A parameter of a family, as a control shows it. */
 export interface Parameter {
   key: string;
@@ -344,7 +384,7 @@ export interface Quantities {
   /** Number of panels. */
   panels: number;
   /** How many of them are panels of boards that are clipped on at the target. */
-  boards: number;
+  clipped: number;
   /** Area of all panels. */
   area: number;
   /** Length of the creases by their assignment. */
@@ -355,6 +395,8 @@ export interface Quantities {
   stock: Waste | null;
   /** Mass of the panels; None if the areal density is not known. */
   mass_kg: number | null;
+  /** Boards, membrane and hinges; None if panels have no thickness. */
+  built: PanelBill | null;
 }
 
 /** Values of a parameter that were tried, and those that work. */

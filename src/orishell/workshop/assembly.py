@@ -97,7 +97,9 @@ def draw_map(
 
     names = [mark for joint in joints for mark in joint.marks()[:1]]
     if document.boards is not None:
-        names += panel_labels(document, choose_joint_width(document, workshop))
+        taken = np.zeros(len(document.mesh.faces))
+        taken[document.mesh.edge_faces[sorted(cut)]] = choose_joint_width(document, workshop)
+        names += panel_labels(document, taken)
     numbered = [part for part in parts if part.number]
     texts = [*names, *(number_text(document, part, names) for part in numbered)]
     placed = [*shifted(((), (), tuple(texts)), *shift.tolist())[2]]

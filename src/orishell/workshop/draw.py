@@ -155,7 +155,13 @@ def draw_page(
 
 
 def drawn_box(content: Content) -> tuple[Array, Array]:
-    """Lower left corner (2,) and size (2,) of the box around all lines."""
+    """Lower left corner (2,) and size (2,) of the box around all lines.
+
+    Parameters
+    ----------
+    content
+        What is drawn.
+    """
     points = np.concatenate([line.points for line in content[0]])
     return points.min(axis=0), np.ptp(points, axis=0)
 

@@ -49,13 +49,7 @@ def part_labels(document: Document, part: Part, workshop: Workshop) -> tuple[Tex
     return texts
 
 
-def panel_labels(document: Document, taken: float) -> tuple[Text, ...]:
-    """Row and column of all panels, with a width kept free along their edges."""
-    width = np.full(len(document.mesh.faces), taken)
-    return _panel_labels(document, width).of(np.ones(len(width), np.bool_))
-
-
-def _panel_labels(document: Document, taken: Array) -> Labels:
+def panel_labels(document: Document, taken: Array) -> tuple[Text, ...]:
     """Row and column in the middle of every panel, along its longer direction.
 
     Parameters
@@ -63,6 +57,10 @@ def _panel_labels(document: Document, taken: Array) -> Labels:
     taken
         Width (F,) of what other labels take along the panel's edges.
     """
+    return _panel_labels(document, taken).of(np.ones(len(taken), np.bool_))
+
+
+def _panel_labels(document: Document, taken: Array) -> Labels:
     corners = _convex_panels(document)
     words = tuple(document.panel_name(panel) for panel in range(len(corners)))
     most = 0.25 * mean_edge(document)
