@@ -21,6 +21,7 @@ from orishell.workshop.board_outlines import part_name
 from orishell.workshop.board_parts import board_parts, nest_boards
 from orishell.workshop.board_sheets import draw_boards
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.paper_model import make_board_models, make_paper_model
 from orishell.workshop.sheets import draw_backs, draw_sheet_files, draw_sheets
 
 STOCK = Workshop(stock=(250.0, 180.0), margin=8.0, spacing=1.5)
@@ -229,6 +230,49 @@ def test_chamfers_are_half_the_fold_angles() -> None:
     ]
     assert said
     assert all(np.abs(expected - angle).min() < 0.051 for angle in said)
+
+
+@pytest.mark.parametrize("construction", BUILDS)
+def test_cut_corners_are_cut(construction: str) -> None:
+    """Corners cut off at an inner vertex are not there, others are, also of flaps clipped on."""
+    plain = boarded_document(construction, clipped=True)
+    cut = boarded_document(construction, clipped=True, relief=6.0)
+    before, after = board_parts(plain), board_parts(cut)
+    assert [part.name for part in before] == [part.name for part in after]
+    around = {"1,1", "1,2", "2,1", "2,2"}
+    for one, two in zip(before, after, strict=True):
+        lost = shapely.Polygon(one.outline).area - shapely.Polygon(two.outline).area
+        if one.name.rstrip("TB") not in around:
+            assert abs(lost) < 1e-9
+            assert len(two.outline) == 4
+    assert sum(len(part.outline) > 4 for part in after) >= 4
+    drawn = [s.area for _, d in draw_boards(cut, Workshop()) for s in polygons(d)]
+    assert sorted(drawn) == pytest.approx(sorted(boards_of(cut).areas()), rel=1e-9)
+
+
+def test_a_sheet_without_any_board_is_drawn() -> None:
+    """Where every panel is beside creases that fold flat there is no board, and nothing to nest."""
+    document = boarded_document()
+    assert document.boards is not None
+    bare = replace(document, boards=document.boards.chosen(np.zeros(len(document.boards), bool)))
+    for workshop in (Workshop(), STOCK):
+        assert list(draw_boards(bare, workshop)) == []
+        assert draw_backs(bare, workshop) == ()
+        assert draw_sheets(bare, workshop)
+
+
+def test_layers_of_the_paper_model_have_its_scale() -> None:
+    document, workshop = boarded_document(), Workshop(paper_scale="auto")
+    model = make_paper_model(document, workshop)
+    layers = dict(make_board_models(document, workshop, model.tiling.scale))
+    assert list(layers) == ["-back", "-top", "-bottom"]
+    assert {layer.tiling.scale for layer in layers.values()} == {model.tiling.scale}
+    boards = boards_of(document)
+    for ending, side in (("-top", 1), ("-bottom", -1)):
+        cut = [line.points for line in layers[ending].lines if line.layer == "CUT"]
+        areas = boards.areas()[boards.sides == side] * model.tiling.scale**2
+        found = sorted(shapely.Polygon(points).area for points in cut)
+        assert found == pytest.approx(sorted(areas), rel=1e-9)
 
 
 def test_a_board_larger_than_the_stock_is_refused() -> None:

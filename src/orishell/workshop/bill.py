@@ -113,7 +113,8 @@ def measure_panels(
     length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
     sheets = None
     if nested and workshop.stock is not None:
-        sheets = 1 + max(placement.sheet for placement in nest_boards(document, workshop))
+        placements = nest_boards(document, workshop)
+        sheets = 1 + max((placement.sheet for placement in placements), default=-1)
     cubic = conversion(document.unit, "m") ** 3
     board_mass = cubic * float(boards.volumes().sum()) * build.density or None
     membrane_mass = cubic * membrane * build.membrane * build.membrane_density or None

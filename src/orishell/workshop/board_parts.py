@@ -108,6 +108,8 @@ def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]
         for side in SIDES
         for outline in seen_from_outside(document, side).outlines
     ]
+    if not outlines:
+        return ()
     return _nest(_Outlines.of(outlines), *usable_stock(workshop), workshop.spacing)
 
 

@@ -73,7 +73,7 @@ def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, D
         return
     parts, placements = board_parts(document), nest_boards(document, workshop)
     name = "boards" if any(part.side for part in parts) else LAYERS[0]
-    count = 1 + max(placement.sheet for placement in placements)
+    count = 1 + max((placement.sheet for placement in placements), default=-1)
     for number in range(count):
         placed = (
             (part.content(), placement)
