@@ -64,6 +64,9 @@ class PanelBuild:
     stop
         By how much flaps stop short of folding flat: half of what their row creases lack to 180
         degrees, at the crease that folds most (radians). None for as little as set-backs allow.
+    reach
+        How far boards let the shell close: they are set back for the way to its target, or to its
+        pack.
     density, membrane_density
         Mass of boards, or of solid panels, and of the membrane per volume; 0 if unknown (kg/m^3).
     """
@@ -75,6 +78,7 @@ class PanelBuild:
     share: float = 0.5
     setback: float = np.inf
     stop: float | None = None
+    reach: Literal["target", "pack"] = "target"
     density: float = 0.0
     membrane_density: float = 0.0
 

@@ -230,13 +230,21 @@ class ClashError(DesignError):
         Which panels, at which drive, and the depth of the corrugation there.
     flap
         Width of the flaps if one of them is a flap, else 0 (length).
+    thick
+        Whether their boards meet, and panels without a thickness would not.
     """
 
     def __init__(
-        self, condition: str, *, place: str = "", size: str = "", flap: float = 0.0
+        self,
+        condition: str,
+        *,
+        place: str = "",
+        size: str = "",
+        flap: float = 0.0,
+        thick: bool = False,
     ) -> None:
         super().__init__(condition, place=place, size=size)
-        self.flap = flap
+        self.flap, self.thick = flap, thick
 
 
 class VerificationError(OrishellError):

@@ -10,6 +10,7 @@ import numpy as np
 from orishell.clash.broad_phase import Extents, PanelTree, in_chunks
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.quads import lengths
 
 RANGES = 32
 """Ranges of the drive that a table of accelerations has."""
@@ -52,12 +53,8 @@ class EdgeBounds:
         index = int(start * parts)
         rows, columns = self._table(level, index)
         part = slice(*(round((end * parts - index) * RANGES) for end in (start, stop)))
-        return RangeBounds(
-            _running(rows[part].max(axis=0)),
-            _running(columns[part].max(axis=0)),
-            self.hull,
-            self.columns,
-        )
+        steps = rows[part].max(axis=0), columns[part].max(axis=0)
+        return RangeBounds(steps, _running(steps[0]), _running(steps[1]), self.hull, self.columns)
 
     def _table(self, level: int, index: int) -> tuple[Array, Array]:
         """Bounds along rows (RANGES, C-1) and down columns (RANGES, R-1) in one part."""
@@ -72,20 +69,51 @@ class EdgeBounds:
         return table
 
 
+class NormalBounds:
+    """Bounds of the accelerations of panels' normals.
+
+    With edges u, v of a panel its normal n is u x v over a constant area A, and as |u'|^2 = -u u''
+    for a rigid edge,
+
+        |n''| <= (sqrt(|u''| |v|) + sqrt(|v''| |u|))^2 / A.
+
+    Parameters
+    ----------
+    corners
+        Corners (rows-1, columns-1, 4, 3) of all panels in any state.
+    """
+
+    def __init__(self, corners: Array) -> None:
+        # At corner 0, 1, 2, 3 the edge along a row is 3, 1, 1, 3, that down a column 0, 0, 2, 2.
+        sides = np.roll(corners, -1, axis=-2) - corners
+        row, column = sides[..., [3, 1, 1, 3], :], sides[..., [0, 0, 2, 2], :]
+        area = lengths(np.cross(row, column))
+        self.along = np.sqrt(lengths(column) / area)
+        self.down = np.sqrt(lengths(row) / area)
+
+    def within(self, along: Array, down: Array) -> Array:
+        """Bounds (F,) where edges along rows (C-1,) and down columns (R-1,) accelerate so much."""
+        root = np.sqrt(along)[:, None] * self.along + np.sqrt(down)[:, None, None] * self.down
+        return np.asarray((root**2).min(axis=-1).ravel())
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class RangeBounds:
     """Bounds of accelerations in one part of the path.
 
     Parameters
     ----------
+    steps
+        The bounds of edges along rows (C-1,) and down columns (R-1,).
     along, down
-        Running sums of the bounds of edges along rows (C,) and down columns (R,).
+        Running sums of the bounds of edges along rows (C,) and (R,).
     hull
         First and last vertex row and column of the nodes of a :class:`PanelTree`.
     columns
         Number of columns of panels.
     """
 
+    steps: tuple[Array, Array]
     along: Array
     down: Array
     hull: Extents

@@ -73,10 +73,17 @@ class PanelTree:
             highs.append(highs[-1].reshape(-1, 2, high.shape[1]).max(axis=1))
         return Extents(lows[::-1], highs[::-1])
 
-    def extents(self, points: Array) -> Extents:
-        """The 26-DOPs of all nodes in a state (V, 3)."""
+    def extents(self, points: Array, over: Array | None = None) -> Extents:
+        """The 26-DOPs of all nodes in a state (V, 3).
+
+        Parameters
+        ----------
+        over
+            What panels have on both sides (F, 3), if they have a thickness: normals as long as it.
+        """
         views = (points @ DIRECTIONS.T)[self.faces]
-        return self.enclosing(views.min(axis=1), views.max(axis=1))
+        thick = 0.0 if over is None else np.abs(over @ DIRECTIONS.T)
+        return self.enclosing(views.min(axis=1) - thick, views.max(axis=1) + thick)
 
     def share_corner(self, first: Integers, second: Integers) -> Booleans:
         """Whether panels have a vertex in common."""

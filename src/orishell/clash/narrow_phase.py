@@ -79,7 +79,7 @@ def examine_pairs(
             (corners_of(state, faces[first]), corners_of(state, faces[second])) for state in points
         ]
         needed = tolerance[part] + chord_error[part]
-        return _Group((first, second), corners, tolerance[part], needed).examined()
+        return Group((first, second), corners, tolerance[part], needed).examined()
 
     if len(parts) < CROWDED:
         found = [examine(part) for part in parts]
@@ -101,14 +101,25 @@ _Touch = tuple[float, tuple[int, int]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Group:
-    """Pairs of panels, with their corners at both ends of the part."""
+class Group:
+    """Pairs of convex panels or bodies, with their corners at both ends of the part.
+
+    Parameters
+    ----------
+    pairs
+        Their numbers (P,).
+    corners
+        Corners (3, C, P) of the firsts and of the seconds in both states.
+    tolerance
+        Distances (P,) at which they count as touching.
+    needed
+        Gaps (P,) that prove them apart: tolerance and chord error.
+    """
 
     pairs: Pairs
     corners: list[tuple[Array, Array]]
     tolerance: Array
     needed: Array
-    """Gaps (P,) that prove them apart: tolerance and chord error."""
 
     def examined(self) -> tuple[Pairs, list[_Touch], list[_Touch]]:
         """Pairs that stay open, and the nearest that touch at the start and at the stop."""
@@ -124,7 +135,7 @@ class _Group:
             lines.append(between / np.where(distance > 0, distance, 1.0))
         return group.not_separated_by(*lines).pairs, touching[0], touching[1]
 
-    def not_separated_by(self, start: Array, stop: Array) -> _Group:
+    def not_separated_by(self, start: Array, stop: Array) -> Group:
         """Pairs kept apart neither by one of two directions (3, P) nor by one turning between."""
         first, last = (views_along(direction, self.corners) for direction in (start, stop))
         standing = np.maximum(common_gap(first), common_gap(last))
@@ -132,7 +143,7 @@ class _Group:
         if near.all():
             return self
         corners = [(first[..., near], second[..., near]) for first, second in self.corners]
-        return _Group(selected(self.pairs, near), corners, self.tolerance[near], self.needed[near])
+        return Group(selected(self.pairs, near), corners, self.tolerance[near], self.needed[near])
 
     def touching(self, distance: Array) -> list[_Touch]:
         """The nearest pair within the tolerance, if there is one."""

@@ -13,15 +13,14 @@ the drive, so what is found is the first contact, and everything before it is pr
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.clash.acceleration_bounds import EdgeBounds, RangeBounds
+from orishell.clash.bodies import Bodies
 from orishell.clash.broad_phase import (
-    Extents,
     Pairs,
     PanelTree,
     child_pairs,
@@ -30,19 +29,15 @@ from orishell.clash.broad_phase import (
     selected,
 )
 from orishell.clash.narrow_phase import Findings, examine_pairs
+from orishell.clash.ranges import TICKS, Outcome, search_ranges
 from orishell.clash.result import PathContact, PathResult, ProofRecord
+from orishell.clash.states import States
 from orishell.conventions.progress import Progress, unwatched
 from orishell.motion import Mechanism
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Booleans
 
-LOOKING = "looking for contact"
-TICKS = 1 << 36
-"""Smallest steps along a path: a contact is found to this part of it."""
-BASE = 8
-"""Number of ranges into which the path is divided at first."""
 ROUNDING = 1e-14
 """Rounding of coordinates, relative to the largest."""
-STATES_KEPT = 16
 LENIENCE = 1e-4
 """Share of the tolerance that is used for panels that are meant to clash at the end."""
 CROWD = 64
@@ -86,126 +81,117 @@ def find_first_contact(
     only
         Panels (F,): pairs with none of them are left out. All panels if None.
     """
-    return _Search(mechanism, end, tolerance, lenient, only).run(progress)
+    return PathSearch(mechanism, end, tolerance, lenient=lenient, only=only).run(progress)
 
 
-@dataclass(slots=True, eq=False)
-class _State:
-    points: Array
-    extents: Extents | None = None
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """A range of the path with the pairs that are not proved apart in it.
 
-
-@dataclass(slots=True, eq=False)
-class _Range:
-    """Part of the path with the pairs that are not proved apart in it."""
+    Parameters
+    ----------
+    start, stop
+        Its ends, in :data:`TICKS` of the path.
+    step
+        Its width (radians).
+    bounds
+        Bounds of accelerations in it.
+    nodes
+        Pairs of nodes by level of the tree.
+    open
+        Pairs of panels, or of what is looked at in their place.
+    """
 
     start: int
     stop: int
-    """Its ends, in :data:`TICKS` of the path."""
+    step: float
+    bounds: RangeBounds
     nodes: list[Pairs]
-    """By level of the tree."""
-    panels: Pairs
+    open: Pairs
 
 
-class _Search:
+Pending = tuple[list[Pairs], Pairs]
+"""Pairs of nodes by level, and of panels, that are not proved apart in a range."""
+
+
+class PathSearch:
+    """A search for the first contact of panels without a common vertex.
+
+    Parameters
+    ----------
+    mechanism, end, tolerance, lenient, only
+        As for :func:`find_first_contact`.
+    bodies
+        Bodies on the panels that are looked at in their place.
+    """
+
     def __init__(
         self,
         mechanism: Mechanism,
         end: float,
         tolerance: float,
-        lenient: Callable[[Pairs], Booleans] | None,
-        only: Booleans | None,
+        *,
+        lenient: Callable[[Pairs], Booleans] | None = None,
+        only: Booleans | None = None,
+        bodies: Bodies | None = None,
     ) -> None:
         grid = mechanism.grid
         faces = grid.faces_vertices()
         place = np.indices((grid.rows - 1, grid.columns - 1)).reshape(2, -1).T
-        self.mechanism, self.end, self.tolerance, self.lenient = mechanism, end, tolerance, lenient
+        self.tolerance, self.lenient = tolerance, lenient
         self.tree = PanelTree.over(faces, place.astype(np.float64))
         self.bounds = EdgeBounds(mechanism, end, self.tree)
         self.wanted = _held(self.tree, only)
-        self.kept: OrderedDict[int, _State] = OrderedDict()
-        self.states = self.ranges = self.tests = 0
+        self.states = States(mechanism, end, self.tree, bodies)
+        self.ranges = self.tests = 0
         self.steps = (np.inf, 0.0)
-        self.rounding = ROUNDING * float(np.abs(self.state(0).points).max())
+        self.rounding = ROUNDING * float(np.abs(self.states.points(0)).max())
 
     def run(self, progress: Progress) -> PathResult:
         """Work through the ranges in the order of the drive."""
         root = (np.zeros(1, np.int64), np.zeros(1, np.int64))
-        step = TICKS // BASE
-        stack = [
-            _Range(k * step, (k + 1) * step, [root], joined([])) for k in reversed(range(BASE))
-        ]
-        found: tuple[int, tuple[int, int]] | None = None
-        clear = 0
-        while stack:
-            part = stack.pop()
-            if found is not None and part.start >= found[0]:
-                break
-            waiting, panels = self._examine(part)
-            if panels.at_start is not None:
-                found = (part.start, panels.at_start)
-                break
-            if panels.at_stop is not None:
-                found = (part.stop, panels.at_stop)
-            if not any(len(pairs[0]) for pairs in (panels.open, *waiting)):
-                clear = part.stop
-                progress(clear / TICKS, LOOKING)
-            elif part.stop - part.start == 1:
-                found = (part.stop, (int(panels.open[0][0]), int(panels.open[1][0])))
-                break
-            else:
-                middle = (part.start + part.stop) // 2
-                stack.append(_Range(middle, part.stop, waiting, panels.open))
-                stack.append(_Range(part.start, middle, waiting, panels.open))
-        progress(1.0, LOOKING)
+        found, clear = search_ranges(self._examine, ([root], joined([])), progress)
         contact = None
         if found is not None:
-            contact = PathContact(self._drive(found[0]), self._drive(clear), found[1])
-        proof = ProofRecord(self.states, self.ranges, self.tests, *self.steps[::-1], self.tolerance)
+            contact = PathContact(self.states.drive(found[0]), self.states.drive(clear), found[1])
+        proof = ProofRecord(
+            self.states.made, self.ranges, self.tests, *self.steps[::-1], self.tolerance
+        )
         return PathResult(contact, proof)
 
-    def state(self, tick: int) -> _State:
-        """The state at a tick of the path; the last few are kept."""
-        state = self.kept.get(tick)
-        if state is None:
-            self.states += 1
-            state = _State(self.mechanism.positions(self._drive(tick)).reshape(-1, 3))
-            self.kept[tick] = state
-            if len(self.kept) > STATES_KEPT:
-                self.kept.popitem(last=False)
-        self.kept.move_to_end(tick)
-        return state
-
-    def _extents(self, tick: int) -> Extents:
-        state = self.state(tick)
-        if state.extents is None:
-            state.extents = self.tree.extents(state.points)
-        return state.extents
-
-    def _drive(self, tick: int) -> float:
-        return self.end * (tick / TICKS)
-
-    def _examine(self, part: _Range) -> tuple[list[Pairs], Findings]:
-        """Pairs of nodes, by level, and of panels that are not proved apart in a range."""
-        step = self._drive(part.stop) - self._drive(part.start)
+    def _examine(self, start: int, stop: int, pending: Pending) -> Outcome[Pending]:
+        """Look at a range for pairs of nodes and of panels that are not proved apart."""
+        step = self.states.drive(stop) - self.states.drive(start)
         self.ranges += 1
         self.steps = (min(self.steps[0], step), max(self.steps[1], step))
-        bounds = self.bounds.within(part.start / TICKS, part.stop / TICKS)
-        waiting, near = self._broad_phase(part, bounds, step)
-        pairs = joined([part.panels, near])
+        part = Part(start, stop, step, self.bounds.within(start / TICKS, stop / TICKS), *pending)
+        waiting, near = self._broad_phase(part)
+        found = self._narrow_phase(part, near)
+        pair = (int(found.open[0][0]), int(found.open[1][0])) if len(found.open[0]) else None
+        clear = pair is None and not any(len(pairs[0]) for pairs in waiting)
+        return Outcome(
+            None if clear else (waiting, found.open), pair, found.at_start, found.at_stop
+        )
+
+    def _swung(self, part: Part) -> float:
+        """What is to be added to the bounds of accelerations between vertices of panels."""
+        return 0.0
+
+    def _narrow_phase(self, part: Part, near: Pairs) -> Findings:
+        """Look at panels that stayed open, and at pairs (P,) that the tree found near."""
+        pairs = joined([part.open, near])
         self.tests += len(pairs[0])
         tolerance = np.full(len(pairs[0]), self.tolerance)
         if self.lenient is not None:
             tolerance[self.lenient(pairs)] *= LENIENCE
         tolerance += self.rounding
-        chord_error = step**2 / 8 * bounds.between_panels(*pairs)
-        points = (self.state(part.start).points, self.state(part.stop).points)
-        return waiting, examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
+        chord_error = part.step**2 / 8 * part.bounds.between_panels(*pairs)
+        points = (self.states.points(part.start), self.states.points(part.stop))
+        return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
 
-    def _broad_phase(
-        self, part: _Range, bounds: RangeBounds, step: float
-    ) -> tuple[list[Pairs], Pairs]:
+    def _broad_phase(self, part: Part) -> tuple[list[Pairs], Pairs]:
         """Pairs of nodes that wait for half the range, by level, and pairs of panels to look at."""
+        bounds, swung = part.bounds, self._swung(part)
         waiting: list[Pairs] = []
         children: Pairs = joined([])
         for level in range(self.tree.depth + 1):
@@ -215,9 +201,11 @@ class _Search:
             if not len(pairs[0]):
                 continue
             self.tests += len(pairs[0])
-            gap = gaps((self._extents(part.start), self._extents(part.stop)), level, pairs)
+            gap = gaps(
+                (self.states.extents(part.start), self.states.extents(part.stop)), level, pairs
+            )
             room = gap - self.tolerance - self.rounding
-            chord_error = step**2 / 8 * bounds.between_nodes(level, *pairs)
+            chord_error = part.step**2 / 8 * (bounds.between_nodes(level, *pairs) + swung)
             near = room <= chord_error
             pairs, room, chord_error = selected(pairs, near), room[near], chord_error[near]
             if len(room) > CROWD << level and part.stop - part.start > CROWDED_ABOVE:
@@ -227,7 +215,7 @@ class _Search:
             if part.stop - part.start > 1:
                 # What motions within the two nodes contribute: splitting them saves no more.
                 inner = [bounds.between_nodes(level, nodes, nodes) for nodes in pairs]
-                own = step**2 / 8 * (inner[0] + inner[1])
+                own = part.step**2 / 8 * (inner[0] + inner[1] + swung)
                 soon = (chord_error <= WORTH_HALVING * room) & (level < self.tree.depth)
                 no_better = chord_error > WORTH_SPLITTING * np.maximum(own, room)
                 halving = (room > 0) & (soon | no_better)

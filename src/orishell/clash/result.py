@@ -43,11 +43,14 @@ class PathContact:
         Up to here no two panels touch, proved (radians).
     panels
         Numbers of the two panels.
+    bodies
+        Numbers of the two bodies on them, if these were looked at.
     """
 
     drive: float
     clear_until: float
     panels: tuple[int, int]
+    bodies: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)

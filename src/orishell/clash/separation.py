@@ -30,7 +30,9 @@ def normals(corners: Array) -> Array:
 
 
 def views_along(direction: Array, states: list[tuple[Array, Array]]) -> Views:
-    """Coordinates of both panels' corners in every state along directions (3, P)."""
+    """Coordinates of both panels' corners in every state along directions (3, P) or (3, X, P)."""
+    if direction.ndim == 3:
+        states = [(first[:, :, None], second[:, :, None]) for first, second in states]
     return [(_seen(direction, first), _seen(direction, second)) for first, second in states]
 
 

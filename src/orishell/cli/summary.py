@@ -94,8 +94,6 @@ def _held(shell: Shell) -> Iterator[str]:
             yield f"path      clear from flat to {in_degrees(lock.pack)} deg: {proved}"
     yield from _deployment(shell.report.deployment, shell.report.unit)
     held = shell.report.deployment
-    if lock.proof is not None and shell.file.panel:
-        yield "not checked: " + "; ".join(shell.report.not_checked)
     if not lock.early:
         yield (
             f"held      at {in_degrees(lock.target)} deg: from closing by {HOLDING[held.closing]}, "

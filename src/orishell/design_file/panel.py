@@ -52,6 +52,13 @@ class PanelTable(Table):
                     '"sandwich"',
                     {"key": "membrane", "got": self.membrane},
                 )
+            if not self.gap:
+                raise PydanticCustomError(
+                    "no_hinge",
+                    "a gap above 0: solid panels need room for their hinges. With a membrane "
+                    'between boards, construction = "sandwich"',
+                    {"key": "gap", "got": self.gap},
+                )
         elif not 0 < self.membrane < self.thickness:
             raise PydanticCustomError(
                 "no_hinge",

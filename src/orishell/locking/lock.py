@@ -18,11 +18,13 @@ from orishell.clash import (
 )
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
+from orishell.locking.boards import prove_boards
 from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
 from orishell.motion import Mechanism, corrugation_depth, diagonal, drive_at_fold
 from orishell.numerics.arrays import Booleans, Integers
+from orishell.sheet.boards import SIDES, Boards
 from orishell.sheet.grid import Grid
-from orishell.solids import drive_for_height
+from orishell.solids import build_panels, drive_for_height
 
 CONTACT_TOLERANCE = 1e-9
 """Distance at which panels touch, relative to the diagonal of the flat sheet."""
@@ -62,6 +64,23 @@ def find_lock(
     thousandth only; if they touch at the end, they are named as touching there. Panels that so
     meet at the target end the motion there.
     """
+    lock = _lock_of_panels(design, tolerance, flaps_only, beyond, progress)
+    if design.panel is None or lock.early or flaps_only:
+        return lock
+    mechanism = design.mechanism.still
+    size = tolerance * diagonal(mechanism.positions(0.0))
+    end = lock.pack if beyond else min(lock.pack, lock.target)
+    built, path = prove_boards(design, end, size, progress)
+    lock = replace(lock, built=built, boards_proof=path.proof)
+    if path.contact is None:
+        return lock
+    found = _Sheet.of(design).contact_of_boards(path.contact, built.boards)
+    return replace(lock, drive=found.drive, cause="boards", first_contact=found)
+
+
+def _lock_of_panels(
+    design: Design, tolerance: float, flaps_only: bool, beyond: bool, progress: Progress
+) -> Lock:
     sheet = _Sheet.of(design)
     mechanism = sheet.mechanism
     size = tolerance * diagonal(mechanism.positions(0.0))
@@ -112,6 +131,18 @@ def lock_without_clash(
         Pairs of panels that touch at lock without being meant to.
     """
     sheet = _Sheet.of(design)
+    lock = _end_without_clash(sheet, design, proof, touching)
+    if design.panel is None or proof is not None:
+        return lock
+    return replace(lock, built=build_panels(design, lock.pack))
+
+
+def _end_without_clash(
+    sheet: _Sheet,
+    design: Design,
+    proof: ProofRecord | None,
+    touching: tuple[tuple[Panel, Panel], ...],
+) -> Lock:
     if sheet.folded_flat is None:
         drive = None if sheet.stop is None else sheet.end
         return sheet.lock(drive, sheet.stop, None, proof, touching)
@@ -145,7 +176,9 @@ class _Sheet:
         end = drive_at_fold(mechanism, design.largest_fold)
         stop: Cause | None = "hinges" if end < mechanism.end_drive else None
         if design.panel is not None:
-            limit = drive_for_height(mechanism, design.panel.height, end)
+            limit = mechanism.target_drive
+            if design.panel.reach == "pack":
+                limit = drive_for_height(mechanism, design.panel.height, end)
             end, stop = (limit, "boards") if limit < end else (end, stop)
         flat = np.abs(mechanism.fold_angles(end).row) >= np.pi - FOLDED_FLAT
         places = np.argwhere(flat)
@@ -176,6 +209,19 @@ class _Sheet:
         depth = corrugation_depth(self.mechanism.positions(found.drive))
         panels, kind = self.panels(found.panels), self.kind(found.panels)
         return Contact(found.drive, found.clear_until, panels, kind, depth)
+
+    def contact_of_boards(self, found: PathContact, boards: Boards) -> Contact:
+        """The contact of two boards."""
+        assert found.bodies is not None
+        panels, _, sides = zip(
+            *sorted(
+                (divmod(number, self.columns), body, SIDES[int(boards.sides[body])])
+                for number, body in zip(found.panels, found.bodies, strict=True)
+            ),
+            strict=True,
+        )
+        depth = corrugation_depth(self.mechanism.positions(found.drive))
+        return Contact(found.drive, found.clear_until, panels, "boards", depth, sides)
 
     def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
         first, second = sorted(divmod(number, self.columns) for number in numbers)

@@ -13,7 +13,7 @@ from orishell.errors import ClashError, DesignError, Remedy
 from orishell.locking.flap_widths import flap_width, widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.request import Request
-from orishell.locking.result import Lock
+from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth
 
 NO_PACK = 1e-3
@@ -93,6 +93,8 @@ def _clash(design: Design, lock: Lock) -> ClashError:
     """The error for panels that meet before the target state."""
     contact = lock.first_contact
     assert contact is not None
+    if contact.sides is not None:
+        return _clash_of_boards(contact, contact.sides, lock.target)
     first, second = (list(panel) for panel in contact.panels)
     if contact.drive == 0:
         return ClashError(
@@ -112,3 +114,19 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         stages = (rounded(near, DIGITS), "auto")
         error.candidates = [Remedy({"pattern.stage_deg": stage}) for stage in stages]
     return error
+
+
+def _clash_of_boards(contact: Contact, sides: tuple[str, str], target: float) -> ClashError:
+    """The error for boards that meet before the target state."""
+    first, second = (
+        f"the {side} board of panel {list(panel)}"
+        if side in {"top", "bottom"}
+        else f"panel {list(panel)}"
+        for panel, side in zip(contact.panels, sides, strict=True)
+    )
+    return ClashError(
+        f"{first} and {second} meet before the shell reaches its target",
+        place=f"at drive {in_degrees(contact.drive)} of {in_degrees(target)} degrees",
+        size="panels without a thickness do not",
+        thick=True,
+    )

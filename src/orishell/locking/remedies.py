@@ -25,6 +25,8 @@ TRIALS, PANELS, SEARCHES = 18, 15_000, 3
 whose rows and columns must be searched for so many."""
 SMALLEST = 0.05
 """Curves are offered no smaller than this share."""
+THINNEST = 1e-2
+"""Panels are offered no thinner than this share."""
 COARSE = 2e-2
 """Accuracy of the largest size of a curve that works, relative to it."""
 SHARES = (0.5, 0.25, 0.1)
@@ -112,6 +114,9 @@ class _Search:
 
 def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
     """Changes that keep panels apart: the widest flaps, the largest f, the longest part of g."""
+    if clash.thick:
+        yield from _thinner(request)
+        return
     if request.target is None:
         return
     design = request.designed() if request.quick else None
@@ -131,6 +136,20 @@ def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
         share = largest_quotable(works, 1.0, SMALLEST, COARSE)
         if share is not None:
             yield resized(request, share)
+
+
+def _thinner(request: Request) -> Iterator[Remedy]:
+    """The thickest panels whose boards do not meet."""
+    panel = request.panel
+    assert panel is not None
+
+    def works(thickness: float) -> bool:
+        return reaches_target(request.changed(Remedy({"panel.thickness": thickness})))
+
+    smallest = max(THINNEST, 2 * panel.membrane / panel.thickness)
+    found = largest_quotable(works, panel.thickness, smallest, COARSE)
+    if found is not None:
+        yield Remedy({"panel.thickness": found})
 
 
 def _shrunk(request: Request, flap: float) -> Iterator[Remedy]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Self
+from typing import Literal, Self
 
 import numpy as np
 
@@ -81,11 +81,16 @@ class Request:
             if self.target is None
             else self.pattern.design(*self.target)
         )
-        design = replace(design, largest_fold=self.largest_fold, panel=self.panel)
+        design = replace(design, largest_fold=self.largest_fold, panel=self._panel)
         design = design.with_clipped_flaps() if self.clipped else design
         _require_hinges(design, self.from_pack)
         _require_room(design)
         return design
+
+    @property
+    def _panel(self) -> PanelBuild | None:
+        reach: Literal["target", "pack"] = "pack" if self.from_pack else "target"
+        return self.panel and replace(self.panel, reach=reach)
 
     def changed(self, remedy: Remedy) -> Self:
         """The request with other values at keys of the design file."""

@@ -7,6 +7,7 @@ from typing import Literal
 
 from orishell.clash import ProofRecord
 from orishell.conventions.formatting import in_degrees
+from orishell.solids import Built
 
 Panel = tuple[int, int]
 """Row and column of a panel."""
@@ -18,6 +19,7 @@ Kind = Literal[
     "neighbours",
     "at the sheet's edge",
     "distant panels",
+    "boards",
 ]
 Cause = Literal["flaps", "clash", "crease", "hinges", "boards"]
 
@@ -37,9 +39,11 @@ class Contact:
     kind
         Two flaps of one column (neighbours of these at the end of the motion are what the design
         means), or of both; a flap on another panel; neighbours about a crease that is folded flat;
-        a panel of the sheet's border on another; panels inside it.
+        a panel of the sheet's border on another; panels inside it; boards on panels.
     depth
         Depth of the corrugation there (length).
+    sides
+        Which boards of the panels touch, "top", "bottom" or "panel"; None if panels do.
     """
 
     drive: float
@@ -47,6 +51,7 @@ class Contact:
     panels: tuple[Panel, Panel]
     kind: Kind
     depth: float
+    sides: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +64,8 @@ class Lock:
         Where it ends, or None if nothing ends it (radians).
     cause
         Flaps folded onto each other as designed, panels that clash, another crease that is folded
-        flat, hinges that close no further, or boards that leave too little of a panel.
+        flat, hinges that close no further, or boards: they meet there, or leave too little of a
+        panel beyond.
     first_contact
         The first contact, if there is one.
     target
@@ -70,6 +76,10 @@ class Lock:
         Pairs of panels, flaps and neighbours left out, that touch at the target and not before.
     proof
         How the path was examined, or None if it was not.
+    built
+        The boards of panels that have a thickness; None if they have none.
+    boards_proof
+        How the path was examined for contact of boards, or None if it was not.
     """
 
     drive: float | None
@@ -79,6 +89,8 @@ class Lock:
     depth: float
     touching: tuple[tuple[Panel, Panel], ...]
     proof: ProofRecord | None
+    built: Built | None = None
+    boards_proof: ProofRecord | None = None
 
     def __repr__(self) -> str:
         target = f"target at {in_degrees(self.target)} degrees"
@@ -89,7 +101,7 @@ class Lock:
     @property
     def pack(self) -> float:
         """As far as the motion goes, proved free of contact if its path was examined (radians)."""
-        if self.cause == "clash" and self.first_contact is not None:
+        if self.cause in {"clash", "boards"} and self.first_contact is not None:
             return self.first_contact.clear_until
         return self.target if self.drive is None else self.drive
 
@@ -97,7 +109,7 @@ class Lock:
     def early(self) -> bool:
         """Whether panels clash before the target is met."""
         return (
-            self.cause == "clash"
+            self.cause in {"clash", "boards"}
             and self.first_contact is not None
             and self.first_contact.drive < self.target
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from orishell.clash import ProofRecord
 from orishell.conventions.formatting import in_one_line, tidy_degrees
 from orishell.locking import Cause, Contact, Kind, Lock
 
@@ -30,6 +31,9 @@ class ContactReport:
         Which parts of the sheet they belong to.
     corrugation_depth
         Depth of the corrugation there.
+    sides
+        Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None
+        if panels without a thickness do.
     """
 
     drive_deg: float
@@ -37,6 +41,7 @@ class ContactReport:
     panels: tuple[Panel, Panel]
     kind: Kind
     corrugation_depth: float
+    sides: tuple[str, str] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +104,6 @@ class LockReport:
 
 def describe_lock(lock: Lock) -> LockReport:
     """How the motion ends."""
-    proof = lock.proof
     return LockReport(
         drive_deg=None if lock.drive is None else tidy_degrees(lock.drive),
         cause=lock.cause,
@@ -107,17 +111,22 @@ def describe_lock(lock: Lock) -> LockReport:
         corrugation_depth=lock.depth,
         first_contact=None if lock.first_contact is None else _describe(lock.first_contact),
         touching_at_end=lock.touching,
-        path=None
-        if proof is None
-        else PathReport(
-            states=proof.states,
-            ranges=proof.ranges,
-            tests=proof.tests,
-            largest_step_deg=tidy_degrees(proof.largest_step),
-            smallest_step_deg=tidy_degrees(proof.smallest_step),
-            contact_tolerance=proof.tolerance,
-            bound=BOUND,
-        ),
+        path=describe_path(lock.proof),
+    )
+
+
+def describe_path(proof: ProofRecord | None) -> PathReport | None:
+    """How contact was looked for; None if it was not."""
+    if proof is None:
+        return None
+    return PathReport(
+        states=proof.states,
+        ranges=proof.ranges,
+        tests=proof.tests,
+        largest_step_deg=tidy_degrees(proof.largest_step),
+        smallest_step_deg=tidy_degrees(proof.smallest_step),
+        contact_tolerance=proof.tolerance,
+        bound=BOUND,
     )
 
 
@@ -128,4 +137,5 @@ def _describe(contact: Contact) -> ContactReport:
         panels=contact.panels,
         kind=contact.kind,
         corrugation_depth=contact.depth,
+        sides=contact.sides,
     )

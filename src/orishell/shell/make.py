@@ -33,6 +33,7 @@ from orishell.shell.deployment_report import describe_deployment
 from orishell.shell.deviation_report import describe_deviation
 from orishell.shell.holding import warn_of_deployment
 from orishell.shell.lock_report import describe_lock
+from orishell.shell.panel_report import describe_panels
 from orishell.shell.report import (
     BoxReport,
     Report,
@@ -51,8 +52,6 @@ LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
 wrong: a panel may be as small as a hundred-millionth of the coordinates, and the rounding of
 coordinates turns it by so much."""
 
-
-BOARDS = "contact between boards: panels of no thickness touch nowhere on the way"
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
 """What becomes of a shell whose panels meet before its target: it is refused, or made and said to
@@ -163,7 +162,7 @@ def make_shell(
     approach = measure_approach(design) if measured and compared else None
     clock.lap("deviation")
 
-    document = _document(file, design, motion)
+    document = _document(file, design, lock, motion)
     try:
         deployment = describe_deployment(file, design, lock, feet, measured=measured)
         quantities = measure_quantities(document, file.workshop, nested=nested)
@@ -192,7 +191,6 @@ def make_shell(
         not_checked=(
             *(["contact between panels on the way"] if clash == "unexamined" else []),
             *([] if measured or not compared else ["distance from the surface"]),
-            *([BOARDS] if file.panel else []),
             *(["the layout on the stock"] if quantities.stock is None else []),
         ),
         stands=describe_feet(design, feet),
@@ -200,6 +198,7 @@ def make_shell(
         sheet=SheetReport(width, height, sheet_area(flat.positions)),
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
+        panel=describe_panels(lock),
         quantities=quantities,
     )
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
@@ -244,8 +243,8 @@ def _motion(file: DesignFile, design: Design, lock: Lock) -> FoldingMotion:
     return FoldingMotion(design.mechanism, file.frames, lock.pack)
 
 
-def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Document:
-    size = f"{file.pattern.rows} x {file.pattern.columns}"
+def _document(file: DesignFile, design: Design, lock: Lock, motion: FoldingMotion) -> Document:
+    size, built = f"{file.pattern.rows} x {file.pattern.columns}", lock.built
     return document_of_motion(
         motion,
         file.unit,
@@ -253,6 +252,9 @@ def _document(file: DesignFile, design: Design, motion: FoldingMotion) -> Docume
         curves=design.targets,
         origin=design.origin,
         clipped=design.clipped,
+        panel=design.panel,
+        boards=None if built is None else built.boards,
+        flaps=None if built is None else built.flaps,
     )
 
 

@@ -19,6 +19,7 @@ from orishell.shell.choice import Choice, Trial
 from orishell.shell.deployment_report import DeploymentReport
 from orishell.shell.deviation_report import DeviationReport
 from orishell.shell.lock_report import LockReport
+from orishell.shell.panel_report import PanelReport
 from orishell.shell.standing import Feet
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
@@ -158,6 +159,8 @@ class Report:
         Sizes of the flat sheet and of the shell.
     deployment
         How it is deployed and held, and how small it packs.
+    panel
+        Panels as they are built; None if they have no thickness.
     quantities
         Bill of quantities.
     """
@@ -179,6 +182,7 @@ class Report:
     sheet: SheetReport
     deployed: BoxReport
     deployment: DeploymentReport
+    panel: PanelReport | None
     quantities: Quantities
 
     def __repr__(self) -> str:

@@ -1,0 +1,136 @@
+"""Where boards first meet, and how little of their corners must go so that they do not.
+
+Boards of neighbours never meet. Where those that are opposite each other at a vertex would, corners
+are cut off there, as little as will do; any other contact ends the motion.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.clash import Bodies, PathResult, find_first_body_contact
+from orishell.clash.bodies import Apartness
+from orishell.clash.opposite import opposite_panels
+from orishell.conventions.progress import Progress, unwatched
+from orishell.design import Design
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.solids import Built, build_panels
+
+STATES = 17
+"""States in which boards at a vertex are compared to see how far corners must be cut off."""
+LARGEST = 0.5
+"""Corners are cut off at most this far, relative to the shortest edge at their vertex."""
+FINE = 0.05
+"""Corners are cut off by this share more than is needed."""
+CLEARANCE = 1e-3
+"""Cut corners keep this share of the height of boards between them."""
+HALVINGS = 7
+TRIES = 4
+
+
+def prove_boards(
+    design: Design, end: float, tolerance: float, progress: Progress = unwatched
+) -> tuple[Built, PathResult]:
+    """Return the boards of a design, corners cut off where need be, and their first contact.
+
+    Parameters
+    ----------
+    end
+        The drive up to which boards are set back and the path is examined (radians).
+    tolerance
+        Distance at which boards touch (length).
+
+    Raises
+    ------
+    DesignError
+        If nothing is left of a panel.
+    """
+    mechanism = design.mechanism.still
+    built = build_panels(design, end)
+    for attempt in range(TRIES):
+        bodies = _bodies(mechanism, built)
+        result = find_first_body_contact(
+            mechanism, end, tolerance, bodies, settled=built.settled(), progress=progress
+        )
+        contact = result.contact
+        if contact is None or not _share_vertex(mechanism, contact.panels):
+            break
+        reliefs = _relieve(design, mechanism, built, contact.drive, FINE * 2.0**attempt)
+        if reliefs is None:
+            break
+        built = build_panels(design, end, reliefs)
+    return built, result
+
+
+def _bodies(mechanism: Mechanism, built: Built) -> Bodies:
+    flat = mechanism.positions(0.0).reshape(-1, 3)
+    return Bodies(built.boards, mechanism.grid.faces_vertices(), flat)
+
+
+def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
+    first, second = mechanism.grid.faces_vertices()[list(panels)]
+    return bool(np.isin(first, second).any())
+
+
+def _relieve(
+    design: Design, mechanism: Mechanism, built: Built, drive: float, more: float
+) -> Array | None:
+    """How far corners are cut off (rows, columns) so that opposite boards are apart.
+
+    None if that does not help.
+    """
+    grid = mechanism.grid
+    room = LARGEST * _shortest_edges(mechanism)
+    clearance = CLEARANCE * built.build.height
+    bodies = _bodies(mechanism, built)
+    panels, vertices = opposite_panels(grid, built.settled())
+    pairs, which = bodies.pairs_of(panels)
+    vertex = vertices[which]
+
+    def gaps(bodies: Bodies, drive: float, some: Integers) -> Array:
+        state = bodies.carried(mechanism.positions(drive).reshape(-1, 3))
+        found = Apartness.of((state, state), (pairs[0][some], pairs[1][some]))
+        return np.asarray(found.gaps[0])
+
+    # Smaller boards are apart wherever larger ones are: only these states and pairs count.
+    everything = np.arange(len(vertex))
+    meeting = [
+        (at, everything[gaps(bodies, at, everything) <= clearance])
+        for at in np.unique([*np.linspace(0.0, built.limit, STATES), drive]).tolist()
+    ]
+
+    def not_apart(reliefs: Array) -> Booleans:
+        """Vertices (rows, columns) at which opposite boards meet in one of the states."""
+        found = np.zeros(grid.vertex_count, np.bool_)
+        now = _bodies(mechanism, build_panels(design, built.limit, reliefs))
+        for at, some in meeting:
+            if len(some):
+                found[vertex[some[gaps(now, at, some) <= clearance]]] = True
+        return found.reshape(grid.rows, grid.columns)
+
+    there = not_apart(built.reliefs)
+    enough = np.where(there, room, built.reliefs)
+    if not there.any() or not_apart(enough).any():
+        return None
+    short = np.where(there, built.reliefs, 0.0)
+    for _ in range(HALVINGS):
+        middle = np.where(there, 0.5 * (short + enough), built.reliefs)
+        bad = not_apart(middle)
+        short, enough = np.where(there & bad, middle, short), np.where(there & ~bad, middle, enough)
+    return np.where(there, np.minimum((1 + more) * enough, room), built.reliefs)
+
+
+def _shortest_edges(mechanism: Mechanism) -> Array:
+    """Length (rows, columns) of the shortest edge at every vertex."""
+    flat = mechanism.positions(0.0)
+    along, down = (np.linalg.norm(np.diff(flat, axis=axis), axis=-1) for axis in (1, 0))
+    shortest = np.full(flat.shape[:2], np.inf)
+    for part, length in (
+        (np.s_[:, :-1], along),
+        (np.s_[:, 1:], along),
+        (np.s_[:-1], down),
+        (np.s_[1:], down),
+    ):
+        shortest[part] = np.minimum(shortest[part], length)
+    return shortest
