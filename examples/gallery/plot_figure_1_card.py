@@ -24,13 +24,10 @@ from orishell.workshop.palettes import load_palette
 from orishell.workshop.sheets import draw_sheet_files
 
 card = runpy.run_path(str(EXAMPLES / "figure1_card.py"))
-file = card["read"]()
-model = card["document"](file)
-drawings = {
-    path.name: drawing
-    for path, drawing in draw_sheet_files(Path("pattern.svg"), model, file.workshop)
-}
-for name, value in card["measure"](file, model).items():
+shell = card["design"]()
+files = draw_sheet_files(Path("pattern.svg"), shell.document, shell.file.workshop)
+drawings = {path.name: drawing for path, drawing in files}
+for name, value in card["measure"](shell).items():
     print(f"{name}: {value:.4g}")
 
 
@@ -64,8 +61,7 @@ def show(axes: Axes, drawing: Drawing) -> None:
 # %%
 # The target: panels of no thickness, as they are designed, without the flaps that are clipped on.
 
-design = file.pattern.design(file.f, file.g).with_clipped_flaps()
-sheet = design.mechanism
+sheet = shell.design.mechanism
 figure, axes = plt.subplots(figsize=(8, 4), layout="constrained")
 signs = find_assignment(sheet)
 draw_shell(axes, sheet.positions(LOCKED * sheet.target_drive), camera(-65, 35), signs=signs, line=1)

@@ -101,9 +101,11 @@ export interface ContactReport {
   /** The two panels. */
   panels: [[number, number], [number, number]];
   /** Which parts of the sheet they belong to. */
-  kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels";
+  kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels" | "boards";
   /** Depth of the corrugation there. */
   corrugation_depth: number;
+  /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if panels without a thickness do. */
+  sides: [string, string] | null;
 }
 
 /** Length of all creases of a kind, in the document's unit. */
@@ -340,6 +342,32 @@ export interface PanelMass {
   total: number | null;
 }
 
+/** Panels as they are built. */
+export interface PanelReport {
+  /** What they are made of. */
+  construction: "sandwich" | "bevel";
+  /** What they are made of. */
+  thickness: number;
+  /** What they are made of. */
+  membrane: number;
+  /** What they are made of. */
+  gap: number;
+  /** The drive up to which boards are set back. */
+  set_back_for_deg: number;
+  /** The largest fold angle of a crease on the way there. */
+  largest_fold_deg: number;
+  /** How far boards stand back at most. */
+  largest_setback: number;
+  /** Their number, those of clipped flaps included. */
+  boards: number;
+  /** Number of vertices at which corners of boards are cut off, and how far at most. */
+  corners_cut: number;
+  /** Number of vertices at which corners of boards are cut off, and how far at most. */
+  largest_cut: number;
+  /** How contact of boards was looked for; None if it was not. */
+  path: PathReport | null;
+}
+
 /** A parameter of a family, as a control shows it. */
 export interface Parameter {
   key: string;
@@ -465,6 +493,8 @@ export interface Report {
   deployed: BoxReport;
   /** How it is deployed and held, and how small it packs. */
   deployment: DeploymentReport;
+  /** Panels as they are built; None if they have no thickness. */
+  panel: PanelReport | null;
   /** Bill of quantities. */
   quantities: Quantities;
 }
