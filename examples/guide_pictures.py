@@ -25,6 +25,7 @@ from orishell import (
 )
 from orishell.conventions.colours import LIGHT
 from orishell.curves import trace_curve
+from orishell.design import PanelBuild
 from orishell.design_file.file import check_design
 from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import Sectors
@@ -32,6 +33,7 @@ from orishell.locking import find_lock
 from orishell.plot import DrawnContact, plot_overview, plot_tradeoff
 from orishell.polylines import fit_staircase, place_zigzags
 from orishell.shell.tolerance import meet_tolerance
+from orishell.solids import build_boards, largest_folds
 from orishell.workshop import Drawing, Workshop
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.sheets import draw_sheet_files
@@ -248,6 +250,38 @@ def draw_sheets(path: Path) -> None:
     save(figure, path)
 
 
+def draw_layers(path: Path) -> None:
+    """The membrane of a sheet of card with its glue areas, its upper boards, and solid panels."""
+    figure, axes = new_figure(18, 3.6, 3)
+    design = design_parallel_repeating(
+        graph("-x**2/25", -25, 25),
+        graph("125*sin(pi*x/250)", 0, 250),
+        rows=5,
+        columns=5,
+        xi=XI,
+        flap=0,
+    )
+    sheet = design.mechanism
+    folds = largest_folds(sheet, sheet.target_drive)
+    for build, shown in (
+        (PanelBuild(3.2, "sandwich", membrane=0.2), ("pattern.svg", "pattern-top.svg")),
+        (PanelBuild(3.2, "bevel"), ("pattern-panels.svg",)),
+    ):
+        document = document_of_motion(
+            FoldingMotion(sheet, 2),
+            "mm",
+            panel=build,
+            boards=build_boards(sheet.positions(0.0), sheet.grid, build, folds),
+        )
+        workshop = Workshop(title_block=False)
+        for name, drawing in draw_sheet_files(Path("pattern.svg"), document, workshop):
+            if name.name in shown:
+                place = axes.pop(0)
+                draw_drawing(place, drawing)
+                to_scale(place, name.name)
+    save(figure, path)
+
+
 def draw_clash(path: Path) -> None:
     """Flaps across an almost closed bend meet half way."""
     from PIL import Image
@@ -284,6 +318,7 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "longitudinal-angles.png": draw_sections,
     "tolerance.png": draw_choice,
     "workshop-sheets.png": draw_sheets,
+    "workshop-layers.png": draw_layers,
     "locking-clash.png": draw_clash,
 }
 

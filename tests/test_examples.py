@@ -213,6 +213,28 @@ def test_from_drawings(name: str) -> None:
         assert size["from f"] == pytest.approx(0.12, abs=1e-9)  # depth, in from_svg.toml
 
 
+def test_figure_1_card(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """One sheet of A3 paper, one of card, boards that can be cut; and it folds to its target."""
+    monkeypatch.setattr("sys.argv", ["figure1_card.py", str(tmp_path)])
+    runpy.run_path(str(EXAMPLES / "figure1_card.py"), run_name="__main__")
+    assert capsys.readouterr().out.splitlines() == [
+        "407 mm x 180 mm of paper on 1 sheet of A3",
+        "76 boards on 1 sheet of card, the narrowest 8.1 mm wide",
+        "106 g; it folds by 130.5 degrees at most",
+    ]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "pattern-1.svg",
+        "pattern-back-1.svg",
+        "pattern-boards-1.svg",
+        "pattern.svg",
+    ]
+    shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), measured=False)
+    assert shell.report.feasible
+    assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
+
+
 @pytest.mark.slow
 def test_writes_the_pattern(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """With a directory, ``from_dxf.py`` writes the shell's files and the pattern for a cutter."""

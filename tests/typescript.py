@@ -60,7 +60,8 @@ def fits(value: Any, kind: Any) -> bool:
         case "literal", inner:
             return value in inner
         case "tuple", inner:
-            return len(value) == len(inner) and all(map(fits, value, inner))
+            same = isinstance(value, list) and len(value) == len(inner)
+            return same and all(map(fits, value, inner))
         case "list" | "dict" as shape, inner:
             items = value.values() if isinstance(value, dict) else value
             item = inner[1] if shape == "dict" else inner[0]

@@ -9,7 +9,8 @@ from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.sheet.mesh import build_mesh
 from orishell.workshop import Text, Workshop
-from orishell.workshop.labels import CHARACTER, part_labels
+from orishell.workshop.fitted_words import CHARACTER
+from orishell.workshop.labels import part_labels
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.part import Part
 

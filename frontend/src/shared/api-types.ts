@@ -38,6 +38,16 @@ export interface AssignmentReport {
   maekawa: boolean;
 }
 
+/** Number of boards by the face that they lie on. */
+export interface BoardCount {
+  /** Boards on the upper and on the lower face of the membrane. */
+  top: number;
+  /** Boards on the upper and on the lower face of the membrane. */
+  bottom: number;
+  /** Solid panels. */
+  solid: number;
+}
+
 /** Bounding box of a state. */
 export interface BoxReport {
   /** Along x, y and z. */
@@ -91,9 +101,11 @@ export interface ContactReport {
   /** The two panels. */
   panels: [[number, number], [number, number]];
   /** Which parts of the sheet they belong to. */
-  kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels";
+  kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels" | "boards";
   /** Depth of the corrugation there. */
   corrugation_depth: number;
+  /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if panels without a thickness do. */
+  sides: [string, string] | null;
 }
 
 /** Length of all creases of a kind, in the document's unit. */
@@ -300,6 +312,62 @@ export interface PackedReport {
   layers: number;
 }
 
+/** What panels with a thickness are made of; lengths and areas in the document's unit. */
+export interface PanelBill {
+  /** How many boards there are, those that are clipped on included. */
+  boards: BoardCount;
+  /** Area of all boards, each at its largest. */
+  board_area: number;
+  /** Area of the membrane, without tabs and strips; 0 if there is none. */
+  membrane_area: number;
+  /** Area of the boards' faces on the membrane. */
+  glue_area: number;
+  /** Length of the creases that fold. */
+  hinge_length: number;
+  /** Mass by part. */
+  mass_kg: PanelMass;
+  /** Of the shell at its target, in the world; None if its mass is not known. */
+  centre_of_mass: [number, number, number] | null;
+  /** Number of sheets of stock for the boards; None if there is no stock, or that was not asked for. */
+  stock_sheets: number | null;
+}
+
+/** Mass of panels with a thickness (kg). */
+export interface PanelMass {
+  /** Of boards, or of solid panels; None if their density is not known. */
+  boards: number | null;
+  /** Of the membrane; None if its density is not known, 0 if there is none. */
+  membrane: number | null;
+  /** Of both; None if one is not known. */
+  total: number | null;
+}
+
+/** Panels as they are built. */
+export interface PanelReport {
+  /** What they are made of. */
+  construction: "sandwich" | "bevel";
+  /** What they are made of. */
+  thickness: number;
+  /** What they are made of. */
+  membrane: number;
+  /** What they are made of. */
+  gap: number;
+  /** The drive up to which boards are set back. */
+  set_back_for_deg: number;
+  /** The largest fold angle of a crease on the way there. */
+  largest_fold_deg: number;
+  /** How far boards stand back at most. */
+  largest_setback: number;
+  /** Their number, those of clipped flaps included. */
+  boards: number;
+  /** Number of vertices at which corners of boards are cut off, and how far at most. */
+  corners_cut: number;
+  /** Number of vertices at which corners of boards are cut off, and how far at most. */
+  largest_cut: number;
+  /** How contact of boards was looked for; None if it was not. */
+  path: PathReport | null;
+}
+
 /** A parameter of a family, as a control shows it. */
 export interface Parameter {
   key: string;
@@ -355,6 +423,8 @@ export interface Quantities {
   stock: Waste | null;
   /** Mass of the panels; None if the areal density is not known. */
   mass_kg: number | null;
+  /** Boards, membrane and hinges; None if panels have no thickness. */
+  built: PanelBill | null;
 }
 
 /** Values of a parameter that were tried, and those that work. */
@@ -423,6 +493,8 @@ export interface Report {
   deployed: BoxReport;
   /** How it is deployed and held, and how small it packs. */
   deployment: DeploymentReport;
+  /** Panels as they are built; None if they have no thickness. */
+  panel: PanelReport | null;
   /** Bill of quantities. */
   quantities: Quantities;
 }

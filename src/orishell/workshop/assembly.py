@@ -11,10 +11,12 @@ from orishell.document import Document
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.drawing import Drawing, Layer, Line, Text
 from orishell.workshop.joints import LETTER_WIDTH, Joint
+from orishell.workshop.labels import panel_labels
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.part import Part
 from orishell.workshop.placing import shifted
 from orishell.workshop.settings import Workshop
+from orishell.workshop.tabs import choose_joint_width
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -68,7 +70,8 @@ def draw_map(
     """The assembly map: the sheet with its parts numbered and its joints named, not to be cut.
 
     Creases are drawn short, tabs where they lie under the neighbouring panels. Boards that are
-    clipped on stand beside the panels that they belong to.
+    clipped on stand beside the panels that they belong to. Where panels have a thickness they are
+    named: their boards' part numbers begin so.
     """
     own, document = len(document.mesh.faces), with_clipped(document)
     flat, edges = document.require_flat(), document.mesh.edges
@@ -93,6 +96,10 @@ def draw_map(
     lines += [Line("CUT", rim + shift, closed=True) for rim in rims]
 
     names = [mark for joint in joints for mark in joint.marks()[:1]]
+    if document.boards is not None:
+        taken = np.zeros(len(document.mesh.faces))
+        taken[document.mesh.edge_faces[sorted(cut)]] = choose_joint_width(document, workshop)
+        names += panel_labels(document, taken)
     numbered = [part for part in parts if part.number]
     texts = [*names, *(number_text(document, part, names) for part in numbered)]
     placed = [*shifted(((), (), tuple(texts)), *shift.tolist())[2]]

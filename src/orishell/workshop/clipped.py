@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.boards import Boards
 from orishell.sheet.mesh import build_mesh
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.outline import find_outlines
@@ -20,10 +21,10 @@ CLOSE = 0.5
 
 
 def with_clipped(document: Document) -> Document:
-    """The flat sheet with its clipped boards beside it: pieces that do not hang together.
+    """The flat sheet with what is clipped on beside it: pieces that do not hang together.
 
-    The boards' vertices, edges and panels come after the sheet's. Each board lies beside the edge
-    that it is clipped on, with a gap. A document without boards is returned as it is.
+    Their vertices, edges, panels and boards come after the sheet's. Each piece lies beside the edge
+    that it is clipped on, with a gap. A document with nothing clipped on is returned as it is.
 
     Raises
     ------
@@ -54,7 +55,29 @@ def with_clipped(document: Document) -> Document:
         grid_shape=None,
         named={},
         names=tuple(p.panel_name(panel) for p in pieces for panel in range(len(p.mesh.faces))),
+        boards=_all_boards(pieces, flats),
         clipped=(),
+    )
+
+
+def _all_boards(pieces: Sequence[Document], flats: Sequence[Array]) -> Boards | None:
+    """The boards of all pieces, where these lie (V, 2) now; None if panels have no thickness."""
+    made, first = [], 0
+    corners = max((p.boards.outlines.shape[2] for p in pieces if p.boards is not None), default=0)
+    for piece, flat in zip(pieces, flats, strict=True):
+        if piece.boards is not None:
+            shift = np.append(flat[0] - piece.require_flat()[0], 0.0)
+            own = piece.boards.outlines + shift
+            spare = ((0, 0), (0, 0), (0, corners - own.shape[2]), (0, 0))
+            outlines = np.pad(own, spare, mode="edge")  # corners that coincide with the last
+            made.append(Boards(piece.boards.panels + first, piece.boards.sides, outlines))
+        first += len(piece.mesh.faces)
+    if not made:
+        return None
+    return Boards(
+        np.concatenate([each.panels for each in made]),
+        np.concatenate([each.sides for each in made]),
+        np.concatenate([each.outlines for each in made]),
     )
 
 

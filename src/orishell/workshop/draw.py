@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from orishell.document import Document
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array
 from orishell.workshop.creases import crease_lines, relief_holes
 from orishell.workshop.drawing import Drawing, Line, Text
 from orishell.workshop.labels import part_labels
@@ -14,7 +17,7 @@ from orishell.workshop.palettes import load_palette
 from orishell.workshop.part import Part
 from orishell.workshop.placing import Content, shifted
 from orishell.workshop.settings import Workshop
-from orishell.workshop.title_block import draw_title_block, letter_height
+from orishell.workshop.title_block import draw_title_block, letter_height, sheet_facts
 
 NOTHING = 1e-12
 """A panel is a line if its area is below this share of the sheet's size squared."""
@@ -100,32 +103,67 @@ def draw_part(
         As :func:`require_drawable` and :func:`part_lines` do, or if there is no such palette.
     """
     require_drawable(document)
-    lines, circles, texts = part_lines(document, part, workshop)
+    content = part_lines(document, part, workshop)
+    facts = sheet_facts(document, part, drawn_box(content)[1], workshop)
+    return draw_page(
+        content, title or document.title, document.unit, facts if title_block else [], workshop
+    )
+
+
+def draw_page(
+    content: Content, title: str, unit: str, facts: Sequence[str], workshop: Workshop
+) -> Drawing:
+    """What is drawn on a page that is just large enough, 1:1.
+
+    Parameters
+    ----------
+    content
+        What is drawn.
+    title
+        What the title block says first.
+    unit
+        Unit of length.
+    facts
+        What it says below; without any there is none, nor where ``workshop`` or its palette leave
+        it out.
+    """
     palette = load_palette(workshop.palette)
-    points = np.concatenate([line.points for line in lines])
-    low, size = points.min(axis=0), np.ptp(points, axis=0)
-    letter = letter_height(float(size[0]), document.unit)
+    lines, circles, _ = content
+    low, size = drawn_box(content)
+    letter = letter_height(float(size[0]), unit)
     margin = MARGIN * letter
     width, below = float(size[0]), 0.0
     block: Content = ((), (), ())
-    if title_block and workshop.title_block and "LABEL" in palette.pens:
+    if facts and workshop.title_block and "LABEL" in palette.pens:
         wide, high = size.tolist()
-        drawn = Drawing(title or document.title, document.unit, wide, high, lines, circles)
-        made = draw_title_block(document, part, workshop, drawn=drawn, letter=letter)
+        drawn = Drawing(title, unit, wide, high, lines, circles)
+        made = draw_title_block(facts, palette, drawn=drawn, letter=letter)
         block = shifted((made.lines, (), made.texts), margin, margin)
         width, below = max(width, made.width), made.height + margin
     left = margin + 0.5 * (width - float(size[0]))
     up = margin + below - float(low[1])
-    sheet = shifted((lines, circles, texts), left - float(low[0]), up)
+    sheet = shifted(content, left - float(low[0]), up)
     return Drawing(
-        title or document.title,
-        document.unit,
+        title,
+        unit,
         width + 2 * margin,
         float(size[1]) + below + 2 * margin,
         block[0] + sheet[0],
         sheet[1],
         block[2] + sheet[2],
     )
+
+
+def drawn_box(content: Content) -> tuple[Array, Array]:
+    """Lower left corner (2,) and size (2,) of the box around all lines.
+
+    Parameters
+    ----------
+    content
+        What is drawn.
+    """
+    points = np.concatenate([line.points for line in content[0]])
+    return points.min(axis=0), np.ptp(points, axis=0)
 
 
 def _require_areas(document: Document) -> None:

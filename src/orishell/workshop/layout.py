@@ -87,7 +87,7 @@ def require_stock(document: Document, workshop: Workshop) -> None:
     InputError
         As :func:`lay_out` does.
     """
-    width, height = _usable(workshop)
+    width, height = usable_stock(workshop)
     everything = with_clipped(document)
     if not len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
@@ -117,7 +117,7 @@ class _FlatSheet:
 def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
     document = with_clipped(sheet.document)
     whole = whole_sheet(document)
-    width, height = _usable(workshop)
+    width, height = usable_stock(workshop)
     points = np.concatenate(whole.outlines)
     turns = find_turns(points, width, height)
     if len(turns) and not sheet.document.clipped:
@@ -136,7 +136,14 @@ def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
     return Layout((*parts, *strips), nest_parts(outlines, width, height, workshop.spacing), joints)
 
 
-def _usable(workshop: Workshop) -> tuple[float, float]:
+def usable_stock(workshop: Workshop) -> tuple[float, float]:
+    """Width and height of the stock without its margins.
+
+    Raises
+    ------
+    InputError
+        If the margins leave nothing.
+    """
     if workshop.stock is None:
         raise AssertionError("only stock has a margin")
     width, height = (side - 2 * workshop.margin for side in workshop.stock)

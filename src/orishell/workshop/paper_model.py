@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,11 +10,14 @@ import numpy as np
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
+from orishell.workshop.board_sheets import board_layers
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.drawing import Layer, Line, Text
+from orishell.workshop.glue import back_of, sheet_title, with_glue_areas
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.palettes import load_palette
+from orishell.workshop.placing import Content
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import Tiling, tile_sheet
 from orishell.workshop.title_block import round_length
@@ -78,12 +82,57 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     workshop = replace(workshop, creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
     document = with_clipped(document)
     require_drawable(document)
-    part = whole_sheet(document)
-    lines, _, texts = part_lines(document, part, workshop)
-    low = np.concatenate(part.outlines).min(axis=0)
-    true = conversion(document.unit, "mm")
-    outlines = tuple((outline - low) * true for outline in part.outlines)
-    tiling = tile_sheet(outlines, workshop.paper_scale, workshop.paper)
+    part = with_glue_areas(document, whole_sheet(document))
+    content = part_lines(document, part, workshop)
+    title = sheet_title(document)
+    return _to_scale(content, title, document.unit, part.outlines, workshop)
+
+
+def make_board_models(
+    document: Document, workshop: Workshop, scale: float
+) -> Iterator[tuple[str, PaperModel]]:
+    """Paper models of the membrane's back and of all layers of boards, and their files' endings.
+
+    Parameters
+    ----------
+    scale
+        That of the sheet's model.
+
+    Raises
+    ------
+    InputError
+        If one takes too many pages.
+    """
+    if document.boards is None:
+        return
+    workshop = replace(workshop, paper_scale=scale, stock=None)
+    everything = with_clipped(document)
+    if (document.boards.sides < 0).any():
+        back, title = back_of(everything, whole_sheet(everything)), f"{sheet_title(document)}, back"
+        yield "-back", _to_scale(back, title, document.unit, _hull(back), workshop)
+    for layer in board_layers(document, workshop):
+        outlines = _hull(layer.content)
+        model = _to_scale(layer.content, layer.title, document.unit, outlines, workshop)
+        yield f"-{layer.ending}", model
+
+
+def _hull(content: Content) -> tuple[Array, ...]:
+    """The corners (k, 2) of the convex hull of all lines, as one outline."""
+    import shapely
+
+    points = shapely.multipoints(np.concatenate([line.points for line in content[0]]))
+    return (shapely.get_coordinates(shapely.convex_hull(points))[:-1],)
+
+
+def _to_scale(
+    content: Content, title: str, unit: str, outlines: tuple[Array, ...], workshop: Workshop
+) -> PaperModel:
+    """What is drawn within outlines, on pages."""
+    lines, _, texts = content
+    low = np.concatenate(outlines).min(axis=0)
+    true = conversion(unit, "mm")
+    rims = tuple((outline - low) * true for outline in outlines)
+    tiling = tile_sheet(rims, workshop.paper_scale, workshop.paper)
     scale = true * tiling.scale
     drawn = tuple(replace(line, points=(line.points - low) * scale) for line in lines)
     x, y = low.tolist()
@@ -93,14 +142,14 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     pens = dict(load_palette("plain").pens) | dict(load_palette(workshop.palette).pens)
     bar = round_length(BAR_MM / scale)
     return PaperModel(
-        title=document.title.encode("cp1252", "replace").decode("cp1252"),
-        unit=document.unit,
+        title=title.encode("cp1252", "replace").decode("cp1252"),
+        unit=unit,
         lines=drawn,
         texts=placed,
         lows=np.array([line.points.min(axis=0) for line in drawn]),
         highs=np.array([line.points.max(axis=0) for line in drawn]),
         colours={layer: pen.colour for layer, pen in pens.items()},
-        size=np.max(np.concatenate(outlines), axis=0) * tiling.scale,
+        size=np.max(np.concatenate(rims), axis=0) * tiling.scale,
         tiling=tiling,
         bar=bar,
         bar_mm=bar * scale,

@@ -49,6 +49,17 @@ class Placement:
             tuple(self._move_text(text) for text in texts),
         )
 
+    def turned_over(self, width: float) -> Placement:
+        """Where the part, mirrored about the y axis, lies when its sheet is turned over.
+
+        Parameters
+        ----------
+        width
+            Of what can be used of the sheet.
+        """
+        x, y = self.shift.tolist()
+        return Placement(self.sheet, -self.angle, np.array([width - x, y]))
+
     def _moved(self, drawn: Mark) -> Mark:
         ((x, y),) = self.move(np.array([[drawn.x, drawn.y]])).tolist()
         return replace(drawn, x=x, y=y)

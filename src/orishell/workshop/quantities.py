@@ -10,6 +10,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.workshop import Workshop
+from orishell.workshop.bill import PanelBill, measure_panels
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.layout import require_stock
 from orishell.workshop.sheets import Waste, measure_waste
@@ -50,6 +51,8 @@ class Quantities:
         Sheets of stock, and what of them is not used; None if that was not asked for.
     mass_kg
         Mass of the panels; None if the areal density is not known.
+    built
+        Boards, membrane and hinges; None if panels have no thickness.
     """
 
     panels: int
@@ -59,6 +62,7 @@ class Quantities:
     outline_length: float
     stock: Waste | None
     mass_kg: float | None
+    built: PanelBill | None = None
 
     __repr__ = in_one_line
 
@@ -101,4 +105,5 @@ def measure_quantities(
         outline_length=total("B", "C"),
         stock=stock,
         mass_kg=area * in_metres**2 * workshop.areal_density or None,
+        built=measure_panels(document, workshop, nested=nested),
     )

@@ -8,21 +8,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
 
 from orishell.document import Document
 from orishell.workshop.assembly import draw_map, number_text
+from orishell.workshop.board_sheets import draw_boards
 from orishell.workshop.clipped import with_clipped
-from orishell.workshop.draw import draw_part, part_lines, require_drawable
-from orishell.workshop.drawing import ORDER, Circle, Drawing, Line, Text
-from orishell.workshop.layout import Layout, lay_out
+from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
+from orishell.workshop.drawing import Drawing
+from orishell.workshop.glue import back_of, sheet_title, with_glue_areas
+from orishell.workshop.layout import Layout, lay_out, usable_stock
 from orishell.workshop.outline import signed_areas, whole_sheet
+from orishell.workshop.part import Part
+from orishell.workshop.placing import Content, Placement
 from orishell.workshop.settings import Workshop
-
-LETTERS = 0.4
-"""Height of the words in the margin, as a share of its width."""
+from orishell.workshop.stock_sheet import draw_stock_sheet
+from orishell.workshop.title_block import program_and_palette, quoted_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,9 +74,10 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     InputError
         If there is no flat sheet or no unit, or a panel does not fit the stock.
     """
-    everything = with_clipped(document)
+    everything = replace(with_clipped(document), title=sheet_title(document))
     if workshop.stock is None:
-        return (draw_part(everything, whole_sheet(everything), workshop),)
+        part = with_glue_areas(everything, whole_sheet(everything))
+        return (draw_part(everything, part, workshop),)
     require_drawable(everything)
     layout = lay_out(document, workshop)
     drawings = tuple(
@@ -83,12 +88,43 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     return (draw_map(document, layout.parts, layout.joints, workshop, layout.sheets), *drawings)
 
 
+def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
+    """The back of every sheet of :func:`draw_sheets`, with the places of the lower boards.
+
+    None where there is no membrane, or no board on its lower face.
+    """
+    everything = replace(with_clipped(document), title=sheet_title(document))
+    if everything.boards is None or not (everything.boards.sides < 0).any():
+        return ()
+    if workshop.stock is None:
+        content = back_of(everything, whole_sheet(everything))
+        facts = (
+            f"Lower face, seen from below, {quoted_size(drawn_box(content)[1], document.unit)}",
+            "Places of the lower boards; nothing is cut",
+            program_and_palette(workshop),
+        )
+        title = f"{everything.title}, back"
+        return (draw_page(content, title, document.unit, facts, workshop),)
+    layout = lay_out(document, workshop)
+    return tuple(
+        _draw_back(everything, workshop, layout, number) for number in range(layout.sheets)
+    )
+
+
 def draw_sheet_files(
     path: Path, document: Document, workshop: Workshop
 ) -> Iterator[tuple[Path, Drawing]]:
-    """The drawings of :func:`draw_sheets` and their files: ``path``, then ``-1``, ``-2``, ..."""
-    for number, drawing in enumerate(draw_sheets(document, workshop)):
-        yield (path.with_stem(f"{path.stem}-{number}") if number else path), drawing
+    """The drawings of :func:`draw_sheets` and their files: ``path``, then ``-1``, ``-2``, ...
+
+    Where panels have a thickness the back of the membrane (``-back``, or ``-back-1``, ...) and the
+    boards (:func:`~orishell.workshop.board_sheets.draw_boards`) follow.
+    """
+    sheets, backs = draw_sheets(document, workshop), draw_backs(document, workshop)
+    drawn = [(f"-{k}" if k else "", drawing) for k, drawing in enumerate(sheets)]
+    numbered = len(sheets) > 1
+    drawn += [(f"-back-{k}" if numbered else "-back", back) for k, back in enumerate(backs, 1)]
+    for ending, drawing in chain(drawn, draw_boards(document, workshop)):
+        yield path.with_stem(path.stem + ending), drawing
 
 
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
@@ -121,37 +157,37 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
 
 
 def _draw_sheet(document: Document, workshop: Workshop, layout: Layout, number: int) -> Drawing:
-    """One sheet of stock, in the order of work: marks, creases, holes, cuts."""
-    if workshop.stock is None or layout.placements is None:
-        raise AssertionError("only stock is drawn sheet by sheet")
-    lines: list[Line] = []
-    circles: list[Circle] = []
-    texts: list[Text] = []
-    for part, placement in zip(layout.parts, layout.placements, strict=True):
+    """One sheet of stock."""
+    placed: list[tuple[Content, Placement]] = []
+    for part, placement in _placed(layout):
         if placement.sheet != number:
             continue
-        drawn_lines, drawn_circles, drawn_texts = part_lines(document, part, workshop)
+        lines, circles, texts = part_lines(document, with_glue_areas(document, part), workshop)
         if part.number:
-            words = number_text(document, part, drawn_texts)
-            drawn_texts += (replace(words, angle=-placement.angle),)
-        place = replace(placement, shift=placement.shift + workshop.margin)
-        placed = place.move_all((drawn_lines, drawn_circles, drawn_texts))
-        lines += placed[0]
-        circles += placed[1]
-        texts += placed[2]
-    title = document.title
-    if layout.sheets > 1:
-        title += f", sheet {number + 1} of {layout.sheets}"
-    if workshop.title_block and workshop.margin > 0:
-        wide, high = workshop.stock
-        says = f"{title}, 1:1 on {wide:g} x {high:g} {document.unit}"
-        texts.append(_margin_words(says, wide, workshop.margin))
-    lines.sort(key=lambda line: ORDER.index(line.layer))
-    return Drawing(
-        title, document.unit, *workshop.stock, tuple(lines), tuple(circles), tuple(texts)
-    )
+            words = number_text(document, part, texts)
+            texts += (replace(words, angle=-placement.angle),)
+        placed.append(((lines, circles, texts), placement))
+    title = _numbered(document.title, layout, number)
+    return draw_stock_sheet(placed, title, document.unit, workshop)
 
 
-def _margin_words(words: str, width: float, margin: float) -> Text:
-    height = min(LETTERS * margin, (width - 2 * margin) / len(words))
-    return Text("LABEL", margin, margin / 2, height, words, anchor="start")
+def _draw_back(document: Document, workshop: Workshop, layout: Layout, number: int) -> Drawing:
+    """The back of one sheet of stock, as it lies when the sheet is turned over."""
+    width, _ = usable_stock(workshop)
+    placed = [
+        (back_of(document, part), p.turned_over(width))
+        for part, p in _placed(layout)
+        if p.sheet == number
+    ]
+    title = _numbered(f"{document.title}, back", layout, number)
+    return draw_stock_sheet(placed, title, document.unit, workshop)
+
+
+def _placed(layout: Layout) -> Iterator[tuple[Part, Placement]]:
+    if layout.placements is None:
+        raise AssertionError("only stock is drawn sheet by sheet")
+    return zip(layout.parts, layout.placements, strict=True)
+
+
+def _numbered(title: str, layout: Layout, number: int) -> str:
+    return title + (f", sheet {number + 1} of {layout.sheets}" if layout.sheets > 1 else "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -12,9 +13,10 @@ from orishell.conventions.units import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import Document
 from orishell.errors import printable
+from orishell.numerics.arrays import Array
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
 from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text
-from orishell.workshop.palettes import Palette, load_palette
+from orishell.workshop.palettes import Palette
 from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
 
@@ -39,7 +41,7 @@ def letter_height(width: float, unit: str) -> float:
 
 
 def draw_title_block(
-    document: Document, part: Part, workshop: Workshop, *, drawn: Drawing, letter: float
+    facts: Sequence[str], palette: Palette, *, drawn: Drawing, letter: float
 ) -> Drawing:
     """The title block, with its lower left corner at (0, 0).
 
@@ -47,15 +49,16 @@ def draw_title_block(
 
     Parameters
     ----------
-    document, part, workshop
-        What is drawn and how.
+    facts
+        What is said below the title, line by line.
+    palette
+        What the legend explains.
     drawn
-        The part's lines and holes, its size and its title.
+        The lines and holes, its size and its title.
     letter
         Height of letters.
     """
-    rows = _legend_rows(drawn, load_palette(workshop.palette))
-    facts = _facts(document, part, drawn, workshop)
+    rows = _legend_rows(drawn, palette)
     high = 2 * _PADDING + len(rows) * _ROW - 1.0
     width = max(drawn.width / letter, SCALE + LEGEND)
     if width >= TITLE + SCALE + LEGEND:
@@ -120,7 +123,7 @@ class _Cell:
         self.texts.append(Text("LABEL", *place, height * self.letter, words, 0.0, anchor))
 
 
-def _title(cell: _Cell, title: str, facts: list[str]) -> None:
+def _title(cell: _Cell, title: str, facts: Sequence[str]) -> None:
     room = cell.width - 2 * _PADDING
     size = min(1.8, room / (_WIDTH * max(len(title), 1)))
     cell.write(_PADDING, cell.height - _PADDING - 0.9, title, height=size)
@@ -187,10 +190,15 @@ def _drawn_length(drawn: Drawing, layer: Layer) -> float:
     return total
 
 
-def _facts(document: Document, part: Part, drawn: Drawing, workshop: Workshop) -> list[str]:
-    unit = drawn.unit
+def sheet_facts(document: Document, part: Part, size: Array, workshop: Workshop) -> tuple[str, ...]:
+    """What the title block says of a part of the sheet.
+
+    Parameters
+    ----------
+    size
+        Width and height (2,) of what is drawn.
+    """
     folding = sum(document.assignment[edge] in "MV" for edge in part.creases.tolist())
-    area = drawn.width, drawn.height
     made = {
         "score": "scored",
         "dashes": f"cut in dashes of {_dash(document, workshop, DASHES_PER_PANEL)}",
@@ -199,14 +207,24 @@ def _facts(document: Document, part: Part, drawn: Drawing, workshop: Workshop) -
     if workshop.creases != "score":
         made += f", {workshop.duty:.0%} cut"
     if workshop.relief_hole:
-        made += f"; holes of {workshop.relief_hole:g} {unit}"
-    return [
+        made += f"; holes of {workshop.relief_hole:g} {document.unit}"
+    return (
         f"{len(part.panels)} panels, {folding} creases that fold, "
-        f"{_decimal(area[0], unit)} × {_quoted(area[1], unit)}",
+        f"{quoted_size(size, document.unit)}",
         f"Creases {made}",
         "Mountains rise towards this side of the sheet",
-        f"orishell {__version__}, palette {printable(Path(workshop.palette).stem)}",
-    ]
+        program_and_palette(workshop),
+    )
+
+
+def quoted_size(size: Array, unit: str) -> str:
+    """Width and height (2,) in words."""
+    return f"{_decimal(float(size[0]), unit)} × {_quoted(float(size[1]), unit)}"
+
+
+def program_and_palette(workshop: Workshop) -> str:
+    """By what a drawing was made, and for which machine."""
+    return f"orishell {__version__}, palette {printable(Path(workshop.palette).stem)}"
 
 
 def _dash(document: Document, workshop: Workshop, per_panel: int) -> str:

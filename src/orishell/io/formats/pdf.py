@@ -17,7 +17,7 @@ from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.numerics.arrays import Array, Booleans
 from orishell.workshop.drawing import Layer, Text
-from orishell.workshop.paper_model import PaperModel, make_paper_model
+from orishell.workshop.paper_model import PaperModel, make_board_models, make_paper_model
 from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
 
 if TYPE_CHECKING:
@@ -53,7 +53,9 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
 
     Neighbouring pages share a strip of 10 mm; register marks stand at its corners, at the same
     places of the sheet on both. Pages that the sheet does not touch are left out. If there are
-    several, a page with their order comes first.
+    several, a page with their order comes first. Where panels have a thickness, the back of the
+    membrane and the boards of each layer follow at the same scale, in files of their own:
+    ``-back``, ``-top``, ``-bottom``, or ``-panels``.
 
     Parameters
     ----------
@@ -65,9 +67,16 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
     InputError
         If there is no flat sheet or unit, or it takes too many pages.
     """
+    model = make_paper_model(document, settings.workshop)
+    _write_model(path, model)
+    scale = model.tiling.scale
+    for ending, layer in make_board_models(document, settings.workshop, scale):
+        _write_model(path.with_stem(path.stem + ending), layer)
+
+
+def _write_model(path: Path, model: PaperModel) -> None:
     from reportlab.pdfgen.canvas import Canvas
 
-    model = make_paper_model(document, settings.workshop)
     tiling = model.tiling
     size = (tiling.page_width * MM, tiling.page_height * MM)
     canvas = Canvas(str(path), pagesize=size, invariant=1, pageCompression=0)

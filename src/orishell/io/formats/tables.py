@@ -9,9 +9,14 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.settings import Settings
+from orishell.sheet.boards import SIDES
+from orishell.workshop import Workshop
+from orishell.workshop.board_parts import board_parts, nest_boards
+from orishell.workshop.clipped import with_clipped
 
 PANELS = "panels"
 """Stem of the table of panels, beside which the other is called ``creases.csv``."""
@@ -21,17 +26,23 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     """Write the panels to ``path`` and the creases beside it.
 
     The creases go to ``creases.csv`` beside ``panels.csv``, and to ``NAME-creases.csv`` beside any
-    other ``NAME.csv``. The first line names the columns and their units; panels are numbered from
-    0, and by row and column where the sheet is a grid; numbers have all their digits.
+    other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise. The first
+    line names the columns and their units; panels are numbered from 0, and by row and column where
+    the sheet is a grid; numbers have all their digits.
 
     Raises
     ------
     InputError
-        If only folded states are known.
+        If only folded states are known, or a board is larger than the stock.
     """
-    creases = path.with_name("creases.csv" if path.stem == PANELS else f"{path.stem}-creases.csv")
+
+    def beside(name: str) -> Path:
+        return path.with_name(f"{name}.csv" if path.stem == PANELS else f"{path.stem}-{name}.csv")
+
     _write(path, *_panels(document))
-    _write(creases, *_creases(document))
+    _write(beside("creases"), *_creases(document))
+    if document.boards is not None:
+        _write(beside("boards"), *_boards(document, settings.workshop))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -88,6 +99,33 @@ def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]
             angles,
             strict=True,
         )
+    )
+
+
+def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable[Sequence[object]]]:
+    """Boards in the order in which they are drawn, those that are clipped on included."""
+    unit, everything = document.unit, with_clipped(document)
+    boards, build = everything.boards, everything.panel
+    assert boards is not None
+    assert build is not None
+    heads = ["part", "panel", "side", f"area_{unit}2", f"volume_{unit}3", "mass_kg", "sheet"]
+    areas, volumes = boards.areas().tolist(), boards.volumes()
+    masses = (volumes * conversion(unit, "m") ** 3 * build.density).tolist()
+    parts = board_parts(document)
+    sheets: Iterable[object] = [""] * len(parts)
+    if workshop.stock is not None:
+        sheets = [1 + placement.sheet for placement in nest_boards(document, workshop)]
+    return heads, (
+        [
+            part.name,
+            everything.panel_name(part.panel),
+            SIDES[part.side],
+            areas[part.number],
+            float(volumes[part.number]),
+            masses[part.number] if build.density else "",
+            sheet,
+        ]
+        for part, sheet in zip(parts, sheets, strict=True)
     )
 
 

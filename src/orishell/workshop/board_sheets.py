@@ -1,0 +1,152 @@
+"""Drawings of boards, layer by layer in their places, or nested on stock.
+
+Boards of a sandwich are drawn as they are seen from outside, those of the lower face from below, so
+that their part numbers can be read when they are glued on. Solid panels are seen from above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.document import Document
+from orishell.numerics.arrays import Array
+from orishell.workshop.board_outlines import MIRRORED
+from orishell.workshop.board_parts import BoardPart, board_parts, nest_boards
+from orishell.workshop.clipped import with_clipped
+from orishell.workshop.draw import draw_page, drawn_box
+from orishell.workshop.drawing import ORDER, Drawing, Line, Text
+from orishell.workshop.placing import Content, shifted
+from orishell.workshop.settings import Workshop
+from orishell.workshop.stock_sheet import draw_stock_sheet
+from orishell.workshop.title_block import program_and_palette, quoted_size
+
+LAYERS = {1: "top", -1: "bottom", 0: "panels"}
+"""How the files of the layers end."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BoardLayer:
+    """The boards of one layer, drawn apart so that no cut is made twice.
+
+    Parameters
+    ----------
+    ending
+        How its file's name ends: "top", "bottom" or "panels".
+    title
+        What it is.
+    content
+        What is drawn.
+    facts
+        What the title block says.
+    """
+
+    ending: str
+    title: str
+    content: Content
+    facts: tuple[str, ...]
+
+    __repr__ = in_one_line
+
+
+def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, Drawing]]:
+    """Drawings of all boards and how their files' names end; none without boards.
+
+    Without stock there is one for each layer: "-top" and "-bottom", or "-panels" if they are solid.
+    With stock the boards of both layers are nested together: "-boards-1", "-boards-2", ..., or
+    "-panels-1", ....
+
+    Raises
+    ------
+    InputError
+        If a board does not fit the stock.
+    """
+    if document.boards is None:
+        return
+    if workshop.stock is None:
+        for layer in board_layers(document, workshop):
+            page = draw_page(layer.content, layer.title, document.unit, layer.facts, workshop)
+            yield f"-{layer.ending}", page
+        return
+    parts, placements = board_parts(document), nest_boards(document, workshop)
+    name = "boards" if any(part.side for part in parts) else LAYERS[0]
+    count = 1 + max((placement.sheet for placement in placements), default=-1)
+    for number in range(count):
+        placed = (
+            (part.content(), placement)
+            for part, placement in zip(parts, placements, strict=True)
+            if placement.sheet == number
+        )
+        title = f"{document.title}, {name}, sheet {number + 1} of {count}"
+        yield f"-{name}-{number + 1}", draw_stock_sheet(placed, title, document.unit, workshop)
+
+
+def board_layers(document: Document, workshop: Workshop) -> tuple[BoardLayer, ...]:
+    """The layers of boards as they lie on the sheet, but apart by ``spacing`` at least.
+
+    Where that is 0, boards lie apart by half their thickness.
+    """
+    parts = board_parts(document)
+    moves = _moves_apart(with_clipped(document), workshop)
+    layers = []
+    for side, ending in LAYERS.items():
+        mine = [part for part in parts if part.side == side]
+        if mine:
+            content = _joined(mine, moves, side)
+            facts = (*_facts(document, mine, content), program_and_palette(workshop))
+            layers.append(BoardLayer(ending, f"{document.title}, {_CALLED[side]}", content, facts))
+    return tuple(layers)
+
+
+_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels"}
+
+
+def _moves_apart(document: Document, workshop: Workshop) -> Array:
+    """How far boards (F, 2) move with their panels: away from the origin, by one share of the way.
+
+    The centres of two convex panels lie on either side of a line between them, so that none meet.
+    """
+    assert document.panel is not None
+    clear = workshop.spacing or 0.5 * document.panel.thickness
+    flat, mesh = document.require_flat(), document.mesh
+    centres = flat[mesh.faces].mean(axis=1)
+    creases = np.flatnonzero(mesh.crease)
+    if not len(creases):
+        return np.zeros_like(centres)
+    run = flat[mesh.edges[creases, 1]] - flat[mesh.edges[creases, 0]]
+    way = centres[mesh.edge_faces[creases, 1]] - centres[mesh.edge_faces[creases, 0]]
+    across = np.abs(run[:, 0] * way[:, 1] - run[:, 1] * way[:, 0]) / np.hypot(*run.T)
+    return np.asarray(centres * (clear / float(across.min())))
+
+
+def _joined(parts: Sequence[BoardPart], moves: Array, side: int) -> Content:
+    """What is drawn of parts, in the order of work."""
+    lines: list[Line] = []
+    texts: list[Text] = []
+    for part in parts:
+        move = moves[part.panel] * (MIRRORED if side < 0 else 1.0)
+        drawn = shifted(part.content(), *move.tolist())
+        lines += drawn[0]
+        texts += drawn[2]
+    lines.sort(key=lambda line: ORDER.index(line.layer))
+    return tuple(lines), (), tuple(texts)
+
+
+def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> tuple[str, str]:
+    assert document.panel is not None
+    build, unit = document.panel, document.unit
+    size = quoted_size(drawn_box(content)[1], unit)
+    if build.construction == "bevel":
+        return (
+            f"{len(parts)} solid panels, {build.thickness:g} {unit} thick, {size}",
+            "Cut on the hinge plane; chamfers at the top (T) and bottom (B) in degrees",
+        )
+    thick = 0.5 * (build.thickness - build.membrane)
+    below = parts[0].side < 0
+    return (
+        f"{len(parts)} boards, {thick:.4g} {unit} thick, {size}",
+        "Lower face, seen from below" if below else "Upper face, seen from above",
+    )

@@ -1,0 +1,56 @@
+"""Sheets with boards: small shells in millimetres, of card or of solid panels."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from orishell import FoldingMotion, Mechanism, curve_from_formulas, parse_formula
+from orishell.design import PanelBuild
+from orishell.document import Document
+from orishell.document.from_design import document_of_motion
+from orishell.families.parallel_repeating import design_parallel_repeating
+from orishell.numerics.arrays import Array
+from orishell.sheet.boards import Boards
+from orishell.solids import build_boards, largest_folds
+
+CARD = PanelBuild(4.2, "sandwich", membrane=0.2, density=650, membrane_density=800)
+SOLID = PanelBuild(4.2, "bevel", gap=0.4, density=650)
+BUILDS = {"sandwich": CARD, "bevel": SOLID}
+
+
+@cache
+def boarded_document(
+    construction: str = "sandwich", *, clipped: bool = False, relief: float = 0.0
+) -> Document:
+    """Half of Figure 1's shell, 250 mm long, with boards that let it fold to its target.
+
+    With a ``relief`` the corners of its boards at vertex (2, 2) are cut off so far from it.
+    """
+    f = curve_from_formulas(None, parse_formula("-x**2/25"), -25, 25)
+    g = curve_from_formulas(None, parse_formula("125*sin(pi*x/250)"), 0, 250)
+    design = design_parallel_repeating(
+        f, g, rows=5, columns=5, xi=np.deg2rad(50), flap=10.0 if clipped else 0.0
+    )
+    if clipped:
+        design = design.with_clipped_flaps()
+    build = BUILDS[construction]
+    reliefs = np.zeros((7, 5))
+    reliefs[2, 2] = relief
+    return document_of_motion(
+        FoldingMotion(design.mechanism, 3),
+        "mm",
+        title="card",
+        curves=design.targets,
+        clipped=design.clipped,
+        panel=build,
+        boards=boards_of(design.mechanism, build, reliefs if relief else None),
+        flaps=None if design.clipped is None else boards_of(design.clipped, build),
+    )
+
+
+def boards_of(sheet: Mechanism, build: PanelBuild, reliefs: Array | None = None) -> Boards:
+    """Boards set back for all folds from the flat sheet to the target."""
+    folds = largest_folds(sheet, sheet.target_drive)
+    return build_boards(sheet.positions(0.0), sheet.grid, build, folds, reliefs)
