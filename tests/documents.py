@@ -7,11 +7,13 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+from orishell.design import PanelBuild
 from orishell.design_file import check_design, read_design_file, starter_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
 from orishell.shell.make import make_shell
+from orishell.solids import build_boards, largest_folds
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FAMILIES = {
@@ -36,6 +38,20 @@ def pack_document() -> Document:
     tables = tomllib.loads(starter_file("orthodiagonal")) | {"deployment": {"from": "pack"}}
     file = check_design(tables, Path("pack.toml"), files=False)
     return make_shell(file, clash="unexamined", measured=False, nested=False).document
+
+
+@cache
+def boards_document(build: PanelBuild, family: str = "parallel-repeating") -> Document:
+    """The shell of a figure without flaps, of panels with a thickness."""
+    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
+    design = file.pattern.design(file.f, file.g)
+    mechanism = design.mechanism.without_flaps()
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
+    motion = FoldingMotion(mechanism, 7)
+    return document_of_motion(
+        motion, "m", title=family, curves=design.targets, panel=build, boards=boards
+    )
 
 
 def flat_only(document: Document) -> Document:
