@@ -344,7 +344,7 @@ export interface Quantities {
   /** Number of panels. */
   panels: number;
   /** How many of them are panels of boards that are clipped on at the target. */
-  boards: number;
+  clipped: number;
   /** Area of all panels. */
   area: number;
   /** Length of the creases by their assignment. */

@@ -51,7 +51,6 @@ export class Stage {
         { class: "stage-tools" },
         colours.element,
         overlays,
-        h("span", { class: "spacer" }),
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
       h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner),
