@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.formatting import in_one_line
 from orishell.design import PanelBuild
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
@@ -33,6 +34,8 @@ class Profile:
     right: bool
     side: int
     points: Array
+
+    __repr__ = in_one_line
 
     def folded(self, fold: float) -> Array:
         """The outline (P, 2) as :func:`folded` has it.
@@ -72,6 +75,8 @@ class HingeSection:
     build: PanelBuild
     states: tuple[str, ...]
     folds: tuple[float, ...]
+
+    __repr__ = in_one_line
 
     @property
     def closing(self) -> int:
