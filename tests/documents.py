@@ -73,6 +73,20 @@ def pack_document() -> Document:
     return make_shell(file, clash="unexamined", measured=False, nested=False).document
 
 
+@cache
+def boards_document(build: PanelBuild, family: str = "parallel-repeating") -> Document:
+    """The shell of a figure without flaps, of panels with a thickness."""
+    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
+    design = file.pattern.design(file.f, file.g)
+    mechanism = design.mechanism.without_flaps()
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
+    motion = FoldingMotion(mechanism, 7)
+    return document_of_motion(
+        motion, "m", title=family, curves=design.targets, panel=build, boards=boards
+    )
+
+
 def flat_only(document: Document) -> Document:
     """The crease pattern alone, as other programs write it."""
     return replace(document, states=(), curves={}, named={})

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import shutil
+import tomllib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +16,12 @@ import pytest
 
 from command_line import orishell
 from node_tools import PACKAGES, lacking
-from orishell.design_file import starter_file
+from orishell.design import PanelBuild
+from orishell.design_file import check_design, starter_file
+from orishell.io.view import dump_view
+from orishell.shell.make import make_shell
+from orishell.solids import build_boards, largest_folds
+from orishell.studio.api import make_refusal
 from orishell.studio.app import PAGES
 from studio_server import running_studio
 from viewer_pages import (
@@ -311,6 +318,52 @@ def test_a_shell_that_is_opened_from_its_pack(page: Page) -> None:
     assert "deployment" not in page.evaluate("window.__orishell.store.design.value")
     page.get_by_test_id("target").click()
     assert page.evaluate("window.__orishell.fold") == 1
+
+
+def test_panels_with_a_thickness(page: Page) -> None:
+    """Their table is edited, and boards are shown where the view has them."""
+    choose(page, "parallel-repeating")
+    switch = page.locator("label:has([data-testid=thickness])")
+    assert switch.is_hidden()
+    assert page.get_by_test_id("panel-membrane").is_hidden()
+    table = "window.__orishell.store.design.value.panel"
+    page.route("**/api/design", lambda route: route.fulfill(body=view_of_boards()))
+    # No proof comes in between with a view of its own.
+    refusal = make_refusal("limit", "not now")
+    page.route("**/api/verify", lambda route: route.fulfill(status=422, json=refusal))
+    box = page.get_by_test_id("panel-thickness")
+    box.fill("0.02")
+    drawn(page)
+    assert page.evaluate(table) == {"thickness": 0.02, "membrane": 0.001}
+    assert switch.is_visible()
+    on = pixels(page, "canvas")
+    switch.click()
+    await_frames(page)
+    assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 5e-3
+    page.get_by_test_id("panel-membrane").fill("0.003")
+    drawn(page)
+    assert page.evaluate(table) == {"thickness": 0.02, "membrane": 0.003}
+    page.locator("label:has([data-testid=panel-construction-bevel])").click()
+    drawn(page)
+    assert page.evaluate(table) == {"thickness": 0.02, "construction": "bevel"}
+    assert page.get_by_test_id("panel-membrane").is_hidden()
+    page.unroute_all()
+    box.fill("0")
+    drawn(page)
+    assert page.evaluate(table) is None
+    assert switch.is_hidden()
+
+
+def view_of_boards() -> bytes:
+    """The studio's first example with panels 0.1 thick, its flaps clipped on."""
+    build = PanelBuild(0.1, membrane=0.005)
+    tables = tomllib.loads(starter_file("parallel-repeating"))
+    file = check_design({**tables, "deployment": {"flap_attachment": "clipped"}}, Path("a.toml"))
+    shell = make_shell(file, clash="unexamined", measured=False, nested=False)
+    mechanism = shell.design.mechanism
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
+    return dump_view(replace(shell.document, panel=build, boards=boards), {"f": [], "g": []})
 
 
 def test_ends_of_a_range_are_numbers_or_formulas_of_constants(page: Page) -> None:

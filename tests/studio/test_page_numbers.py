@@ -17,10 +17,12 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from orishell import curve_from_points, design_parallel_repeating
+from orishell.design import Design, PanelBuild
 from orishell.document.from_design import document_of_motion
 from orishell.io.view import dump_view
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
+from orishell.solids import build_boards, largest_folds
 
 FIXTURES = Path(__file__).parents[2] / "frontend" / "tests"
 SHARES = np.linspace(0.0, 1.0, 9)
@@ -75,11 +77,14 @@ def turned(start: Array, end: Array, share: float) -> Array:
     return moved
 
 
-def test_panels_move_as_scipy_turns_them() -> None:
+def small_shell(flap: float) -> Design:
     f = curve_from_points([[-1, -0.3], [-0.4, -0.05], [0.4, -0.05], [1, -0.3]], smooth=True)
     g = curve_from_points([[0.0, 0.0], [1.0, 0.2], [2.0, 0.0]], smooth=True)
-    design = design_parallel_repeating(f, g, rows=3, columns=2, xi=np.deg2rad(100), flap=0.1)
-    motion = FoldingMotion(design.mechanism, STATES)
+    return design_parallel_repeating(f, g, rows=3, columns=2, xi=np.deg2rad(100), flap=flap)
+
+
+def test_panels_move_as_scipy_turns_them() -> None:
+    motion = FoldingMotion(small_shell(flap=0.1).mechanism, STATES)
     document = document_of_motion(motion, "m", title="panels", curves={}, origin=np.zeros(3))
     states = np.array([state.positions.reshape(-1, 3) for state in motion])
     drives = np.array([state.drive for state in motion])
@@ -102,3 +107,38 @@ def test_panels_move_as_scipy_turns_them() -> None:
         "corners": np.round(placed, 10).tolist(),
     }
     require_current("motion.json", numbers, ("folds", "corners"))
+
+
+def test_boards_are_carried_by_their_panels() -> None:
+    """At every state, and on the way between two by the panels as SciPy turns them."""
+    mechanism = small_shell(flap=0.0).mechanism
+    motion = FoldingMotion(mechanism, STATES)
+    flat = mechanism.positions(0.0)
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    shown = []
+    for build in (PanelBuild(0.04, membrane=0.002), PanelBuild(0.04, "bevel", gap=0.002)):
+        boards = build_boards(flat, mechanism.grid, build, folds)
+        document = document_of_motion(
+            motion, "m", title="boards", curves={}, origin=np.zeros(3), panel=build, boards=boards
+        )
+        start, end = (document.states[k].positions[document.mesh.faces] for k in (1, 2))
+        half = np.array([turned(*each, 0.5) for each in zip(start, end, strict=True)])
+        # Every panel with corners of its own: between two states neighbours part by a hair.
+        alone = np.arange(half.size // 3).reshape(-1, 4)
+        apart = document.require_flat()[document.mesh.faces].reshape(-1, 2)
+        at_half = boards.carried(alone, apart, half.reshape(-1, 3))
+        states = [document.boards_in(state) for state in document.states]
+        shown.append(
+            {
+                "view": base64.b64encode(dump_view(document)).decode(),
+                "folds": [0, 1, 1.5 / (STATES - 1)],
+                "outlines": np.round([states[0], states[-1], at_half], 10).ravel().tolist(),
+                "volumes": boards.volumes().tolist(),
+            }
+        )
+    sandwich, bevel = shown
+    numbers = {"source": "orishell.sheet.Boards", "sandwich": sandwich, "bevel": bevel}
+    found = require_current("boards.json", numbers, ())
+    for name, mine in (("sandwich", sandwich), ("bevel", bevel)):
+        for key in ("folds", "outlines", "volumes"):
+            np.testing.assert_allclose(found[name][key], mine[key], rtol=1e-9, atol=1e-9)

@@ -3,7 +3,7 @@
 import { Vector2, Vector3, type Scene } from "three";
 import { roundLength, type Extent } from "./camera.ts";
 import type { Theme } from "./colours.ts";
-import type { Uniforms } from "./sheet3d.ts";
+import type { Uniforms } from "./parts.ts";
 import { CurveLine, makeGround, makeSurface, setLattice } from "./surroundings.ts";
 import type { Lattice, View } from "./view.ts";
 

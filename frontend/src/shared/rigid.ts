@@ -78,6 +78,13 @@ export class Motion {
     else blend(this.posesOf(k), this.posesOf(k + 1), t, this.pose);
   }
 
+  /** Number of a panel's corner: four times the panel's, and which of the four. */
+  cornerOf(panel: number, vertex: number): number {
+    const at = 4 * panel;
+    for (let k = 0; k < 3; k++) if (this.faces[at + k] === vertex) return at + k;
+    return at + 3;
+  }
+
   /** Corners (4, 3) of a panel as drawn. */
   place(panel: number, out: Float32Array | Float64Array): void {
     const { pose, corners } = this;
@@ -150,11 +157,28 @@ export class Motion {
     return poses;
   }
 
-  private measureCorners(): void {
+  /** Points (P, 3) of the flat sheet and over it, each in the frame of its panel. */
+  inPanels(points: Float32Array, panels: ArrayLike<number>): Float32Array {
+    const own = this.referencePoses();
+    const local = new Float32Array(points.length);
+    for (let k = 0; k < panels.length; k++) {
+      turn.fromArray(own, POSE * panels[k]!).conjugate();
+      centre.fromArray(own, POSE * panels[k]! + 4);
+      point.fromArray(points, 3 * k).sub(centre).applyQuaternion(turn).toArray(local, 3 * k);
+    }
+    return local;
+  }
+
+  private referencePoses(): Float32Array {
     const own = new Float32Array(POSE * this.panels);
+    for (let panel = 0; panel < this.panels; panel++) writePose(this.reference, this.faces, panel, own);
+    return own;
+  }
+
+  private measureCorners(): void {
+    const own = this.referencePoses();
     const { faces, reference, corners, radius } = this;
     for (let panel = 0; panel < this.panels; panel++) {
-      writePose(reference, faces, panel, own);
       turn.fromArray(own, POSE * panel).conjugate();
       centre.fromArray(own, POSE * panel + 4);
       for (let corner = 0; corner < 4; corner++) {

@@ -11,18 +11,18 @@ vec3 encode(vec3 c) {
 }
 `;
 
-/** A pose lies in two texels: quaternion, then centre. A panel's corners lie in four. */
+/** A pose lies in two texels: quaternion, then centre. A panel's corners lie in four, which have its
+ * neighbours beside the coordinates, -1 where there is none. */
 const POSES = /* glsl */ `
 uniform sampler2D poses, corners;
 vec4 turnOf(int panel) { return texelFetch(poses, ivec2(2 * (panel & 511), panel >> 9), 0); }
 vec3 centreOf(int panel) { return texelFetch(poses, ivec2(2 * (panel & 511) + 1, panel >> 9), 0).xyz; }
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec3 normalOf(int panel) { return turned(turnOf(panel), vec3(0.0, 0.0, 1.0)); }
+vec4 cornerOf(int corner) { return texelFetch(corners, ivec2(corner & 2047, corner >> 11), 0); }
+vec3 carried(vec3 point, int panel) { return turned(turnOf(panel), point) + centreOf(panel); }
 /** Place of a corner by its number: four times its panel's, and which of the four. */
-vec3 placed(int corner) {
-  int panel = corner >> 2;
-  return turned(turnOf(panel), texelFetch(corners, ivec2(corner & 2047, corner >> 11), 0).xyz) + centreOf(panel);
-}
+vec3 placed(int corner) { return carried(cornerOf(corner).xyz, corner >> 2); }
 `;
 
 /** Share of the key light that reaches a point: mean of comparisons on a disc. */
@@ -45,54 +45,64 @@ float lit(vec3 place, float bias, float spread) {
 }
 `;
 
-export const panelVertex = /* glsl */ `${COMMON}${POSES}
-in vec4 beside;
+/** Panels and boards. `corner`: which one is near, four times the panel's number and which of the
+ * four; `point`: place of the vertex in its panel's frame; `rim`: 0 along edges to be drawn, 1 far
+ * from them. */
+const solidVertex = (inputs: string, corner: string, point: string, rim: string): string => /* glsl */ `${COMMON}${POSES}
+${inputs}
 in float amount;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform int colouring;
-out vec3 place;
-out vec3 normal;
-out float value;
+out vec3 place, normal;
+out float value, over, inside;
 flat out int panel;
-float angleTo(float other, vec3 n) {
-  return other < 0.0 ? 0.0 : acos(clamp(dot(n, normalOf(int(other))), -1.0, 1.0));
+float angleTo(float other) {
+  return other < 0.0 ? 0.0 : acos(clamp(dot(normal, normalOf(int(other))), -1.0, 1.0));
 }
 void main() {
-  panel = gl_VertexID >> 2;
+  int near = ${corner};
+  vec3 local = ${point};
+  panel = near >> 2;
   normal = normalOf(panel);
-  place = placed(gl_VertexID);
+  place = carried(local, panel);
+  over = local.z;
+  inside = ${rim};
   value = 0.0;
   if (colouring == 2) {
-    value = max(max(angleTo(beside.x, normal), angleTo(beside.y, normal)),
-                max(angleTo(beside.z, normal), angleTo(beside.w, normal))) / 3.14159265;
+    for (int k = 0; k < 4; k++) value = max(value, angleTo(cornerOf(4 * panel + k).w) / 3.14159265);
   } else if (colouring == 3) {
     value = amount;
   }
   gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
 }`;
 
-export const panelFragment = /* glsl */ `${COMMON}${SHADOW}
-in vec3 place;
-in vec3 normal;
-in float value;
+export const panelVertex = solidVertex("", "gl_VertexID", "cornerOf(near).xyz", "1.0");
+export const boardVertex = solidVertex("in vec3 point; in float corner, rim;", "int(corner)", "point", "rim");
+
+/** `upper`: whether it is of the sheet's upper face; `outward`: the normal towards the eye;
+ * `tone`: how much of its colour it keeps; `ink`: draws its edges. */
+const solidFragment = (upper: string, outward: string, tone: string, ink = ""): string => /* glsl */ `${COMMON}${SHADOW}
+in vec3 place, normal;
+in float value, over, inside;
 flat in int panel;
-uniform vec3 cameraPosition, light, front, back, sky, earth, hoverColour, contactColour;
+uniform vec3 cameraPosition, light, front, back, sky, earth, hoverColour, contactColour, palette[5];
 uniform int colouring, hovered;
 uniform ivec2 touching;
 uniform sampler2D map;
-uniform float range, shadowBias;
+uniform float range, shadowBias, covered, density;
 out vec4 colour;
 void main() {
-  vec3 n = normalize(normal), eye = normalize(cameraPosition - place);
-  float side = gl_FrontFacing ? 1.0 : -1.0;
-  n *= side;
-  vec3 base = gl_FrontFacing ? front : back;
+  vec3 across = normalize(normal), eye = normalize(cameraPosition - place);
+  vec3 n = ${outward};
+  bool top = ${upper};
+  vec3 base = top ? front : back;
   if (colouring >= 2) {
     float at = colouring == 2 ? value : 0.5 + 0.5 * value / range;
     vec3 mapped = pow(texture(map, vec2(clamp(at, 0.002, 0.998), 0.5)).rgb, vec3(2.2));
     bool known = value < 1e20;
-    base = known ? mapped * (gl_FrontFacing ? 1.0 : 0.86) : base * 0.8;
+    base = known ? mapped * (top ? 1.0 : 0.86) : base * 0.8;
   }
+  base *= ${tone};
   bool touches = panel == touching.x || panel == touching.y;
   if (touches) base = mix(base, contactColour, 0.9);
   if (panel == hovered) base = mix(base, hoverColour, touches ? 0.4 : 0.6);
@@ -101,8 +111,19 @@ void main() {
   float key = facing > 0.0 ? facing * lit(place + n * shadowBias, 0.0006, 2.2) : 0.0;
   vec3 ambient = mix(earth, sky, 0.5 + 0.5 * n.z);
   vec3 lighting = 0.5 * ambient + 0.54 * key + 0.08 * max(dot(n, eye), 0.0);
+  ${ink}
   colour = vec4(encode(base * lighting), 1.0);
 }`;
+
+/** Between boards a panel is their hinge, and darker. */
+export const panelFragment = solidFragment("gl_FrontFacing", "gl_FrontFacing ? across : -across", "mix(1.0, 0.45, covered)");
+/** Sides of a board are darker than its faces, whose edges are lines on the screen. */
+export const boardFragment = solidFragment(
+  "over > 0.0", "normalize(cross(dFdx(place), dFdy(place)))", "(abs(dot(n, across)) > 0.995 ? 1.0 : 0.72)",
+  /* glsl */ `float step = fwidth(inside);
+  float line = (1.0 - smoothstep(0.5 * density, 1.3 * density, inside / max(step, 1e-6))) * (1.0 - smoothstep(0.1, 0.5, step));
+  base = mix(base, palette[3], 0.8 * line);`,
+);
 
 export const depthVertex = /* glsl */ `${COMMON}${POSES}
 uniform mat4 viewMatrix, projectionMatrix;

@@ -1,9 +1,11 @@
 // The sheet as the graphics card holds it: panels and creases that stand still, and their poses.
 
 import {
-  BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, LineSegments, Mesh,
-  NearestFilter, RawShaderMaterial, RGBAFormat, type IUniform,
+  BufferAttribute, BufferGeometry, DataTexture, FloatType, LineSegments, NearestFilter,
+  type RawShaderMaterial, RGBAFormat,
 } from "three";
+import { Boards3D } from "./boards3d.ts";
+import { material, part, type Part, quadIndex, type Uniforms } from "./parts.ts";
 import { Motion } from "./rigid.ts";
 import { creaseVertex, depthFragment, depthVertex, lineFragment, panelFragment, panelVertex, threadVertex } from "./shaders.ts";
 import { edgePanels, type View } from "./view.ts";
@@ -16,14 +18,6 @@ const UNKNOWN = 3e30;
 const MANY = 6000;
 const SHORT = 9;
 
-export type Uniforms = Record<string, IUniform>;
-type Part = Mesh<BufferGeometry, RawShaderMaterial>;
-
-export const material = (
-  vertexShader: string, fragmentShader: string, uniforms: Uniforms, more: object = {},
-): RawShaderMaterial =>
-  new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, side: DoubleSide, ...more });
-
 export class Sheet3D {
   readonly panels: Part;
   readonly depth: Part;
@@ -32,6 +26,8 @@ export class Sheet3D {
   readonly threads: LineSegments<BufferGeometry, RawShaderMaterial>;
   /** Outlines of marked panels, seen through what lies before them. */
   readonly marks: Part;
+  /** What is built of the panels, where they have a thickness. */
+  readonly boards: Boards3D;
   motion: Motion | null = null;
   /** Adjacent panels of the edges drawn. */
   private beside: Int32Array = new Int32Array(0);
@@ -42,7 +38,7 @@ export class Sheet3D {
   private readonly corners = { value: texture(4, 1) };
 
   constructor(uniforms: Uniforms) {
-    const shared = { ...uniforms, poses: this.poses, corners: this.corners };
+    const shared = { ...uniforms, poses: this.poses, corners: this.corners, covered: { value: 0 } };
     const line = { transparent: true, depthWrite: false };
     this.panels = part(material(panelVertex, panelFragment, shared, {
       polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 4,
@@ -55,6 +51,7 @@ export class Sheet3D {
     this.threads.frustumCulled = false;
     this.threads.renderOrder = 2;
     this.marks = part(material(creaseVertex, lineFragment, { ...shared, opacity: { value: 0.35 } }, { ...line, depthTest: false }), 4);
+    this.boards = new Boards3D(shared);
   }
 
   show(view: View): void {
@@ -67,10 +64,11 @@ export class Sheet3D {
         held.value = texture(each, rows);
       }
     }
-    writeCorners(motion, this.corners.value);
     this.disposeGeometries();
     const adjacent = edgePanels(view);
-    this.panels.geometry = this.depth.geometry = panelGeometry(motion, adjacent);
+    writeCorners(motion, adjacent, this.corners.value);
+    this.panels.geometry = this.depth.geometry = panelGeometry(motion);
+    this.boards.show(motion, view);
     [this.creases.geometry, this.beside] = creaseGeometry(motion, view, adjacent);
     for (const lines of [this.marks, this.threads]) {
       lines.geometry = new BufferGeometry();
@@ -90,13 +88,14 @@ export class Sheet3D {
   setValues(values: Float32Array | null): void {
     const { motion } = this;
     if (!motion) return;
+    const atCorners = Float32Array.from(motion.faces, (vertex) => {
+      const value = values ? values[vertex]! : NaN;
+      return Number.isNaN(value) ? UNKNOWN : value;
+    });
     const attribute = this.panels.geometry.getAttribute("amount") as BufferAttribute;
-    const array = attribute.array as Float32Array;
-    for (let i = 0; i < array.length; i++) {
-      const value = values ? values[motion.faces[i]!]! : NaN;
-      array[i] = Number.isNaN(value) ? UNKNOWN : value;
-    }
+    (attribute.array as Float32Array).set(atCorners);
     attribute.needsUpdate = true;
+    this.boards.setValues(atCorners);
   }
 
   /** Panels whose outlines are seen through the others. */
@@ -126,6 +125,7 @@ export class Sheet3D {
 
   dispose(): void {
     this.disposeGeometries();
+    this.boards.dispose();
     for (const mesh of [this.panels, this.depth, this.creases, this.threads, this.marks]) mesh.material.dispose();
     this.poses.value.dispose();
     this.corners.value.dispose();
@@ -148,13 +148,6 @@ function meanSide(motion: Motion): number {
   return sum / (2 * motion.panels);
 }
 
-function part(look: RawShaderMaterial, order: number): Part {
-  const mesh = new Mesh(new BufferGeometry(), look);
-  mesh.frustumCulled = false;
-  mesh.renderOrder = order;
-  return mesh;
-}
-
 /** Numbers for the shaders: so many texels for each panel. */
 function texture(each: number, rows: number): DataTexture {
   const made = new DataTexture(new Float32Array(4 * each * ROW * rows), each * ROW, rows, RGBAFormat, FloatType);
@@ -163,50 +156,36 @@ function texture(each: number, rows: number): DataTexture {
   return made;
 }
 
-function writeCorners(motion: Motion, held: DataTexture): void {
+function writeCorners(motion: Motion, adjacent: Int32Array, held: DataTexture): void {
   const texels = held.image.data as Float32Array;
   for (let corner = 0; corner < 4 * motion.panels; corner++) {
     for (let axis = 0; axis < 3; axis++) texels[4 * corner + axis] = motion.corners[3 * corner + axis]!;
+    texels[4 * corner + 3] = -1;
   }
-  held.needsUpdate = true;
-}
-
-function panelGeometry(motion: Motion, adjacent: Int32Array): BufferGeometry {
-  const count = motion.panels;
-  const beside = new Float32Array(16 * count).fill(-1);
-  const filled = new Uint8Array(count);
+  const filled = new Uint8Array(motion.panels);
   const note = (panel: number, other: number): void => {
     const place = filled[panel]!++;
-    for (let corner = 0; place < 4 && corner < 4; corner++) beside[16 * panel + 4 * corner + place] = other;
+    if (place < 4) texels[16 * panel + 4 * place + 3] = other;
   };
   for (let e = 0; e < adjacent.length; e += 2) {
     if (adjacent[e]! < 0 || adjacent[e + 1]! < 0) continue;
     note(adjacent[e]!, adjacent[e + 1]!);
     note(adjacent[e + 1]!, adjacent[e]!);
   }
+  held.needsUpdate = true;
+}
+
+function panelGeometry(motion: Motion): BufferGeometry {
+  const count = motion.panels;
   const index = new Uint32Array(6 * count);
   for (let panel = 0; panel < count; panel++) {
     const v = 4 * panel;
     index.set([v, v + 1, v + 2, v, v + 2, v + 3], 6 * panel);
   }
   const geometry = new BufferGeometry();
-  geometry.setAttribute("beside", new BufferAttribute(beside, 4));
   geometry.setAttribute("amount", new BufferAttribute(new Float32Array(4 * count), 1));
   geometry.setIndex(new BufferAttribute(index, 1));
   return geometry;
-}
-
-/** Two triangles for each of some lines of four vertices. */
-export function quadIndex(lines: ArrayLike<number>): Uint32Array {
-  const index = new Uint32Array(6 * lines.length);
-  for (let i = 0; i < lines.length; i++) {
-    const v = 4 * lines[i]!;
-    index[6 * i] = v;
-    index[6 * i + 1] = index[6 * i + 4] = v + 1;
-    index[6 * i + 2] = index[6 * i + 3] = v + 2;
-    index[6 * i + 5] = v + 3;
-  }
-  return index;
 }
 
 function creaseGeometry(motion: Motion, view: View, adjacent: Int32Array): [BufferGeometry, Int32Array] {
@@ -221,10 +200,10 @@ function creaseGeometry(motion: Motion, view: View, adjacent: Int32Array): [Buff
     const from = view.edges[2 * e]!, to = view.edges[2 * e + 1]!;
     for (let k = 0; k < 4; k++) {
       const at = 16 * n + 4 * k;
-      ends[at] = cornerOf(motion, first, from);
-      ends[at + 1] = cornerOf(motion, first, to);
-      ends[at + 2] = cornerOf(motion, other, from);
-      ends[at + 3] = cornerOf(motion, other, to);
+      ends[at] = motion.cornerOf(first, from);
+      ends[at + 1] = motion.cornerOf(first, to);
+      ends[at + 2] = motion.cornerOf(other, from);
+      ends[at + 3] = motion.cornerOf(other, to);
       letters[4 * n + k] = view.assignment[e]!;
     }
     beside[2 * n] = first;
@@ -236,10 +215,4 @@ function creaseGeometry(motion: Motion, view: View, adjacent: Int32Array): [Buff
   geometry.setAttribute("letter", new BufferAttribute(letters.subarray(0, 4 * n), 1));
   geometry.setIndex(new BufferAttribute(quadIndex(Array.from({ length: n }, (_, i) => i)), 1));
   return [geometry, beside.subarray(0, 2 * n)];
-}
-
-function cornerOf(motion: Motion, panel: number, vertex: number): number {
-  const at = 4 * panel;
-  for (let k = 0; k < 3; k++) if (motion.faces[at + k] === vertex) return at + k;
-  return at + 3;
 }

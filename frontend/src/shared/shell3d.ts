@@ -82,7 +82,7 @@ export class Shell3D {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", this.invalidate);
 
-    this.scene.add(this.sheet.panels, this.sheet.creases, this.sheet.threads, this.sheet.marks);
+    this.scene.add(this.sheet.panels, this.sheet.boards.solids, this.sheet.creases, this.sheet.threads, this.sheet.marks);
     this.sun.add(this.sheet.depth);
     this.overlays = new Overlays(this.scene, this.u);
     this.pace = new Pace((quality) => this.setQuality(quality), () => this.draw());
@@ -172,6 +172,12 @@ export class Shell3D {
 
   setOverlay(name: Overlay, visible: boolean): void {
     this.overlays.setVisible(name, visible);
+    this.invalidate();
+  }
+
+  /** Panels as the boards they are built of, where they have a thickness. */
+  setThickness(visible: boolean): void {
+    this.sheet.boards.setVisible(visible);
     this.invalidate();
   }
 

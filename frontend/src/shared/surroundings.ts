@@ -2,7 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, Mesh, type RawShaderMaterial } from "three";
 import { curveVertex, groundFragment, groundVertex, lineFragment, surfaceFragment, surfaceVertex } from "./shaders.ts";
-import { material, quadIndex, type Uniforms } from "./sheet3d.ts";
+import { material, quadIndex, type Uniforms } from "./parts.ts";
 import type { Lattice } from "./view.ts";
 
 export function makeGround(uniforms: Uniforms): Mesh<BufferGeometry, RawShaderMaterial> {

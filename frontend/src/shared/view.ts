@@ -15,6 +15,16 @@ export interface Lattice {
   points: Float32Array;
 }
 
+/** Convex plates fixed on panels: see orishell.sheet.boards. */
+export interface Boards {
+  /** Number (B,) of the panel that carries each. */
+  panels: Uint32Array;
+  heights: number;
+  corners: number;
+  /** Outlines (B, heights, corners, 3), lowest first: in the flat sheet, and over it. */
+  outlines: Float32Array;
+}
+
 export interface View {
   header: Header;
   /** (V, 2); empty if only folded states are known. */
@@ -35,6 +45,8 @@ export interface View {
   curveF?: Float32Array;
   curveG?: Float32Array;
   surface?: Lattice;
+  /** Where panels have a thickness. */
+  boards?: Boards;
 }
 
 export const Assignment = { border: 0, mountain: 1, valley: 2, unfolded: 3, cut: 4 } as const;
@@ -81,6 +93,11 @@ export function decodeView(buffer: ArrayBuffer): View {
   if (points) {
     const [rows = 0, columns = 0] = header.arrays["surface"]!.shape;
     view.surface = { rows, columns, points };
+  }
+  const outlines = find<Float32Array>("boards");
+  if (outlines) {
+    const [, heights = 0, corners = 0] = header.arrays["boards"]!.shape;
+    view.boards = { panels: array("board_panels"), heights, corners, outlines };
   }
   return view;
 }

@@ -9,6 +9,7 @@ import { Families } from "./families.ts";
 import { Files } from "./files.ts";
 import { Help } from "./help.ts";
 import { Live } from "./live.ts";
+import { PanelControls } from "./panel.ts";
 import { Parameters } from "./parameters.ts";
 import { publishProbe } from "./probe.ts";
 import { Results } from "./results.ts";
@@ -73,6 +74,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
         h("section", { "aria-labelledby": "curves-title" }, h("h2", { id: "curves-title" }, "Curves"), ...editors.map((editor) => editor.element)),
         parameters.element,
+        new PanelControls(store).element,
         new DeploymentControls(store).element,
       ),
       stage.element,

@@ -38,7 +38,10 @@ export class ExportMenu {
       icon: "export",
       text: "Export",
       testid: "export",
-      act: () => this.menu.togglePopover(),
+      act: () => {
+        this.offerPack();
+        this.menu.togglePopover();
+      },
     });
     setAttribute(this.opener, "aria-expanded", "false");
     setAttribute(this.opener, "aria-haspopup", "dialog");
@@ -63,7 +66,6 @@ export class ExportMenu {
     const box = this.opener.getBoundingClientRect();
     this.menu.style.top = `${box.bottom + 6}px`;
     this.menu.style.right = `${document.documentElement.clientWidth - box.right}px`;
-    this.offerPack();
     this.explain();
     this.menu.querySelector<HTMLElement>(".format")?.focus();
   }

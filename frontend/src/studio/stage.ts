@@ -41,6 +41,7 @@ export class Stage {
       "div",
       { class: "overlays", role: "group", "aria-label": "Shown beside the shell" },
       ...OVERLAYS.map(({ name, text }) => this.overlay(name, text)),
+      this.thickness(),
     );
     this.element = h(
       "section",
@@ -50,7 +51,6 @@ export class Stage {
         { class: "stage-tools" },
         colours.element,
         overlays,
-        h("span", { class: "spacer" }),
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
       h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner),
@@ -86,6 +86,19 @@ export class Stage {
       onchange: () => this.shell.setOverlay(name, input.checked),
     });
     return h("label", { class: `check overlay-${name}` }, input, text);
+  }
+
+  /** Only where panels have one. */
+  private thickness(): HTMLElement {
+    const input = h("input", {
+      type: "checkbox",
+      checked: true,
+      "data-testid": "thickness",
+      onchange: () => this.shell.setThickness(input.checked),
+    });
+    const label = h("label", { class: "check", title: "panels as the boards they are built of" }, input, "Thickness");
+    this.store.view.bind((view) => (label.hidden = !view?.boards));
+    return label;
   }
 
   private showProof(): void {

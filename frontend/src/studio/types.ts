@@ -35,6 +35,7 @@ export interface Design {
   pattern: Record<string, Value>;
   tolerance?: Tolerance;
   deployment?: Record<string, Value>;
+  panel?: Record<string, Value>;
   motion?: Record<string, Value>;
   workshop?: Record<string, Value>;
 }

@@ -130,6 +130,12 @@ export class Viewer {
       if (label.length === 1) item.classList.add("curve");
       shown.append(item);
     }
+    if (this.view.boards) {
+      const item = toggle("checkbox", "Thickness", true, (on) => this.shell?.setThickness(on), "orishell-overlay", "thickness");
+      item.style.setProperty("--ink", "var(--text)");
+      item.title = "Panels as the boards they are built of";
+      shown.append(item);
+    }
     const fit = element("button", "fit", { type: "button", title: "Show all" }, "Fit");
     fit.addEventListener("click", () => this.shell?.fit(true));
     bar.append(choice);

@@ -2,7 +2,8 @@
 
 Little endian: the length N of the header (uint32), the header (JSON in UTF-8, filled up with spaces
 to N bytes, N a multiple of four), then the arrays, each beginning at a multiple of four. The header
-says where each array is. Coordinates are single precision, about ``origin``.
+says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
+they lie in the flat sheet, and carried by their panels.
 """
 
 from __future__ import annotations
@@ -147,6 +148,9 @@ def _arrays(
         "fold_angles_deg": document.fold_angles_deg.astype("<f4"),
         "faces": mesh.faces.astype("<u4"),
     }
+    if document.boards is not None:
+        arrays["boards"] = document.boards.outlines.astype("<f4")
+        arrays["board_panels"] = document.boards.panels.astype("<u4")
     for name, curve in document.curves.items():
         arrays[f"curve_{name}"] = placed(curve)
     if document.surface is not None:

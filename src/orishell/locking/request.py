@@ -16,7 +16,7 @@ from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import largest_fold
-from orishell.solids import Room, find_room, find_stop, thinner, wide_gap
+from orishell.solids import find_room, find_stop, thinner, wide_gap
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""

@@ -1,6 +1,7 @@
 """Pictures of a shell, drawn with matplotlib."""
 
 from orishell.plot.deviation import plot_deviation
+from orishell.plot.hinge_section import HingeSection, Profile, find_hinge_section
 from orishell.plot.overview import DrawnContact, plot_overview
 from orishell.plot.tradeoff import plot_tradeoff
 from orishell.plot.weight import DrawnWeight, draw_weight, plot_weight
@@ -8,7 +9,10 @@ from orishell.plot.weight import DrawnWeight, draw_weight, plot_weight
 __all__ = [
     "DrawnContact",
     "DrawnWeight",
+    "HingeSection",
+    "Profile",
     "draw_weight",
+    "find_hinge_section",
     "plot_deviation",
     "plot_overview",
     "plot_tradeoff",

@@ -12,6 +12,8 @@ import numpy as np
 from orishell.conventions.colours import LIGHT, rgb
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
 from orishell.numerics.arrays import Array
+from orishell.plot.hinge_picture import draw_hinge_section, section_height
+from orishell.plot.hinge_section import HingeSection
 from orishell.plot.scene import (
     BORDER,
     HEADING,
@@ -73,6 +75,7 @@ def plot_overview(
     last: str,
     unit: str,
     contact: DrawnContact | None = None,
+    hinge: HingeSection | None = None,
 ) -> None:
     """Write the overview picture as PNG.
 
@@ -90,6 +93,8 @@ def plot_overview(
         Unit of length, for the sizes under the heading.
     contact
         A contact to draw beside the other states, if there is one before the target.
+    hinge
+        A section through a hinge to draw below them, where panels have a thickness.
     """
     target = motion.mechanism.target_drive
     locked = motion.target.positions
@@ -107,7 +112,8 @@ def plot_overview(
     count = len(states)
     spans = [np.ptp(camera.project(each)[0].reshape(-1, 2), axis=0) for each in states]
     below = row_height(width / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
-    foot = BORDER + below + TITLE + LEGEND
+    base = 0.0 if hinge is None else section_height(hinge)
+    foot = base + BORDER + below + TITLE + LEGEND
     figure = new_figure(foot + above + TITLE + HEADING, title)
 
     pattern = add_part(figure, 0, foot, width / 2, above)
@@ -121,7 +127,8 @@ def plot_overview(
     shown = f"{last}, with f and g" if targets else last
     set_title(shell, f"{shown}, {sizes} {unit}")
     frames = [
-        add_part(figure, k * width / count, BORDER, width / count, below) for k in range(count)
+        add_part(figure, k * width / count, base + BORDER, width / count, below)
+        for k in range(count)
     ]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
         _draw_shell(axes, positions, camera, width / count)
@@ -130,6 +137,8 @@ def plot_overview(
     if contact is not None:
         _mark_panels(frames[-1], states[-1], contact, camera)
     _same_scale(frames)
+    if hinge is not None:
+        draw_hinge_section(figure, hinge, unit)
     save(figure, path)
 
 

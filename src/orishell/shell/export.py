@@ -59,6 +59,7 @@ def write_shell(
             shell.file,
             shell.design,
             shell.motion,
+            shell.document,
             lock=shell.lock,
             deviation=shell.deviation,
             choice=shell.choice,

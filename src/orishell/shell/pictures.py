@@ -9,11 +9,13 @@ from orishell.deployment import FROM_FLAT
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, locked_shell, measure_signed
+from orishell.document import Document
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
 from orishell.plot import (
     DrawnContact,
     DrawnWeight,
+    find_hinge_section,
     plot_deviation,
     plot_overview,
     plot_tradeoff,
@@ -31,6 +33,7 @@ def draw_pictures(
     file: DesignFile,
     design: Design,
     motion: FoldingMotion,
+    document: Document,
     *,
     lock: Lock,
     deviation: Deviation | None,
@@ -42,6 +45,9 @@ def draw_pictures(
     Own weight is drawn where the design file says how the shell is deployed: from the flat sheet
     until its flaps stop it, the report's few numbers are enough.
     """
+    hinge = None
+    if document.boards is not None and document.panel is not None:
+        hinge = find_hinge_section(motion, document.boards, document.panel)
     plot_overview(
         directory / "overview.png",
         motion,
@@ -50,6 +56,7 @@ def draw_pictures(
         last=_last_state(design, lock),
         unit=file.unit,
         contact=_drawn(lock),
+        hinge=hinge,
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)

@@ -104,10 +104,10 @@ class Task:
             shell = make_shell(file, self.progress, clash="allowed")
         document = lay_surface(shell.document, shell.design)
         assert document.distances is not None
-        # Flaps of a width that the program chooses may be narrower now than the view had them, and
-        # a pack, where panels meet, less closed.
+        # Flaps of a width that the program chooses may be narrower now than the view had them, a
+        # pack, where panels meet, less closed, and boards cut off where they would meet.
         met = file.deployment.start == "pack" and shell.lock.cause == "clash"
-        other = file.pattern.flap == "auto" or met
+        other = file.pattern.flap == "auto" or met or document.boards is not None
         return {
             "report": shell.report,
             "contact": document.contact,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import json
 from collections.abc import Iterator
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -12,9 +13,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from documents import FAMILIES, demo_document, flat_only, folded_only, pack_document
+from documents import (
+    FAMILIES,
+    boards_document,
+    demo_document,
+    flat_only,
+    folded_only,
+    pack_document,
+)
 from orishell.conventions.colours import rgb
+from orishell.design import PanelBuild
 from orishell.errors import InputError
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
@@ -245,6 +255,65 @@ def test_parts_of_a_document_are_shown_as_well(browser: Browser, tmp_path: Path,
         assert page.get_by_text("Folded states only").is_visible() == (part is folded_only)
         picture = pixels(page, ".orishell-scene canvas")
         assert np.ptp(picture.mean(axis=-1)) > 0.4
+
+
+def test_a_view_has_the_outlines_of_boards() -> None:
+    """As they are in the flat sheet; a view of panels without a thickness is as it was."""
+    document = boards_document(PanelBuild(0.05, membrane=0.002))
+    assert document.boards is not None
+    view = dump_view(document)
+    size = int.from_bytes(view[:4], "little")
+    arrays = json.loads(view[4 : 4 + size])["arrays"]
+    for name, expected in (
+        ("boards", document.boards.outlines),
+        ("board_panels", document.boards.panels),
+    ):
+        place = arrays[name]
+        assert tuple(place["shape"]) == expected.shape
+        found = np.frombuffer(view, place["type"], expected.size, 4 + size + place["offset"])
+        np.testing.assert_allclose(found, expected.ravel(), rtol=1e-7)
+    thin = dump_view(replace(document, panel=None, boards=None))
+    names = json.loads(thin[4 : 4 + int.from_bytes(thin[:4], "little")])["arrays"]
+    assert set(arrays) - set(names) == {"boards", "board_panels"}
+
+
+@pytest.mark.parametrize(
+    "build", [PanelBuild(0.1, membrane=0.005), PanelBuild(0.1, construction="bevel")]
+)
+def test_thickness_is_switched_off_and_on(
+    browser: Browser, tmp_path: Path, build: PanelBuild
+) -> None:
+    """Off, the picture is that of panels without a thickness."""
+    document = boards_document(build)
+    pictures = []
+
+    def rested(page: Page) -> NDArray[np.float64]:
+        await_frames(page)
+        wait_until(page, "orishell.shell.quality.taps === 12")  # drawn finely, nothing moves
+        await_frames(page)
+        return pixels(page, ".orishell-scene canvas")[60:]  # below the switches
+
+    for thick in (True, False):
+        shown = document if thick else replace(document, panel=None, boards=None)
+        write_html(tmp_path / "viewer.html", shown, DEFAULT_SETTINGS)
+        with watched_page(browser) as page:
+            opened(page, tmp_path / "viewer.html")
+            page.evaluate("orishell.player.set(0.5)")
+            pictures.append(rested(page))
+            switch = page.get_by_text("Thickness", exact=True)
+            assert switch.count() == thick
+            if thick:
+                for colours in ("Mountain, valley", "Fold angle", "Plain"):
+                    page.get_by_text(colours, exact=True).click()
+                    await_frames(page)
+                switch.click()
+                pictures.append(rested(page))
+                for width in (1280, 760, 390, 320):
+                    page.set_viewport_size({"width": width, "height": 720})
+                    require_apart(page, page.locator(".toolbar > *").all(), width)
+    on, off, none = pictures
+    assert (np.abs(on - off).max(axis=-1) > 0.1).mean() > 5e-3
+    assert np.abs(off - none).max() < 0.02
 
 
 def test_figures(browser: Browser, tmp_path: Path) -> None:

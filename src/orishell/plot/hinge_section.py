@@ -1,0 +1,194 @@
+"""A section square to a crease: boards, and how far they stand back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.design import PanelBuild
+from orishell.motion import FoldingMotion
+from orishell.numerics.arrays import Array
+from orishell.sheet.boards import Boards
+
+SAME = 1e-3
+"""States whose fold angles differ by less than this are drawn once (radians)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Profile:
+    """A board where it is cut square to the crease.
+
+    Parameters
+    ----------
+    right
+        Whether it lies on the right.
+    side
+        As in :class:`~orishell.sheet.boards.Boards`.
+    points
+        Its outline (P, 2): distance from the crease and height over the hinge plane; down the near
+        end comes last, P being twice the number of heights.
+    """
+
+    right: bool
+    side: int
+    points: Array
+
+    __repr__ = in_one_line
+
+    def folded(self, fold: float) -> Array:
+        """The outline (P, 2) as :func:`folded` has it.
+
+        Parameters
+        ----------
+        fold
+            The fold angle, valley positive (radians).
+        """
+        return folded(self.points, fold, right=self.right)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HingeSection:
+    """A crease, and the boards that are cut square to it through its middle.
+
+    Parameters
+    ----------
+    panels
+        Row and column of the panels on the left and on the right.
+    profiles
+        The boards that are cut.
+    ends
+        How far the panels reach, on the left and on the right (length).
+    setback
+        The largest distance of a board from the crease (length).
+    build
+        What panels are made of.
+    states, folds
+        Names of states, and the fold angles of the crease there (radians).
+    """
+
+    panels: tuple[tuple[int, int], tuple[int, int]]
+    profiles: tuple[Profile, ...]
+    ends: tuple[float, float]
+    setback: float
+    build: PanelBuild
+    states: tuple[str, ...]
+    folds: tuple[float, ...]
+
+    __repr__ = in_one_line
+
+    @property
+    def closing(self) -> int:
+        """The face that closes: 1 the upper, -1 the lower one."""
+        return 1 if max(self.folds, key=abs) >= 0 else -1
+
+
+def find_hinge_section(
+    motion: FoldingMotion, boards: Boards, build: PanelBuild
+) -> HingeSection | None:
+    """The section through the crease from which boards stand back farthest.
+
+    Parameters
+    ----------
+    motion
+        The motion of the sheet; of its states flat, target and pack are shown.
+    boards
+        What is built of its panels.
+    build
+        What panels are made of.
+
+    Returns
+    -------
+    HingeSection or None
+        None if no crease has boards on both sides.
+    """
+    mechanism = motion.mechanism
+    grid = mechanism.grid
+    corners = mechanism.positions(0.0).reshape(-1, 3)[grid.faces_vertices(), :2]
+    edges = grid.faces_edges()
+    along = np.roll(corners, -1, axis=1) - corners
+    inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+    inward /= np.linalg.norm(inward, axis=-1, keepdims=True)
+
+    own, ways = corners[boards.panels], inward[boards.panels]
+    away = np.einsum("bhkx,bex->bhke", boards.outlines[..., :2], ways)
+    back = (away - (own * ways).sum(axis=-1)[:, None, None]).min(axis=2).max(axis=1)
+    most = np.full((2, edges.max() + 1), -np.inf)
+    # An edge is the left or top one of one panel, the right or bottom one of the other.
+    for which, places in enumerate(([0, 3], [1, 2])):
+        np.maximum.at(most[which], edges[boards.panels][:, places], back[:, places])
+    farthest = np.where(np.isfinite(most).all(axis=0), most.max(axis=0), -np.inf)
+    edge = int(farthest.argmax())
+    if farthest[edge] == -np.inf:
+        return None
+
+    profiles, beside, ends = [], [], []
+    for right, (panel, place) in enumerate(np.argwhere(edges == edge).tolist()):
+        row, column = divmod(panel, grid.columns - 1)
+        beside.append((row, column))
+        start = corners[panel, place] + 0.5 * along[panel, place]
+        lying = np.concatenate([corners[panel], np.zeros((4, 1))], axis=1)
+        whole = _cut(lying[None], start, inward[panel, place])
+        assert whole is not None  # from the middle of a side
+        ends.append(float(whole[0, 0]))
+        for board in np.flatnonzero(boards.panels == panel).tolist():
+            points = _cut(boards.outlines[board], start, inward[panel, place])
+            if points is not None:
+                profiles.append(Profile(bool(right), int(boards.sides[board]), points))
+    drives = [0.0, mechanism.target_drive] + ([] if motion.pack is None else [motion.pack])
+    folds = mechanism.fold_angles(np.array(drives)).on_edges()[:, edge].tolist()
+    shown = [k for k, fold in enumerate(folds) if all(abs(fold - x) > SAME for x in folds[:k])]
+    return HingeSection(
+        panels=(beside[0], beside[1]),
+        profiles=tuple(profiles),
+        ends=(ends[0], ends[1]),
+        setback=float(max(farthest[edge], 0.0)),
+        build=build,
+        states=tuple(("flat", "target", "pack")[k] for k in shown),
+        folds=tuple(folds[k] for k in shown),
+    )
+
+
+def _cut(outlines: Array, start: Array, way: Array) -> Array | None:
+    """Outline (2 H, 2) of a board's section from a point along a unit vector; None if it is missed.
+
+    Parameters
+    ----------
+    outlines
+        Corners (H, K, 3) of the board's outlines.
+    start, way
+        Point (2,) and direction (2,) in the flat sheet.
+    """
+    flat = outlines[..., :2]
+    along = np.roll(flat, -1, axis=1) - flat
+    inward = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+    rate, level = inward @ way, (inward * (flat - start)).sum(axis=-1)
+    at = level / np.where(rate == 0, 1.0, rate)
+    near = np.where(rate > 0, at, -np.inf).max(axis=1)
+    far = np.where(rate < 0, at, np.inf).min(axis=1)
+    if (near >= far).any():
+        return None
+    height = outlines[:, 0, 2]
+    ends = np.stack([far, height], axis=-1), np.stack([near, height], axis=-1)
+    return np.concatenate([ends[0], ends[1][::-1]])
+
+
+def folded(points: Array, fold: float, *, right: bool) -> Array:
+    """Points (..., 2) of a panel, from its own distances and heights, as the section shows them.
+
+    The crease is in the origin, the bisecting plane upright through it.
+
+    Parameters
+    ----------
+    points
+        Distances from the crease and heights over the hinge plane (..., 2).
+    fold
+        The fold angle, valley positive (radians).
+    right
+        Whether the panel lies on the right.
+    """
+    away, height = points[..., 0], points[..., 1]
+    cosine, sine = np.cos(fold / 2), np.sin(fold / 2)
+    x = away * cosine - height * sine
+    return np.stack([x if right else -x, away * sine + height * cosine], axis=-1)

@@ -1,0 +1,126 @@
+"""The section through a hinge: its numbers are those of set-backs and of boards in space."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from documents import EXAMPLES, boards_document
+from orishell.conventions.colours import rgb
+from orishell.design import PanelBuild
+from orishell.design_file import read_design_file
+from orishell.motion import FoldingMotion, Mechanism
+from orishell.plot import HingeSection, find_hinge_section, plot_overview
+from orishell.sheet.boards import Boards
+from orishell.solids import build_boards, drive_for_height, find_set_backs, largest_folds
+
+SANDWICH = PanelBuild(0.03, membrane=0.002, gap=0.004)
+BEVEL = PanelBuild(0.03, construction="bevel")
+FIGURES = ("figure1", "figure2")
+
+
+def section_of(
+    name: str, build: PanelBuild, *, packed: bool = False
+) -> tuple[HingeSection, Mechanism, Boards, int]:
+    """The section, its sheet with its boards, and the number of its crease."""
+    file = read_design_file(EXAMPLES / f"{name}.toml")
+    mechanism = file.pattern.design(file.f, file.g).mechanism.without_flaps()
+    pack = drive_for_height(mechanism, build.height) if packed else None
+    folds = largest_folds(mechanism, pack or mechanism.target_drive)
+    boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
+    section = find_hinge_section(FoldingMotion(mechanism, 5, pack), boards, build)
+    assert section is not None
+    edges = mechanism.grid.faces_edges()
+    one, other = (i * (mechanism.grid.columns - 1) + j for i, j in section.panels)
+    (edge,) = set(edges[one].tolist()) & set(edges[other].tolist())
+    return section, mechanism, boards, edge
+
+
+@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("build", [SANDWICH, BEVEL])
+def test_boards_stand_back_as_far_as_is_asked(name: str, build: PanelBuild) -> None:
+    """On both sides of the crease with the largest set-back of all, on both faces."""
+    section, mechanism, _, edge = section_of(name, build)
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    back = find_set_backs(folds, build.height, build.gap)
+    inner = np.isfinite(folds.on_edges(border=np.inf))
+    largest = np.maximum(back.top, back.bottom)
+    assert section.setback == pytest.approx(largest[inner].max(), rel=1e-12)
+    assert largest[edge] == pytest.approx(section.setback, rel=1e-12)
+    assert sum(profile.right for profile in section.profiles) == len(section.profiles) // 2
+    for profile in section.profiles:
+        near = profile.points[len(profile.points) // 2 :]
+        for height, expected in ((1, back.top[edge]), (-1, back.bottom[edge])):
+            at = near[np.isclose(near[:, 1], height * build.height, rtol=1e-12), 0]
+            assert at == pytest.approx(np.full(len(at), expected), rel=1e-12, abs=1e-13)
+        assert np.ptp(profile.points[:, 1]) == pytest.approx(
+            build.thickness if profile.side == 0 else build.height - build.membrane / 2
+        )
+
+
+@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("build", [SANDWICH, BEVEL])
+def test_they_meet_on_the_bisecting_plane_where_they_close(name: str, build: PanelBuild) -> None:
+    """In the section, and in space: as far from the plane that halves the two panels' angle."""
+    section, mechanism, boards, edge = section_of(name, build)
+    fold = section.folds[section.states.index("target")]
+    assert fold == pytest.approx(
+        largest_folds(mechanism, mechanism.target_drive).on_edges()[edge], abs=1e-12
+    )
+    positions = mechanism.positions(mechanism.target_drive).reshape(-1, 3)
+    faces = mechanism.grid.faces_vertices()
+    placed = boards.carried(faces, mechanism.positions(0.0).reshape(-1, 3)[:, :2], positions)
+    numbers = [i * (mechanism.grid.columns - 1) + j for i, j in section.panels]
+    normals = []
+    for panel in numbers:
+        a, b, c, d = positions[faces[panel]]
+        normal = np.cross(c - a, d - b)
+        normals.append(normal / np.linalg.norm(normal))
+    across = normals[0] - normals[1]
+    across *= np.sign(fold) / np.linalg.norm(across)
+    start = positions[mechanism.grid.edges_vertices()[edge, 0]]
+    for right, panel in enumerate(numbers):
+        drawn = min(
+            np.abs(each.folded(fold)[:, 0]).min()
+            for each in section.profiles
+            if each.right == right
+        )
+        signed = (placed[boards.panels == panel] - start) @ across * (1 if right else -1)
+        assert drawn == pytest.approx(0, abs=1e-13)
+        assert signed.min() == pytest.approx(0, abs=1e-12)
+        for profile in section.profiles:
+            x = profile.folded(fold)[:, 0]
+            assert (x if profile.right else -x).min() > -1e-13
+
+
+def test_a_pack_is_the_third_state() -> None:
+    section, mechanism, _, edge = section_of(
+        "shelter", PanelBuild(0.01, membrane=0.0002), packed=True
+    )
+    assert section.states == ("flat", "target", "pack")
+    assert section.folds[0] == 0
+    expected = mechanism.fold_angles(mechanism.target_drive).on_edges()[edge]
+    assert section.folds[1] == pytest.approx(expected)
+    assert section.setback == pytest.approx(0.005 * np.tan(abs(section.folds[2]) / 2), rel=1e-9)
+
+
+@pytest.mark.parametrize("build", [SANDWICH, BEVEL])
+def test_it_is_drawn_below_the_states(tmp_path: Path, build: PanelBuild) -> None:
+    document = boards_document(build)
+    assert document.boards is not None
+    file = read_design_file(EXAMPLES / "figure1.toml")
+    motion = FoldingMotion(file.pattern.design(file.f, file.g).mechanism.without_flaps(), 3)
+    section = find_hinge_section(motion, document.boards, build)
+    pictures = []
+    for name, hinge in (("thin", None), ("thick", section)):
+        path = tmp_path / f"{name}.png"
+        plot_overview(path, motion, {}, title="T", last="Folded", unit="m", hinge=hinge)
+        pictures.append(np.asarray(Image.open(path).convert("RGB")) / 255)
+    thin, thick = pictures
+    added = len(thick) - len(thin)
+    assert 300 < added < 1500  # pixels, 200 to the inch
+    colours = ["panel-front", *(["panel-back", "target"] if build is SANDWICH else [])]
+    for colour in colours:
+        near = np.abs(thick[-added:] - rgb(colour)).max(axis=-1) < 0.02
+        assert near.mean() > 1e-3, colour
