@@ -10,7 +10,7 @@ from brute_force import crosses, exact_contacts, first_crossing, not_designed
 from orishell.clash import find_contacts, find_first_contact
 from orishell.clash.acceleration_bounds import EdgeBounds
 from orishell.clash.broad_phase import PanelTree
-from orishell.clash.path import BASE
+from orishell.clash.ranges import BASE
 from orishell.errors import DesignError
 from orishell.locking import find_lock
 from orishell.motion import diagonal
@@ -151,5 +151,5 @@ def test_panels_stay_within_the_bound_of_the_straight_line() -> None:
 def test_a_finer_base_finds_the_same_contact(monkeypatch: pytest.MonkeyPatch) -> None:
     design = PLANTED["spiral"]()
     coarse = find_lock(design).drive
-    monkeypatch.setattr("orishell.clash.path.BASE", 256)
+    monkeypatch.setattr("orishell.clash.ranges.BASE", 256)
     assert find_lock(design).drive == pytest.approx(coarse, abs=1e-9)

@@ -13,7 +13,7 @@ import pytest
 
 from orishell import Design, DesignError, design_orthodiagonal, design_parallel_repeating
 from orishell.clash import find_contacts
-from orishell.clash.path import TICKS
+from orishell.clash.ranges import TICKS
 from orishell.locking import Lock, find_lock
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import Mechanism, diagonal

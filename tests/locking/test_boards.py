@@ -17,7 +17,7 @@ from orishell.design_file import read_design_file
 from orishell.errors import DesignError
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.boards import Boards
 from orishell.solids import largest_folds, largest_height
 from strategies import Request, orthodiagonal_requests, requests
@@ -42,7 +42,7 @@ def solids(corners: Array, boards: Boards) -> list[Any]:
     return made
 
 
-def beyond_a_face(corners: Array, pairs: Array) -> Array:
+def beyond_a_face(corners: Array, pairs: Integers) -> Booleans:
     """Whether all of the second board lies beyond an upright side, top or bottom of the first."""
     first, second = (
         corners[each].reshape(len(pairs), corners.shape[1] * corners.shape[2], 3)

@@ -3,18 +3,14 @@
 Derived in docs/theory/locking-and-clash.md.
 """
 
-from orishell.clash.bodies import Bodies
-from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.path import find_first_contact
 from orishell.clash.result import PathContact, PathResult, ProofRecord
 from orishell.clash.state import find_contacts
 
 __all__ = [
-    "Bodies",
     "PathContact",
     "PathResult",
     "ProofRecord",
     "find_contacts",
-    "find_first_body_contact",
     "find_first_contact",
 ]

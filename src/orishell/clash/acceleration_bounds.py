@@ -72,10 +72,10 @@ class EdgeBounds:
 class NormalBounds:
     """Bounds of the accelerations of panels' normals.
 
-    With edges u, v of a panel its normal n is u x v over a constant area A, and as |u'|^2 = -u u''
+    With edges u, v of a panel its normal n is u x v over a constant area A, and as u' u' = -u u''
     for a rigid edge,
 
-        |n''| <= (sqrt(|u''| |v|) + sqrt(|v''| |u|))^2 / A.
+        abs(n'') <= (sqrt(abs(u'') abs(v)) + sqrt(abs(v'') abs(u)))^2 / A.
 
     Parameters
     ----------

@@ -4,7 +4,7 @@ They are near all the way, so they are looked at by themselves, in every range, 
 direction that kept them apart before. A corner c of a board is fixed on its panel: with the edges u
 along the row and w down the column from the common vertex, c = alpha u + beta w + h n, and
 
-    |c''| <= |alpha| |u''| + |beta| |w''| + |h| |n''|
+    abs(c'') <= abs(alpha u'') + abs(beta w'') + abs(h n'')
 
 bounds its chord error by itself. Corners near the vertex, where boards come near each other, hardly
 have one.

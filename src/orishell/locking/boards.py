@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash import Bodies, PathResult, find_first_body_contact
-from orishell.clash.bodies import Apartness
+from orishell.clash import PathResult
+from orishell.clash.bodies import Apartness, Bodies
+from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.opposite import opposite_panels
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
