@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from orishell.shell.deployment_report import DeploymentReport
     from orishell.shell.deviation_report import DeviationReport
     from orishell.shell.make import Shell
+    from orishell.shell.panel_report import PanelReport
     from orishell.shell.report import Report
 
 
@@ -82,8 +83,12 @@ def _held(shell: Shell) -> Iterator[str]:
         yield "not checked: " + "; ".join(shell.report.not_checked)
     else:
         proved = f"proved over the whole path by bounds between {lock.proof.states} states"
-        if lock.cause == "clash" and contact is not None:
-            first, second = (list(panel) for panel in contact.panels)
+        if lock.cause in {"clash", "boards"} and contact is not None:
+            sides = contact.sides or ("", "")
+            first, second = (
+                f"{list(panel)}{f' {side}' if side in {'top', 'bottom'} else ''}"
+                for panel, side in zip(contact.panels, sides, strict=True)
+            )
             beyond = not lock.early and shell.design.ending_at is None
             met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
             yield (
@@ -92,6 +97,8 @@ def _held(shell: Shell) -> Iterator[str]:
             )
         else:
             yield f"path      clear from flat to {in_degrees(lock.pack)} deg: {proved}"
+    if shell.report.panel is not None:
+        yield from _panels(shell.report.panel, shell.report.unit)
     yield from _deployment(shell.report.deployment, shell.report.unit)
     held = shell.report.deployment
     if not lock.early:
@@ -99,6 +106,17 @@ def _held(shell: Shell) -> Iterator[str]:
             f"held      at {in_degrees(lock.target)} deg: from closing by {HOLDING[held.closing]}, "
             f"from opening by {HOLDING[held.opening]}"
         )
+
+
+def _panels(report: PanelReport, unit: str) -> Iterator[str]:
+    """What panels with a thickness are made of, and what keeps their boards apart."""
+    cut = report.corners_cut
+    corners = f", corners cut off at {cut} vertices" if cut else ""
+    proved = "" if report.path is None else "; that none meet on the way is proved as for panels"
+    yield (
+        f"boards    {report.boards}, {report.thickness:.4g} {unit} thick panels, set back by up to "
+        f"{report.largest_setback:.3g} {unit}{corners}{proved}"
+    )
 
 
 def _deployment(report: DeploymentReport, unit: str) -> Iterator[str]:

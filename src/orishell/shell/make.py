@@ -198,7 +198,7 @@ def make_shell(
         sheet=SheetReport(width, height, sheet_area(flat.positions)),
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
-        panel=describe_panels(lock),
+        panel=describe_panels(design, lock),
         quantities=quantities,
     )
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
