@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 import tracemalloc
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -14,7 +15,8 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from brute_force import exact_contacts
 from orishell.curves import curve_from_formulas, parse_formula
-from orishell.design import Design
+from orishell.design import Design, PanelBuild
+from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
 from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
@@ -26,7 +28,11 @@ from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion
+from orishell.shell.tolerance import request_of
+from orishell.solids import build_panels, largest_folds, largest_height
 from orishell.verification.residuals import measure_residuals
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
 def design(rows: int, columns: int) -> Design:
@@ -167,3 +173,42 @@ def test_the_whole_path_against_one_exact_state(benchmark: BenchmarkFixture) -> 
         lambda: exact_contacts(state, faces), 3
     )
     print(f"\nproof of the whole path: {ratio:.0f} times one exact test of one state")
+
+
+def with_boards(bare: Design, *, to_pack: bool = False) -> Design:
+    """Sandwiches of a third of the largest thickness, with a gap of a tenth of theirs."""
+    mechanism = bare.mechanism
+    folds = largest_folds(mechanism, mechanism.target_drive)
+    most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
+    build = PanelBuild(most / 3, membrane=most / 100, gap=most / 30)
+    return replace(bare, panel=replace(build, reach="pack" if to_pack else "target"))
+
+
+def test_boards_of_10_000_panels(benchmark: BenchmarkFixture) -> None:
+    made = with_boards(replace(design(99, 101).with_clipped_flaps(), clipped=None))
+    limit = made.mechanism.target_drive
+    benchmark(build_panels, made, limit)
+    ratio = best_time(lambda: build_panels(made, limit), 5) / best_time(lambda: design(99, 101), 5)
+    benchmark.extra_info["ratio to the design"] = ratio
+    print(f"\nboards of 10,000 panels: {ratio:.2f} times the design of the sheet (target 10)")
+    assert ratio < 10
+
+
+@pytest.mark.parametrize("name", ["figure1", "figure2", "figure3", "shelter"])
+def test_the_whole_path_with_boards(benchmark: BenchmarkFixture, name: str) -> None:
+    request = request_of(read_design_file(EXAMPLES / f"{name}.toml"))
+    bare = replace(request.designed().with_clipped_flaps(), clipped=None)
+    thick = with_boards(bare, to_pack=request.from_pack)
+    benchmark(find_lock, thick)
+    # In turns, so that what else the machine does slows both alike.
+    times = [
+        [
+            best_time(lambda: find_lock(bare, beyond=request.from_pack), 1),
+            best_time(lambda: find_lock(thick), 1),
+        ]
+        for _ in range(5)
+    ]
+    one, other = np.min(times, axis=0)
+    benchmark.extra_info["ratio to panels without a thickness"] = other / one
+    print(f"\n{name}, proof with boards: {other / one:.1f} times that without (target 6)")
+    assert other / one < 6
