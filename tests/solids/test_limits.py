@@ -89,7 +89,9 @@ def test_boards_end_the_motion_of_the_shelter() -> None:
     assert 72 * 0.01 < deployment.packed.height < 1.0
     assert bare.height < 1e-3
     assert deployment.packed.length == pytest.approx(bare.length, abs=0.02)
-    assert any("boards" in each for each in shell.report.not_checked)
+    assert shell.report.panel is not None
+    assert shell.report.panel.path is not None
+    assert shell.report.panel.set_back_for_deg == deployment.end_drive_deg
 
 
 def test_thicker_boards_pack_larger() -> None:
