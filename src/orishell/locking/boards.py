@@ -28,7 +28,7 @@ FINE = 0.05
 """Corners are cut off by this share more than is needed."""
 CLEARANCE = 1e-3
 """Cut corners keep this share of the height of boards between them."""
-HALVINGS = 7
+HALVINGS = 12
 TRIES = 4
 
 
