@@ -1,6 +1,7 @@
 """The shelter as a kit of boards: how they stand back, what it weighs, and how small it packs.
 
-Run it with ``python examples/shelter_boards.py``; the design is in ``shelter_boards.toml`` beside it.
+Run it with ``python examples/shelter_boards.py``; the design is in ``shelter_boards.toml`` beside
+it.
 """
 
 from __future__ import annotations

@@ -3,10 +3,10 @@ The shelter as a kit of boards
 ==============================
 
 The :doc:`shelter <plot_shelter>` in panels of 10 mm (``examples/shelter_boards.toml``): two boards
-of 4.75 mm twin-wall polypropylene, glued on both faces of a fabric of 0.5 mm. Where a crease closes,
-boards stand back from it by 5 mm times the tangent of half its largest fold angle, so neighbours
-never cross the plane that bisects the crease. That no other two boards meet is proved, from the pack
-over the target to the flat sheet.
+of 4.75 mm twin-wall polypropylene, glued on both faces of a fabric of 0.5 mm. Where a crease
+closes, boards stand back from it by 5 mm times the tangent of half its largest fold angle, so
+neighbours never cross the plane that bisects the crease. That no other two boards meet is proved,
+from the pack over the target to the flat sheet.
 """
 
 import runpy
