@@ -19,7 +19,7 @@ def design() -> Shell:
 def measure(shell: Shell) -> dict[str, float]:
     """Boards, mass and pack of the shelter, in metres, degrees and kilograms."""
     panel, built = shell.report.panel, shell.report.quantities.built
-    packed, fabric = shell.report.deployment.packed, shell.report.quantities.stock
+    packed = shell.report.deployment.packed
     assert panel is not None
     assert panel.meeting is not None
     assert built is not None
@@ -27,7 +27,6 @@ def measure(shell: Shell) -> dict[str, float]:
     assert built.mass_kg.boards is not None
     assert built.mass_kg.membrane is not None
     assert packed is not None
-    assert fabric is not None
     return {
         "boards": panel.boards,
         "largest fold": panel.largest_fold_deg,
@@ -45,7 +44,6 @@ def measure(shell: Shell) -> dict[str, float]:
         "mass of boards": built.mass_kg.boards,
         "mass of fabric": built.mass_kg.membrane,
         "sheets of board": built.stock_sheets,
-        "pieces of fabric": fabric.sheets,
     }
 
 

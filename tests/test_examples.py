@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 
 from orishell import Shell
+from orishell.deployment import find_pack
 from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.shell.make import make_shell
+from orishell.solids import drive_for_height
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 SHELLS = ("shelter", "tunnel", "canopy", "vault", "from_dxf", "from_svg")
@@ -271,6 +273,10 @@ def test_shelter_of_boards(
     assert pack == pytest.approx([2.10, 1.23, 0.97], abs=0.005)
     assert size["layers"] * 0.010 < size["pack height"]
     assert size["board area"] / (2.44 * 1.22) < size["sheets of board"] == 41
+    # With shorter set-backs a larger one, as the design file says.
+    sheet = shell.design.mechanism
+    box = find_pack(sheet, drive_for_height(sheet, 0.005, setback=0.05, gap=0.004), 5, 0.010).box
+    assert [box.length, box.width, box.height] == pytest.approx([3.2, 2.2, 1.3], abs=0.05)
     # Flaps stop where set-backs of their boards take half of the way between their row creases.
     assert size["stop of flaps"] == pytest.approx(5.55, abs=1e-9)
     monkeypatch.setattr(kit.module, "design", lambda: shell)

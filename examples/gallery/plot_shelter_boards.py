@@ -88,7 +88,8 @@ def drawn(name: str) -> Figure:
     return figure
 
 
-files = draw_sheet_files(Path("pattern.svg"), document, replace(shell.file.workshop, stock=None))
+workshop = replace(shell.file.workshop, stock=None, title_block=False)
+files = draw_sheet_files(Path("pattern.svg"), document, workshop)
 drawings = {path.name: drawing for path, drawing in files}
 figure = drawn("pattern.svg")
 
