@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,7 +31,9 @@ from orishell.design_file.file import check_design
 from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import Sectors
 from orishell.locking import find_lock
-from orishell.plot import DrawnContact, plot_overview, plot_tradeoff
+from orishell.plot import DrawnContact, find_hinge_section, plot_overview, plot_tradeoff
+from orishell.plot.hinge_picture import draw_hinge_section, section_height
+from orishell.plot.scene import WIDTH
 from orishell.polylines import fit_staircase, place_zigzags
 from orishell.shell.tolerance import meet_tolerance
 from orishell.solids import build_boards, largest_folds
@@ -282,6 +285,25 @@ def draw_layers(path: Path) -> None:
     save(figure, path)
 
 
+def draw_hinge(path: Path, build: PanelBuild) -> None:
+    """A section through a hinge of Figure 1, its panels thicker than they should be."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    design = design_parallel_repeating(
+        graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20), rows=9, columns=11, xi=XI, flap=0
+    )
+    sheet = design.mechanism
+    folds = largest_folds(sheet, sheet.target_drive)
+    boards = build_boards(sheet.positions(0.0), sheet.grid, build, folds)
+    section = find_hinge_section(FoldingMotion(sheet, 2), boards, build)
+    assert section is not None
+    figure = Figure(figsize=(WIDTH, section_height(section)), facecolor="white")
+    FigureCanvasAgg(figure)
+    draw_hinge_section(figure, section, "m")
+    save(figure, path)
+
+
 def draw_clash(path: Path) -> None:
     """Flaps across an almost closed bend meet half way."""
     from PIL import Image
@@ -317,6 +339,8 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "orthodiagonal-depth.png": draw_zigzags,
     "longitudinal-angles.png": draw_sections,
     "tolerance.png": draw_choice,
+    "thickness-sandwich.png": partial(draw_hinge, build=PanelBuild(0.1, "sandwich", membrane=0.01)),
+    "thickness-bevel.png": partial(draw_hinge, build=PanelBuild(0.1, "bevel", gap=0.02)),
     "workshop-sheets.png": draw_sheets,
     "workshop-layers.png": draw_layers,
     "locking-clash.png": draw_clash,

@@ -11,9 +11,11 @@ import numpy as np
 import pytest
 
 from orishell import Shell
+from orishell.deployment import find_pack
 from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.shell.make import make_shell
+from orishell.solids import drive_for_height
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 SHELLS = ("shelter", "tunnel", "canopy", "vault", "from_dxf", "from_svg")
@@ -65,7 +67,7 @@ class Example:
         # The distance from the surface takes longest, and no other example's sizes need what goes
         # with it.
         file = read_design_file(EXAMPLES / f"{name}.toml")
-        self.shell: Shell = make_shell(file, measured=name == "shelter")
+        self.shell: Shell = make_shell(file, measured=name.startswith("shelter"))
         self.size: dict[str, float] = self.module.measure(self.shell)
 
 
@@ -233,6 +235,58 @@ def test_figure_1_card(
     shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), measured=False)
     assert shell.report.feasible
     assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
+
+
+def test_shelter_of_boards(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Boards of 10 mm panels: what they stand back, weigh and take; and no two of them meet."""
+    kit = load("shelter_boards")
+    shell, size = kit.shell, kit.size
+    assert shell.report.feasible
+    assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
+    assert shell.report.lock.first_contact is None
+    assert shell.report.not_checked == ()
+    # s = b tan(phi/2) with b = 5 mm, at the crease that folds most; the pack ends where two of
+    # them take half of the way across a panel.
+    fold = size["largest fold"]
+    assert fold == pytest.approx(177.093, abs=1e-3)
+    back = 0.005 * math.tan(math.radians(fold / 2))
+    assert size["largest set-back"] == pytest.approx(back, rel=1e-5)
+    assert back == pytest.approx(0.197, abs=5e-4)
+    # Two boards on each of 12 x 12 panels, and of 12 on both flaps.
+    assert size["boards"] == 2 * 12 * (12 + 2)
+    assert size["corners cut"] == 0
+    # Masses from areas: boards of 4.75 mm and 190 kg/m3, fabric of 0.5 mm and 1000 kg/m3.
+    assert shell.document.boards is not None
+    areas = [shell.document.boards.areas().sum()]
+    areas += [
+        piece.boards.areas().sum() for piece in shell.document.clipped if piece.boards is not None
+    ]
+    assert size["board area"] == pytest.approx(sum(areas), rel=1e-9)
+    assert size["mass of boards"] == pytest.approx(0.00475 * 190 * size["board area"], rel=1e-9)
+    assert size["mass of fabric"] == pytest.approx(0.5 * size["fabric area"], rel=1e-9)
+    assert [round(size[f"mass of {each}"]) for each in ("boards", "fabric")] == [64, 24]
+    assert size["fabric area"] == pytest.approx(shell.report.quantities.area, rel=1e-9)
+    # The box that its design file names, which 72 panels of 10 mm fit into; sheets that hold them.
+    pack = [size[f"pack {each}"] for each in ("length", "width", "height")]
+    assert pack == pytest.approx([2.10, 1.23, 0.97], abs=0.005)
+    assert size["layers"] * 0.010 < size["pack height"]
+    assert size["board area"] / (2.44 * 1.22) < size["sheets of board"] == 41
+    # With shorter set-backs a larger one, as the design file says.
+    sheet = shell.design.mechanism
+    box = find_pack(sheet, drive_for_height(sheet, 0.005, setback=0.05, gap=0.004), 5, 0.010).box
+    assert [box.length, box.width, box.height] == pytest.approx([3.2, 2.2, 1.3], abs=0.05)
+    # Flaps stop where set-backs of their boards take half of the way between their row creases.
+    assert size["stop of flaps"] == pytest.approx(5.55, abs=1e-9)
+    monkeypatch.setattr(kit.module, "design", lambda: shell)
+    kit.module.main()
+    assert capsys.readouterr().out.splitlines() == [
+        "336 boards, set back by up to 197 mm from creases that fold by up to 177.1 degrees",
+        "a pack of 2.10 m x 1.23 m x 0.97 m, 72 panels on each other",
+        "64 kg of boards from 41 sheets, 24 kg of fabric, 159 m of hinges",
+        "flaps stop 5.55 degrees short of folding flat, and bear on 7.4 m of edges",
+    ]
 
 
 @pytest.mark.slow

@@ -53,7 +53,8 @@ figure.legend(loc="outside lower center", ncols=2, frameon=False)
 
 # %%
 # How small it packs depends on how far its creases close. Panels have no thickness here. Of boards
-# of 10 mm the 72 that lie on each other would be 0.72 m thick at least, and so would the bundle.
+# of 10 mm the 72 that lie on each other would be 0.72 m thick at least, and so would the bundle: it
+# is designed with them in :doc:`plot_shelter_boards`.
 
 drives = np.linspace(sheet.target_drive, pack, 200)
 folds = np.rad2deg(largest_fold(sheet, drives))

@@ -1,11 +1,14 @@
 """Design files: what is accepted, and one clear message for what is not."""
 
+import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from orishell.design import PanelBuild
 from orishell.design_file import read_design_file, starter_file
+from orishell.design_file.panel import PanelTable
 from orishell.errors import InputError
 
 GOOD = """
@@ -38,6 +41,15 @@ def test_starter_file_is_a_good_one(tmp_path: Path) -> None:
     assert (file.pattern.rows, file.pattern.columns) == (9, 11)
     np.testing.assert_allclose(file.f.position(0.5), [0.5, -0.25])
     np.testing.assert_allclose(file.g.position(5.0), [5, 5])
+
+
+def test_the_starter_explains_every_key_of_panels(tmp_path: Path) -> None:
+    """What its comments say of [panel] is a table with all keys, and is read with its defaults."""
+    lines = starter_file("parallel-repeating").partition("# [panel]")[2].partition("\n\n")[0]
+    table = "\n".join(line.removeprefix("# ") for line in lines.splitlines()[1:])
+    assert set(tomllib.loads(table)) == set(PanelTable.model_fields)
+    panel = read_design_file(write(tmp_path, f"{GOOD}[panel]\n{table}")).panel
+    assert panel == PanelBuild(0.01, membrane=0.001)
 
 
 def test_pair_of_formulas_and_scale(tmp_path: Path) -> None:

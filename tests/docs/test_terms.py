@@ -17,6 +17,7 @@ import orishell
 from orishell.cli.main import app
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.deployment import DeploymentTable
+from orishell.design_file.panel import PanelTable, SetbackTable
 from orishell.families.registry import FAMILIES
 from orishell.shell.deployment_report import (
     DeploymentReport,
@@ -24,6 +25,8 @@ from orishell.shell.deployment_report import (
     TieReport,
     WeightReport,
 )
+from orishell.shell.lock_report import PathReport
+from orishell.shell.panel_report import MeetingReport, PanelReport
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
@@ -194,11 +197,11 @@ def test_the_guide_explains_every_parameter_of_the_report(family: str, tmp_path:
     assert explained == set(file.pattern.design(file.f, file.g).parameters)
 
 
-def fields_in_table(title: str) -> set[str]:
-    """What the first column of a table of the guide to packing names."""
-    page = (ROOT / "docs" / "guide" / "pack-and-deploy.md").read_text(encoding="utf-8")
+def fields_in_table(title: str, name: str = "pack-and-deploy") -> set[str]:
+    """What the first column of a table of a page of the guide names."""
+    page = (ROOT / "docs" / "guide" / f"{name}.md").read_text(encoding="utf-8")
     table = page.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
-    return set(re.findall(r"^\| `(\w+)` \|", table, flags=re.MULTILINE))
+    return set(re.findall(r"^\| `([\w.]+)` \|", table, flags=re.MULTILINE))
 
 
 def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
@@ -211,3 +214,13 @@ def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
     for part in (PackedReport, TieReport, WeightReport):
         for field in dataclasses.fields(part):
             assert f"`{field.name}`" in page, field.name
+
+
+def test_the_guide_explains_every_key_and_field_of_panels() -> None:
+    keys = set(PanelTable.model_fields) - {"largest_setback"}
+    keys |= {f"largest_setback.{name}" for name in SetbackTable.model_fields}
+    assert fields_in_table("[panel]", "thickness") == keys
+    fields = {field.name for field in dataclasses.fields(PanelReport)}
+    for name, part in (("meeting", MeetingReport), ("path", PathReport)):
+        fields |= {f"{name}.{field.name}" for field in dataclasses.fields(part)}
+    assert fields_in_table("`panel` in the report", "thickness") == fields

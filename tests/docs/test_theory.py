@@ -15,6 +15,7 @@ PICTURES = DOCS / "images" / "guide"
 LINKED = {
     "families/vertex.py": "vertex",
     "clash/__init__.py": "locking-and-clash",
+    "solids/__init__.py": "thickness",
     "deviation/__init__.py": "deviation",
     "families/parallel_repeating/__init__.py": "parallel-repeating",
     "families/orthodiagonal/__init__.py": "orthodiagonal",

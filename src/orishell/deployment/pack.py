@@ -27,7 +27,7 @@ class Pack:
     drive
         Its drive angle (radians).
     box
-        Its smallest box, panels without thickness.
+        Its smallest box, of panels with their thickness.
     layers
         How many panels lie on top of each other there, see :func:`count_layers`.
     """

@@ -1,4 +1,7 @@
-"""Panels with a thickness: how far boards stand back from their creases."""
+"""Panels with a thickness: how far boards stand back from their creases.
+
+Derived in docs/theory/thickness.md.
+"""
 
 from orishell.solids.boards import build_boards
 from orishell.solids.built import Built, build_panels
