@@ -17,12 +17,11 @@ from numpy.typing import NDArray
 
 from documents import (
     FAMILIES,
-    board_document,
-    boards_document,
     demo_document,
     flat_only,
     folded_only,
     pack_document,
+    thick_document,
 )
 from orishell.conventions.colours import rgb
 from orishell.design import PanelBuild
@@ -260,7 +259,7 @@ def test_parts_of_a_document_are_shown_as_well(browser: Browser, tmp_path: Path,
 
 def test_a_view_has_the_outlines_of_boards() -> None:
     """As they are in the flat sheet; a view of panels without a thickness is as it was."""
-    document = boards_document(PanelBuild(0.05, membrane=0.002))
+    document = thick_document(build=PanelBuild(0.05, membrane=0.002))
     assert document.boards is not None
     view = dump_view(document)
     arrays = parts_of(view)[1]
@@ -272,7 +271,7 @@ def test_a_view_has_the_outlines_of_boards() -> None:
 
 def test_flaps_that_are_clipped_on_are_views_within_the_view() -> None:
     """Where they are at the target, about the origin of the whole."""
-    document = board_document("parallel-repeating")
+    document = thick_document("parallel-repeating")
     header, blocks = parts_of(dump_view(document))
     alone = parts_of(dump_view(replace(document, clipped=())))[0]["arrays"]
     strips = [name for name in blocks if name.startswith("clipped_")]
@@ -308,7 +307,7 @@ def test_thickness_is_switched_off_and_on(
     browser: Browser, tmp_path: Path, build: PanelBuild
 ) -> None:
     """Off, the picture is that of panels without a thickness."""
-    document = boards_document(build)
+    document = thick_document(build=build)
     pictures = []
 
     def rested(page: Page) -> NDArray[np.float64]:
