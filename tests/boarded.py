@@ -6,14 +6,11 @@ from functools import cache
 
 import numpy as np
 
-from orishell import FoldingMotion, Mechanism, curve_from_formulas, parse_formula
+from documents import boarded
+from orishell import curve_from_formulas, parse_formula
 from orishell.design import PanelBuild
 from orishell.document import Document
-from orishell.document.from_design import document_of_motion
 from orishell.families.parallel_repeating import design_parallel_repeating
-from orishell.numerics.arrays import Array
-from orishell.sheet.boards import Boards
-from orishell.solids import build_boards, largest_folds
 
 CARD = PanelBuild(4.2, "sandwich", membrane=0.2, density=650, membrane_density=800)
 SOLID = PanelBuild(4.2, "bevel", gap=0.4, density=650)
@@ -38,19 +35,11 @@ def boarded_document(
     build = BUILDS[construction]
     reliefs = np.zeros((7, 5))
     reliefs[2, 2] = relief
-    return document_of_motion(
-        FoldingMotion(design.mechanism, 3),
+    return boarded(
+        design,
+        build,
         "mm",
+        frames=3,
         title="card",
-        curves=design.targets,
-        clipped=design.clipped,
-        panel=build,
-        boards=boards_of(design.mechanism, build, reliefs if relief else None),
-        flaps=None if design.clipped is None else boards_of(design.clipped, build),
+        reliefs=reliefs if relief else None,
     )
-
-
-def boards_of(sheet: Mechanism, build: PanelBuild, reliefs: Array | None = None) -> Boards:
-    """Boards set back for all folds from the flat sheet to the target."""
-    folds = largest_folds(sheet, sheet.target_drive)
-    return build_boards(sheet.positions(0.0), sheet.grid, build, folds, reliefs)

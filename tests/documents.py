@@ -7,13 +7,15 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from orishell.design import Construction, PanelBuild
+from orishell.design import Construction, Design, PanelBuild
 from orishell.design_file import check_design, read_design_file, starter_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_motion
-from orishell.motion import FoldingMotion
+from orishell.motion import FoldingMotion, Mechanism
+from orishell.numerics.arrays import Array
+from orishell.sheet.boards import Boards
 from orishell.shell.make import make_shell
-from orishell.solids import build_boards, largest_folds, largest_height
+from orishell.solids import build_boards, find_stop, largest_folds, largest_height
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FAMILIES = {
@@ -34,36 +36,54 @@ def demo_document(family: str = "parallel-repeating", frames: int = 7) -> Docume
 
 
 @cache
-def board_document(
-    family: str = "parallel-repeating", construction: Construction = "sandwich", frames: int = 5
+def thick_document(
+    family: str = "parallel-repeating",
+    construction: Construction = "sandwich",
+    frames: int = 5,
+    build: PanelBuild | None = None,
 ) -> Document:
-    """The same with panels as thick as they may be, and its flaps clipped on."""
+    """The same of panels half as thick as they may be, or as given.
+
+    Its flaps, which stop where their boards meet, are clipped on.
+    """
     file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
-    design = file.pattern.design(file.f, file.g).with_clipped_flaps()
-    sheets = [each for each in (design.mechanism, design.clipped) if each is not None]
-    folds = [largest_folds(each, design.mechanism.target_drive) for each in sheets]
-    flats = [each.positions(0.0) for each in sheets]
-    most = largest_height(flats[0], sheets[0].grid, folds[0])
-    build = PanelBuild(
-        thickness=0.5 * most,
-        construction=construction,
-        membrane=0.05 * most if construction == "sandwich" else 0.0,
-        gap=0.02 * most,
-    )
-    boards, *flaps = (
-        build_boards(flat, each.grid, build, fold)
-        for flat, each, fold in zip(flats, sheets, folds, strict=True)
-    )
+    design = file.pattern.design(file.f, file.g)
+    if build is None:
+        sheet = design.with_clipped_flaps().mechanism
+        folds = largest_folds(sheet, sheet.target_drive)
+        most = largest_height(sheet.positions(0.0), sheet.grid, folds)
+        membrane = 0.05 * most if construction == "sandwich" else 0.0
+        build = PanelBuild(0.5 * most, construction, membrane=membrane, gap=0.02 * most)
+    stopped = design.with_stop(find_stop(design.mechanism, build))
+    return boarded(stopped.with_clipped_flaps(), build, "m", frames=frames, title=family)
+
+
+def boarded(
+    design: Design,
+    build: PanelBuild,
+    unit: str,
+    *,
+    frames: int,
+    title: str,
+    reliefs: Array | None = None,
+) -> Document:
+    """The document of a design, with boards on its sheet and on flaps that are clipped on."""
     return document_of_motion(
         FoldingMotion(design.mechanism, frames),
-        "m",
-        title=family,
+        unit,
+        title=title,
         curves=design.targets,
         clipped=design.clipped,
         panel=build,
-        boards=boards,
-        flaps=flaps[0] if flaps else None,
+        boards=boards_of(design.mechanism, build, reliefs),
+        flaps=None if design.clipped is None else boards_of(design.clipped, build),
     )
+
+
+def boards_of(sheet: Mechanism, build: PanelBuild, reliefs: Array | None = None) -> Boards:
+    """Boards set back for all folds from the flat sheet to the target."""
+    folds = largest_folds(sheet, sheet.target_drive)
+    return build_boards(sheet.positions(0.0), sheet.grid, build, folds, reliefs)
 
 
 def pack_document() -> Document:
@@ -71,20 +91,6 @@ def pack_document() -> Document:
     tables = tomllib.loads(starter_file("orthodiagonal")) | {"deployment": {"from": "pack"}}
     file = check_design(tables, Path("pack.toml"), files=False)
     return make_shell(file, clash="unexamined", measured=False, nested=False).document
-
-
-@cache
-def boards_document(build: PanelBuild, family: str = "parallel-repeating") -> Document:
-    """The shell of a figure without flaps, of panels with a thickness."""
-    file = read_design_file(EXAMPLES / f"{FAMILIES[family]}.toml")
-    design = file.pattern.design(file.f, file.g)
-    mechanism = design.mechanism.without_flaps()
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
-    motion = FoldingMotion(mechanism, 7)
-    return document_of_motion(
-        motion, "m", title=family, curves=design.targets, panel=build, boards=boards
-    )
 
 
 def flat_only(document: Document) -> Document:

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from cad_tools import REQUIRED as CAD
-from documents import EXAMPLES, FAMILIES, board_document, demo_document
+from documents import EXAMPLES, FAMILIES, demo_document, thick_document
 from io_readers import READERS
 from node_tools import REQUIRED as NODE
 from node_tools import lacking
@@ -55,7 +55,7 @@ def test_what_is_written_is_read_back(
 ) -> None:
     if not format_.ready():
         lacking(f"{format_.missing}: {format_.remedy}", CAD if format_.solid else NODE)
-    document = in_unit((board_document if format_.solid else demo_document)(family), unit)
+    document = in_unit((thick_document if format_.solid else demo_document)(family), unit)
     assert document.flat is not None
     path = tmp_path / format_.file
     format_.write(path, document, Settings(print_state="target"))
@@ -156,7 +156,7 @@ def test_names_and_endings() -> None:
 
 
 def test_all_means_solids_only_where_panels_have_a_thickness() -> None:
-    thin, thick = demo_document("orthodiagonal"), board_document("orthodiagonal")
+    thin, thick = demo_document("orthodiagonal"), thick_document("orthodiagonal")
     solid = {each.name for each in FORMATS if each.solid}
     assert solid == {"step", "3mf"}
     chosen, missing = formats_for([ALL], thin)

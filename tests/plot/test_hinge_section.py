@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from documents import EXAMPLES, boards_document
+from documents import EXAMPLES, thick_document
 from orishell.conventions.colours import rgb
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
@@ -107,7 +107,7 @@ def test_a_pack_is_the_third_state() -> None:
 
 @pytest.mark.parametrize("build", [SANDWICH, BEVEL])
 def test_it_is_drawn_below_the_states(tmp_path: Path, build: PanelBuild) -> None:
-    document = boards_document(build)
+    document = thick_document(build=build)
     assert document.boards is not None
     file = read_design_file(EXAMPLES / "figure1.toml")
     motion = FoldingMotion(file.pattern.design(file.f, file.g).mechanism.without_flaps(), 3)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cad_tools import closed_volume
-from documents import FAMILIES, board_document
+from documents import FAMILIES, thick_document
 from orishell.design import Construction, PanelBuild
 from orishell.sheet.boards import Boards
 from orishell.sheet.grid import CreaseValues, Grid
@@ -39,7 +39,7 @@ def sheet(rows: int, columns: int, fold: float) -> tuple[np.ndarray, Grid, Creas
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
 def test_boards_of_a_shell(family: str, construction: Construction) -> None:
-    document = board_document(family, construction)
+    document = thick_document(family, construction)
     for piece in (document, *document.clipped):
         assert piece.boards is not None
         found = volumes(piece.boards, piece.boards_in(piece.shell))

@@ -179,9 +179,12 @@ def test_boards_too_thick_for_any_stop_are_refused(figure: int) -> None:
     assert find_room(made.design.mechanism, PanelBuild(works)).thickness >= works
 
 
-def test_no_panel_is_offered_that_is_thinner_than_its_membrane() -> None:
-    """Figure 1 may have panels 0.12 thick at most, and the membrane alone is 0.2."""
-    assert "panel.thickness" not in offered(refusal(1, PanelBuild(2.0, membrane=0.2)))
+def test_panels_thinner_than_their_membrane_are_offered_with_a_thinner_one() -> None:
+    """Figure 1 may have panels 0.12 thick at most, and the membrane alone is 0.2, a tenth."""
+    works = offered(refusal(1, PanelBuild(2.0, membrane=0.2)))
+    assert works["panel.membrane"] == pytest.approx(0.1 * works["panel.thickness"], rel=1e-3)
+    build = PanelBuild(works["panel.thickness"], membrane=works["panel.membrane"])
+    assert shell(1, build).lock.cause == "flaps"
 
 
 def test_a_gap_that_takes_too_much_is_named() -> None:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import shutil
-import tomllib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,12 +14,7 @@ import pytest
 
 from command_line import orishell
 from node_tools import PACKAGES, lacking
-from orishell.design import PanelBuild
-from orishell.design_file import check_design, starter_file
-from orishell.io.view import dump_view
-from orishell.shell.make import make_shell
-from orishell.solids import build_boards, largest_folds
-from orishell.studio.api import make_refusal
+from orishell.design_file import starter_file
 from orishell.studio.app import PAGES
 from studio_server import running_studio
 from viewer_pages import (
@@ -326,44 +319,88 @@ def test_panels_with_a_thickness(page: Page) -> None:
     switch = page.locator("label:has([data-testid=thickness])")
     assert switch.is_hidden()
     assert page.get_by_test_id("panel-membrane").is_hidden()
+    page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
     table = "window.__orishell.store.design.value.panel"
-    page.route("**/api/design", lambda route: route.fulfill(body=view_of_boards()))
-    # No proof comes in between with a view of its own.
-    refusal = make_refusal("limit", "not now")
-    page.route("**/api/verify", lambda route: route.fulfill(status=422, json=refusal))
     box = page.get_by_test_id("panel-thickness")
-    box.fill("0.02")
-    drawn(page)
-    assert page.evaluate(table) == {"thickness": 0.02, "membrane": 0.001}
+    type_into(page, "panel-thickness", "0.1")
+    assert page.evaluate(table) == {"thickness": 0.1, "membrane": 0.005}
+    assert page.get_by_test_id("refusal").is_hidden()
+    assert "the thickness of its boards" in page.get_by_test_id("verify-status").inner_text()
     assert switch.is_visible()
     on = pixels(page, "canvas")
     switch.click()
     await_frames(page)
     assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 5e-3
-    page.get_by_test_id("panel-membrane").fill("0.003")
-    drawn(page)
-    assert page.evaluate(table) == {"thickness": 0.02, "membrane": 0.003}
+    switch.click()
+    type_into(page, "panel-membrane", "0.003")
+    assert page.evaluate(table) == {"thickness": 0.1, "membrane": 0.003}
     page.locator("label:has([data-testid=panel-construction-bevel])").click()
-    drawn(page)
-    assert page.evaluate(table) == {"thickness": 0.02, "construction": "bevel"}
+    settle(page)
+    assert page.evaluate(table) == {"thickness": 0.1, "construction": "bevel", "gap": 0.005}
     assert page.get_by_test_id("panel-membrane").is_hidden()
-    page.unroute_all()
+    type_into(page, "panel-gap", "0.002")
+    assert page.evaluate("window.__orishell.report.panel.gap") == 0.002
+    assert page.evaluate("window.__orishell.report.panel.construction") == "bevel"
+    assert page.get_by_test_id("banner").is_hidden()
     box.fill("0")
     drawn(page)
     assert page.evaluate(table) is None
     assert switch.is_hidden()
 
 
-def view_of_boards() -> bytes:
-    """The studio's first example with panels 0.1 thick, its flaps clipped on."""
-    build = PanelBuild(0.1, membrane=0.005)
-    tables = tomllib.loads(starter_file("parallel-repeating"))
-    file = check_design({**tables, "deployment": {"flap_attachment": "clipped"}}, Path("a.toml"))
-    shell = make_shell(file, clash="unexamined", measured=False, nested=False)
-    mechanism = shell.design.mechanism
-    folds = largest_folds(mechanism, mechanism.target_drive)
-    boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
-    return dump_view(replace(shell.document, panel=build, boards=boards), {"f": [], "g": []})
+def type_into(page: Page, test_id: str, text: str) -> None:
+    """Fill a box, and wait for the proof of what it asks for."""
+    page.get_by_test_id(test_id).fill(text)
+    settle(page)
+
+
+def test_boards_are_drawn_as_they_are_cut(page: Page) -> None:
+    """The proof finds corners of boards that would meet, and its view is drawn, not the first."""
+    choose(page, "orthodiagonal")
+    page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
+    settle(page)
+    solids = "window.__orishell.shell3d.sheet.boards.solids.geometry"
+    page.get_by_test_id("panel-thickness").fill("0.05")
+    drawn(page)
+    whole = page.evaluate(f"{solids}.attributes.point.count")
+    settle(page)
+    assert page.evaluate("window.__orishell.report.panel.corners_cut") > 0
+    assert page.evaluate(f"{solids}.attributes.point.count") > whole > 0
+
+
+def test_clipped_flaps_are_drawn_at_the_target(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
+    settle(page)
+    drawn_there = "window.__orishell.shell3d.clipped.solids.visible"
+    assert page.evaluate("window.__orishell.store.view.value.clipped.length") == 2
+    for share in (1, 0.999, 0, 1):
+        fold(page, share)
+        assert page.evaluate(drawn_there) == (share == 1)
+    shown = pixels(page, "canvas")
+    page.evaluate("window.__orishell.shell3d.clipped.solids.clear()")
+    page.get_by_test_id("fit").click()
+    await_frames(page)
+    assert (np.abs(shown - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 1e-3
+
+
+def test_panels_that_are_too_thick_are_refused_with_what_works(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
+    type_into(page, "panel-thickness", "5")
+    banner = page.get_by_test_id("banner")
+    assert "too far" in banner.inner_text()
+    assert "Nearest found that works" in banner.inner_text()
+    # The membrane of 0.25 that came with the thickness is thicker than panels may be.
+    banner.get_by_test_id("use-nearest").click()
+    settle(page)
+    assert banner.is_hidden()
+    table = page.evaluate("window.__orishell.store.design.value.panel")
+    assert 0 < 10 * table["membrane"] < table["thickness"] < 0.25
+    assert "proved" in page.get_by_test_id("verify-status").inner_text()
+    report = page.evaluate("window.__orishell.report.panel")
+    assert report["thickness"] == table["thickness"]
+    assert page.locator("label:has([data-testid=thickness])").is_visible()
 
 
 def test_ends_of_a_range_are_numbers_or_formulas_of_constants(page: Page) -> None:

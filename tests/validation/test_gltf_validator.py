@@ -9,15 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from documents import FAMILIES, board_document, demo_document
+from documents import FAMILIES, demo_document, thick_document
 from node_tools import ask_node
 from orishell.io.formats.gltf import write_gltf
 from orishell.io.settings import DEFAULT_SETTINGS
 
 DOCUMENTS = {
     **{family: partial(demo_document, family) for family in FAMILIES},
-    "sandwich": partial(board_document, "orthodiagonal", "sandwich"),
-    "bevel": partial(board_document, "orthodiagonal", "bevel"),
+    "sandwich": partial(thick_document, "orthodiagonal", "sandwich"),
+    "bevel": partial(thick_document, "orthodiagonal", "bevel"),
 }
 
 

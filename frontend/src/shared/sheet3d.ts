@@ -2,7 +2,7 @@
 
 import {
   BufferAttribute, BufferGeometry, DataTexture, FloatType, LineSegments, NearestFilter,
-  type RawShaderMaterial, RGBAFormat,
+  type Object3D, type RawShaderMaterial, RGBAFormat,
 } from "three";
 import { Boards3D } from "./boards3d.ts";
 import { material, part, type Part, quadIndex, type Uniforms } from "./parts.ts";
@@ -52,6 +52,11 @@ export class Sheet3D {
     this.threads.renderOrder = 2;
     this.marks = part(material(creaseVertex, lineFragment, { ...shared, opacity: { value: 0.35 } }, { ...line, depthTest: false }), 4);
     this.boards = new Boards3D(shared);
+  }
+
+  /** What is drawn, but for the depths that the light sees. */
+  get drawn(): Object3D[] {
+    return [this.panels, this.boards.solids, this.creases, this.threads, this.marks];
   }
 
   show(view: View): void {

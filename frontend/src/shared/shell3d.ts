@@ -3,6 +3,7 @@
 import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { extentOf, goodDirection, placeCamera, type Extent } from "./camera.ts";
+import { Clipped3D } from "./clipped3d.ts";
 import { largest, length, themeOf, type Colouring } from "./colours.ts";
 import { armAfter } from "./keys.ts";
 import { renderLegend } from "./legend.ts";
@@ -17,8 +18,9 @@ import { assignmentCounts, isEarly, targetPoints, type View } from "./view.ts";
 
 export type { Colouring, Overlay };
 
-/** Drives nearer than this are the same (degrees). */
+/** Drives nearer than this are the same (degrees), and so are shares. */
 const SAME = 1e-4;
+const SAME_SHARE = 1e-6;
 
 export class Shell3D {
   onHover: ((panel: number | null) => void) | null = null;
@@ -40,6 +42,7 @@ export class Shell3D {
     near: { value: 0.1 },
   };
   private readonly sheet = new Sheet3D(this.u);
+  private readonly clipped = new Clipped3D(this.u);
   private readonly overlays: Overlays;
   private readonly pace: Pace;
 
@@ -82,8 +85,8 @@ export class Shell3D {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", this.invalidate);
 
-    this.scene.add(this.sheet.panels, this.sheet.boards.solids, this.sheet.creases, this.sheet.threads, this.sheet.marks);
-    this.sun.add(this.sheet.depth);
+    this.scene.add(...this.sheet.drawn, this.clipped.solids);
+    for (const depth of [this.sheet.depth, this.clipped.depths]) this.sun.add(depth);
     this.overlays = new Overlays(this.scene, this.u);
     this.pace = new Pace((quality) => this.setQuality(quality), () => this.draw());
 
@@ -116,7 +119,8 @@ export class Shell3D {
     this.view = view;
     this.target = targetShare(stopsOf(view));
     this.sheet.show(view);
-    this.extent = extentOf([this.allPoints()]);
+    this.clipped.show(view.clipped);
+    this.extent = extentOf(this.allPoints());
     this.overlays.show(view);
     this.setDistance(view.distance ?? null);
     const { contact, report } = view.header;
@@ -178,6 +182,7 @@ export class Shell3D {
   /** Panels as the boards they are built of, where they have a thickness. */
   setThickness(visible: boolean): void {
     this.sheet.boards.setVisible(visible);
+    this.clipped.setThickness(visible);
     this.invalidate();
   }
 
@@ -198,7 +203,7 @@ export class Shell3D {
 
   /** Show the state drawn. */
   fitState(): void {
-    if (this.view) this.aim(this.drawnPoints(), this.arm());
+    if (this.view) this.aim([this.drawnPoints(), ...(this.atTarget ? this.clipped.points : [])], this.arm());
   }
 
   maxPanelStrain(): number {
@@ -213,6 +218,7 @@ export class Shell3D {
     document.removeEventListener("themechange", this.onTheme);
     this.controls.dispose();
     this.sheet.dispose();
+    this.clipped.dispose();
     this.overlays.dispose();
     this.sun.dispose();
     this.look.dispose();
@@ -227,8 +233,12 @@ export class Shell3D {
     return growth > 1.5 || growth < 0.4;
   }
 
-  private allPoints(): Float32Array {
-    return this.view?.positions.length ? this.view.positions : this.drawnPoints();
+  private allPoints(): Float32Array[] {
+    return [this.view?.positions.length ? this.view.positions : this.drawnPoints(), ...this.clipped.points];
+  }
+
+  private get atTarget(): boolean {
+    return Math.abs(this.share - this.target) < SAME_SHARE;
   }
 
   private drawnPoints(): Float32Array {
@@ -245,8 +255,8 @@ export class Shell3D {
     return this.camera.position.clone().sub(this.controls.target);
   }
 
-  private aim(points: Float32Array, direction: Vector3): void {
-    this.controls.target.copy(placeCamera(this.camera, [points], direction));
+  private aim(points: Float32Array[], direction: Vector3): void {
+    this.controls.target.copy(placeCamera(this.camera, points, direction));
     this.controls.minDistance = 0.02 * this.extent!.radius;
     this.controls.maxDistance = 14 * this.extent!.radius;
     this.controls.update();
@@ -301,6 +311,7 @@ export class Shell3D {
   private pose(): void {
     if (this.posed || !this.sheet.motion) return;
     this.sheet.motion.setFold(this.share);
+    this.clipped.setVisible(this.atTarget);
     this.posed = true;
     this.sent = this.shaded = false;
   }
@@ -334,7 +345,9 @@ export class Shell3D {
     camera.updateProjectionMatrix();
     this.u.near.value = camera.near;
     const slope = Math.tan((camera.fov * Math.PI) / 360);
-    this.sheet.setScale(this.container.clientHeight / 2 / (slope * camera.position.distanceTo(this.controls.target)));
+    const pixels = this.container.clientHeight / 2 / (slope * camera.position.distanceTo(this.controls.target));
+    this.sheet.setScale(pixels);
+    this.clipped.setScale(pixels);
     renderer.clear();
     renderer.render(this.scene, camera);
   }

@@ -47,16 +47,19 @@ export interface View {
   surface?: Lattice;
   /** Where panels have a thickness. */
   boards?: Boards;
+  /** Strips of flaps that are clipped on at the target, about the same origin. */
+  clipped: View[];
 }
 
 export const Assignment = { border: 0, mountain: 1, valley: 2, unfolded: 3, cut: 4 } as const;
 
 const KINDS = { float32: Float32Array, uint32: Uint32Array, uint8: Uint8Array } as const;
 
-/** Arrays of the view lie in the buffer itself; nothing is copied. */
-export function decodeView(buffer: ArrayBuffer): View {
-  const length = new DataView(buffer).getUint32(0, true);
-  const text = new TextDecoder().decode(new Uint8Array(buffer, 4, length));
+/** Arrays of the view lie in the buffer itself, from a byte on; nothing is copied. */
+export function decodeView(buffer: ArrayBuffer, from = 0): View {
+  const length = new DataView(buffer).getUint32(from, true);
+  const first = from + 4 + length;
+  const text = new TextDecoder().decode(new Uint8Array(buffer, from + 4, length));
   const header = JSON.parse(text) as Header;
   if (header.version !== 1) {
     throw new Error(`this view has version ${header.version}; the viewer reads version 1`);
@@ -66,7 +69,7 @@ export function decodeView(buffer: ArrayBuffer): View {
     const place = header.arrays[name];
     if (!place) return undefined;
     const size = place.shape.reduce((product, side) => product * side, 1);
-    return new KINDS[place.type](buffer, 4 + length + place.offset, size) as T;
+    return new KINDS[place.type](buffer, first + place.offset, size) as T;
   }
   function array<T extends Float32Array | Uint32Array | Uint8Array>(name: string): T {
     const found = find<T>(name);
@@ -82,6 +85,7 @@ export function decodeView(buffer: ArrayBuffer): View {
     assignment: array("assignment"),
     foldAngles: array("fold_angles_deg"),
     faces: array("faces"),
+    clipped: [],
   };
   const distance = find<Float32Array>("distance");
   const curveF = find<Float32Array>("curve_f");
@@ -98,6 +102,9 @@ export function decodeView(buffer: ArrayBuffer): View {
   if (outlines) {
     const [, heights = 0, corners = 0] = header.arrays["boards"]!.shape;
     view.boards = { panels: array("board_panels"), heights, corners, outlines };
+  }
+  for (let place; (place = header.arrays[`clipped_${view.clipped.length}`]); ) {
+    view.clipped.push(decodeView(buffer, first + place.offset));
   }
   return view;
 }

@@ -193,9 +193,11 @@ export class Live {
   }
 
   private async refine(design: Design, states: number, signal: AbortSignal): Promise<void> {
+    const before = this.store.view.value;
     try {
       const view = decodeView(await fetchView(design, states, signal));
-      if (signal.aborted) return;
+      // The proof may have come first, with a shell of its own: other flaps, or boards as cut.
+      if (signal.aborted || this.store.view.value !== before) return;
       leaveOpen(view);
       // The proof may have come first: what it found is kept.
       if (this.store.proof.value.state === "done") {

@@ -30,11 +30,12 @@ function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }
     lock.cause === "clash"
       ? `closes until panels meet at ${pretty(end, 4)}°`
       : `closes on to ${start === "pack" ? "the pack at " : ""}${pretty(end, 4)}°`;
+  const beyond = end > lock.target_drive_deg;
   switch (closing) {
     case "flaps":
       return "Locked against closing by its flaps";
     case "clipped flaps":
-      return `Held from closing by flaps clipped on at the target; without them it ${on}`;
+      return `Held from closing by flaps clipped on at the target${beyond ? `; without them it ${on}` : besides(lock)}`;
     case "crease":
       return "Held from closing by a crease that is folded flat";
     case "hinges":
@@ -44,6 +45,11 @@ function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }
     case "clash":
       return "Beyond the target panels meet";
     default:
-      return `Nothing holds it from closing${end > lock.target_drive_deg ? `; it ${on}` : ""}`;
+      return `Nothing holds it from closing${beyond ? `; it ${on}` : ""}`;
   }
+}
+
+/** What ends the motion at the target, flaps or not. */
+function besides({ cause }: LockReport): string {
+  return cause === "boards" ? ", and by the thickness of its boards" : "";
 }

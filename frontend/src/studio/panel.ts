@@ -12,13 +12,14 @@ const CONSTRUCTIONS = [
 ] as const;
 type Construction = (typeof CONSTRUCTIONS)[number][0];
 const CONSTRUCTION = "boards on both faces of a membrane that is their hinge, or solid panels, chamfered where they close";
-/** Share of the thickness that a membrane takes until another is asked for. */
-const MEMBRANE = 0.05;
+/** Share of the thickness that a hinge takes, membrane or gap, until another is asked for. */
+const HINGE = 0.05;
+type Size = "thickness" | "membrane" | "gap";
 
 export class PanelControls {
   readonly element: HTMLElement;
   private readonly construction: Segmented<Construction>;
-  private readonly boxes: Record<"thickness" | "membrane", HTMLInputElement>;
+  private readonly boxes: Record<Size, HTMLInputElement>;
   private readonly units: HTMLElement[] = [];
   private readonly more: HTMLElement[];
 
@@ -26,6 +27,7 @@ export class PanelControls {
     this.boxes = {
       thickness: this.box("thickness", (value) => this.setThickness(value)),
       membrane: this.box("membrane", (value) => this.change({ ...this.table, membrane: value }, "type-membrane")),
+      gap: this.box("gap", (value) => this.change({ ...this.table, gap: value }, "type-gap")),
     };
     this.construction = segmented<Construction>(
       "Construction",
@@ -35,6 +37,7 @@ export class PanelControls {
     this.more = [
       h("div", { class: "parameter-head", title: CONSTRUCTION }, h("span", {}, "Construction"), this.construction.element),
       this.row("Membrane", "membrane", "thickness of the hinge between the boards"),
+      this.row("Gap", "gap", "between panels at every crease: room for a hinge or a kerf"),
     ];
     this.element = h(
       "section",
@@ -54,7 +57,7 @@ export class PanelControls {
     return numberBox({ min: 0, step: "any", id: `panel-${key}`, "data-testid": `panel-${key}` }, changed);
   }
 
-  private row(label: string, key: "thickness" | "membrane", help: string): HTMLElement {
+  private row(label: string, key: Size, help: string): HTMLElement {
     const unit = h("span", { class: "unit" });
     this.units.push(unit);
     return h("div", { class: "parameter-head", title: help }, h("label", { for: `panel-${key}` }, label), this.boxes[key], unit);
@@ -62,15 +65,16 @@ export class PanelControls {
 
   private setThickness(thickness: number): void {
     const membrane = Number(this.table["membrane"] ?? 0);
-    const sandwich = this.table["construction"] !== "bevel";
-    const fits = !sandwich || (membrane > 0 && membrane < thickness);
+    const fits = this.table["construction"] === "bevel" || (membrane > 0 && membrane < thickness);
     this.change({ ...this.table, thickness, ...(fits ? {} : { membrane: hingeOf(thickness) }) }, "type-thickness");
   }
 
   private setConstruction(construction: Construction): void {
     const { membrane: _, construction: __, ...rest } = this.table;
-    const sandwich = { ...rest, membrane: hingeOf(Number(rest["thickness"])) };
-    this.change(construction === "bevel" ? { ...rest, construction } : sandwich);
+    const hinge = hingeOf(Number(rest["thickness"]));
+    // Solid panels have no membrane: their hinges need a gap.
+    const bevel = { ...rest, construction, gap: Number(rest["gap"]) || hinge };
+    this.change(construction === "bevel" ? bevel : { ...rest, membrane: hinge });
   }
 
   /** Without a thickness panels are made of nothing, and the file has no such table. */
@@ -80,17 +84,17 @@ export class PanelControls {
   }
 
   private show(): void {
-    const { thickness = 0, membrane = 0, construction = "sandwich" } = this.table;
+    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich" } = this.table;
     setNumber(this.boxes.thickness, short(Number(thickness)));
     setNumber(this.boxes.membrane, short(Number(membrane)));
+    setNumber(this.boxes.gap, short(Number(gap)));
     this.construction.set(construction as Construction);
     for (const unit of this.units) unit.textContent = this.store.design.value.shell.unit;
-    const [made, hinge] = this.more;
-    made!.hidden = !Number(thickness);
-    hinge!.hidden = !Number(thickness) || construction === "bevel";
+    for (const row of this.more) row.hidden = !Number(thickness);
+    this.more[1]!.hidden ||= construction === "bevel";
   }
 }
 
 function hingeOf(thickness: number): number {
-  return Number(short(MEMBRANE * thickness, 2));
+  return Number(short(HINGE * thickness, 2));
 }

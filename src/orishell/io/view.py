@@ -3,7 +3,8 @@
 Little endian: the length N of the header (uint32), the header (JSON in UTF-8, filled up with spaces
 to N bytes, N a multiple of four), then the arrays, each beginning at a multiple of four. The header
 says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
-they lie in the flat sheet, and carried by their panels.
+they lie in the flat sheet, and carried by their panels. Strips of flaps that are clipped on are
+views within the view, about the same ``origin``.
 """
 
 from __future__ import annotations
@@ -87,12 +88,17 @@ def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     curves
         f and g as they are drawn, if the header is to have them.
     """
+    shell = document.shell.positions if len(document.states) else np.zeros((0, 3))
+    origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
+    return _dump_about(origin, document, curves)
+
+
+def _dump_about(origin: Array, document: Document, curves: Curves | None) -> bytes:
+    """The view of a document, with coordinates in space from an origin (3,) in its frame."""
     import orjson
 
     numbers = _kept(document)
     states = [document.states[number] for number in numbers]
-    shell = document.shell.positions if states else np.zeros((0, 3))
-    origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
     arrays = _arrays(document, states, origin)
     places: dict[str, ArrayPlace] = {}
     offset = 0
@@ -157,4 +163,6 @@ def _arrays(
         arrays["surface"] = placed(document.surface)
     if document.distances is not None:
         arrays["distance"] = document.distances.astype("<f4")
+    for number, strip in enumerate(document.clipped):
+        arrays[f"clipped_{number}"] = np.frombuffer(_dump_about(origin, strip, None), "u1")
     return arrays

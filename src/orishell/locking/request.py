@@ -176,6 +176,8 @@ def _changed_panel(
             panel = replace(panel, stop=stop)
         elif name == "gap":
             panel = replace(panel, gap=_number(value))
+        elif name == "membrane":
+            panel = replace(panel, membrane=_number(value))
         else:
             assert name == "thickness"
             panel = replace(panel, thickness=_number(value))

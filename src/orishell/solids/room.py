@@ -66,15 +66,23 @@ def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
 
 
 def thinner(build: PanelBuild, most: float) -> list[Remedy]:
-    """Changes to panels that are thinner than a largest thickness, and thicker than a membrane.
+    """Changes to panels that are thinner than a largest thickness.
+
+    A membrane that they would not be thicker than becomes thinner by the same share.
 
     Parameters
     ----------
     most
         The largest thickness (length).
     """
-    tried = (rounded(share * most) for share in THINNER)
-    return [Remedy({"panel.thickness": each}) for each in tried if each > build.membrane]
+    remedies = []
+    for thickness in (rounded(share * most) for share in THINNER):
+        remedy = Remedy({"panel.thickness": thickness})
+        if build.membrane >= thickness:
+            membrane = rounded(build.membrane / build.thickness * thickness)
+            remedy |= Remedy({"panel.membrane": membrane})
+        remedies.append(remedy)
+    return remedies
 
 
 def wide_gap(build: PanelBuild, place: str) -> DesignError:

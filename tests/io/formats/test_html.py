@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from documents import (
     FAMILIES,
-    boards_document,
     demo_document,
     flat_only,
     folded_only,
     pack_document,
+    thick_document,
 )
 from orishell.conventions.colours import rgb
 from orishell.design import PanelBuild
@@ -259,22 +259,45 @@ def test_parts_of_a_document_are_shown_as_well(browser: Browser, tmp_path: Path,
 
 def test_a_view_has_the_outlines_of_boards() -> None:
     """As they are in the flat sheet; a view of panels without a thickness is as it was."""
-    document = boards_document(PanelBuild(0.05, membrane=0.002))
+    document = thick_document(build=PanelBuild(0.05, membrane=0.002))
     assert document.boards is not None
     view = dump_view(document)
-    size = int.from_bytes(view[:4], "little")
-    arrays = json.loads(view[4 : 4 + size])["arrays"]
-    for name, expected in (
-        ("boards", document.boards.outlines),
-        ("board_panels", document.boards.panels),
-    ):
-        place = arrays[name]
-        assert tuple(place["shape"]) == expected.shape
-        found = np.frombuffer(view, place["type"], expected.size, 4 + size + place["offset"])
-        np.testing.assert_allclose(found, expected.ravel(), rtol=1e-7)
-    thin = dump_view(replace(document, panel=None, boards=None))
-    names = json.loads(thin[4 : 4 + int.from_bytes(thin[:4], "little")])["arrays"]
-    assert set(arrays) - set(names) == {"boards", "board_panels"}
+    arrays = parts_of(view)[1]
+    np.testing.assert_allclose(arrays["boards"], document.boards.outlines, rtol=1e-7)
+    np.testing.assert_array_equal(arrays["board_panels"], document.boards.panels)
+    thin = parts_of(dump_view(replace(document, panel=None, boards=None)))[1]
+    assert set(arrays) - set(thin) == {"boards", "board_panels"}
+
+
+def test_flaps_that_are_clipped_on_are_views_within_the_view() -> None:
+    """Where they are at the target, about the origin of the whole."""
+    document = thick_document("parallel-repeating")
+    header, blocks = parts_of(dump_view(document))
+    alone = parts_of(dump_view(replace(document, clipped=())))[0]["arrays"]
+    strips = [name for name in blocks if name.startswith("clipped_")]
+    assert set(blocks) - set(alone) == set(strips)
+    assert len(strips) == len(document.clipped) == 2
+    for name, strip in zip(strips, document.clipped, strict=True):
+        own, within = parts_of(blocks[name].tobytes())
+        assert strip.boards is not None
+        assert own["origin"] == header["origin"]
+        assert own["named"] == {"target": 0}
+        placed = within["positions"][0] + np.array(header["origin"])
+        np.testing.assert_allclose(placed, strip.shell.positions, atol=1e-6)
+        np.testing.assert_allclose(within["boards"], strip.boards.outlines, rtol=1e-6, atol=1e-9)
+
+
+def parts_of(view: bytes) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Header of a view, and its arrays by name."""
+    first = 4 + int.from_bytes(view[:4], "little")
+    header = json.loads(view[4:first])
+    arrays = {
+        name: np.frombuffer(
+            view, place["type"], int(np.prod(place["shape"])), first + place["offset"]
+        ).reshape(place["shape"])
+        for name, place in header["arrays"].items()
+    }
+    return header, arrays
 
 
 @pytest.mark.parametrize(
@@ -284,7 +307,7 @@ def test_thickness_is_switched_off_and_on(
     browser: Browser, tmp_path: Path, build: PanelBuild
 ) -> None:
     """Off, the picture is that of panels without a thickness."""
-    document = boards_document(build)
+    document = thick_document(build=build)
     pictures = []
 
     def rested(page: Page) -> NDArray[np.float64]:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cad_tools import closed_volume
-from documents import board_document
+from documents import thick_document
 from orishell.document import Document
 from orishell.io.formats.gltf import write_gltf
 from orishell.io.formats.obj import write_obj
@@ -24,7 +24,7 @@ FACET = np.dtype([("normal", "<f4", (3,)), ("corners", "<f4", (3, 3)), ("attribu
 
 @pytest.fixture(scope="module", params=CONSTRUCTIONS)
 def document(request: pytest.FixtureRequest) -> Document:
-    return board_document("orthodiagonal", request.param)
+    return thick_document("orthodiagonal", request.param)
 
 
 def pieces(document: Document, state: str = "target") -> tuple[Document, ...]:
@@ -148,7 +148,7 @@ def test_a_panel_that_is_one_solid_has_no_surface_inside_it(tmp_path: Path) -> N
 
     counts = {}
     for construction in CONSTRUCTIONS:
-        write_gltf(tmp_path / "a.glb", board_document("orthodiagonal", construction), Settings())
+        write_gltf(tmp_path / "a.glb", thick_document("orthodiagonal", construction), Settings())
         file = GLTF2().load(str(tmp_path / "a.glb"))
         areas = [p for mesh in file.meshes for p in mesh.primitives if p.mode != 1]
         counts[construction] = len(areas) / len(file.meshes)

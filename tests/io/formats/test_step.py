@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cad_tools import ask_freecad, require_build123d
-from documents import board_document, demo_document
+from documents import demo_document, thick_document
 from orishell.design import Construction
 from orishell.document import Document
 from orishell.errors import InputError
@@ -40,7 +40,7 @@ def all_boards(document: Document, *, clipped: bool = True) -> list[tuple[str, f
 def test_build123d_reads_every_board(construction: Construction, tmp_path: Path) -> None:
     require_build123d()
     origin = np.array([0.0, 0.0, 0.25])
-    document = replace(board_document("orthodiagonal", construction), origin=origin)
+    document = replace(thick_document("orthodiagonal", construction), origin=origin)
     write_step(tmp_path / "shell-target.step", document, Settings())
     assert {path.name for path in tmp_path.iterdir()} == {"shell-target.step", "shell-flat.step"}
     expected = all_boards(document)
@@ -71,7 +71,7 @@ def test_build123d_reads_every_board(construction: Construction, tmp_path: Path)
 
 def test_freecad_opens_it(tmp_path: Path) -> None:
     require_build123d()
-    document = board_document("orthodiagonal", "bevel")
+    document = thick_document("orthodiagonal", "bevel")
     write_step(tmp_path / "shell-target.step", document, Settings())
     expected = all_boards(document)
     for name in ("target", "flat"):
@@ -83,7 +83,7 @@ def test_freecad_opens_it(tmp_path: Path) -> None:
 def test_names_of_files_and_what_they_say(tmp_path: Path) -> None:
     """A pack where the document names one; the same bytes again; no clock; far from the origin."""
     require_build123d()
-    document = board_document("longitudinal-linear-repeating", frames=3)
+    document = thick_document("longitudinal-linear-repeating", frames=3)
     document = replace(
         document, named={"pack": 0, "target": 2, "flat": 1}, origin=np.array([1e9, 0, 0]), title="ü"
     )
@@ -106,7 +106,7 @@ def test_panels_without_thickness_are_refused(tmp_path: Path) -> None:
     require_build123d()
     with pytest.raises(InputError, match=r"\[panel\] thickness: panels have no thickness"):
         write_step(tmp_path / "shell-target.step", demo_document(), Settings())
-    unknown = replace(board_document("orthodiagonal"), unit="unit")
+    unknown = replace(thick_document("orthodiagonal"), unit="unit")
     with pytest.raises(InputError, match="unit of length"):
         write_step(tmp_path / "shell-target.step", unknown, Settings())
 
@@ -116,5 +116,5 @@ def test_without_build123d_one_message_says_what_to_install(
 ) -> None:
     monkeypatch.setattr(step, "FORMAT", replace(step.FORMAT, ready=lambda: False))
     with pytest.raises(InputError, match=r"build123d.*pip install \"orishell\[cad\]\""):
-        write_step(tmp_path / "a.step", board_document("orthodiagonal"), Settings())
+        write_step(tmp_path / "a.step", thick_document("orthodiagonal"), Settings())
     assert not list(tmp_path.iterdir())

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cad_tools import ask_prusa_slicer, objects_of, read_3mf
-from documents import FAMILIES, board_document, demo_document
+from documents import FAMILIES, demo_document, thick_document
 from orishell.design import Construction
 from orishell.document import Document
 from orishell.errors import InputError
@@ -41,7 +41,7 @@ def names(document: Document) -> list[str]:
 def test_every_board_is_a_closed_object(
     family: str, construction: Construction, tmp_path: Path
 ) -> None:
-    document = board_document(family, construction)
+    document = thick_document(family, construction)
     write_3mf(tmp_path / "a.3mf", document, Settings(workshop=MODEL))
     objects = objects_of(read_3mf(tmp_path / "a.3mf"))
     assert [each.GetName() for each in objects] == names(document)
@@ -54,7 +54,7 @@ def test_every_board_is_a_closed_object(
 
 
 def test_prusa_slicer_finds_them_manifold_and_in_millimetres(tmp_path: Path) -> None:
-    document = board_document("orthodiagonal", "bevel")
+    document = thick_document("orthodiagonal", "bevel")
     write_3mf(tmp_path / "a.3mf", document, Settings(workshop=MODEL))
     said = ask_prusa_slicer(tmp_path / "a.3mf")
     pieces = [each.boards for each in (document, *document.clipped) if each.boards is not None]
@@ -71,7 +71,7 @@ def test_prusa_slicer_finds_them_manifold_and_in_millimetres(tmp_path: Path) -> 
 
 
 def test_another_state_where_it_is_asked_for(tmp_path: Path) -> None:
-    document = board_document("orthodiagonal")
+    document = thick_document("orthodiagonal")
     write_3mf(tmp_path / "a.3mf", document, Settings(print_state="target"))
     points = np.concatenate(
         [vertices_of(each) for each in objects_of(read_3mf(tmp_path / "a.3mf"))]
@@ -86,7 +86,7 @@ def test_same_bytes_without_clock_or_chance(tmp_path: Path) -> None:
     digests = set()
     for again in range(2):
         file = tmp_path / f"{again}.3mf"
-        write_3mf(file, board_document("orthodiagonal"), Settings())
+        write_3mf(file, thick_document("orthodiagonal"), Settings())
         digests.add(hashlib.sha256(file.read_bytes()).hexdigest())
     assert len(digests) == 1
     with zipfile.ZipFile(file) as archive:
@@ -99,7 +99,7 @@ def test_the_locale_stays_what_it_was(tmp_path: Path) -> None:
     try:
         locale.setlocale(locale.LC_ALL, "C.UTF-8")
         here = locale.setlocale(locale.LC_ALL)
-        write_3mf(tmp_path / "a.3mf", board_document("orthodiagonal"), Settings())
+        write_3mf(tmp_path / "a.3mf", thick_document("orthodiagonal"), Settings())
         assert locale.setlocale(locale.LC_ALL) == here
     finally:
         locale.setlocale(locale.LC_ALL, before)
@@ -109,7 +109,7 @@ def test_what_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     path = tmp_path / "a.3mf"
     with pytest.raises(InputError, match=r"\[panel\] thickness: panels have no thickness"):
         write_3mf(path, demo_document(), Settings())
-    document = board_document("orthodiagonal")
+    document = thick_document("orthodiagonal")
     with pytest.raises(InputError, match="unit of length"):
         write_3mf(path, replace(document, unit="unit"), Settings())
     with pytest.raises(InputError, match="no such state"):
