@@ -24,8 +24,9 @@ from orishell.design import Design, PanelBuild
 from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
+from orishell.motion import sheet_area
 from orishell.shell.standing import Feet
-from orishell.solids import largest_thickness
+from orishell.solids import Built, largest_thickness
 
 GRAVITY = 9.81
 """Metres per second squared."""
@@ -180,7 +181,8 @@ def describe_deployment(
     if measured:
         packed = _packed(design, lock)
         if feet is not None:
-            metres, density = conversion(file.unit, "m"), file.workshop.areal_density
+            metres = conversion(file.unit, "m")
+            density = file.workshop.areal_density or _areal_density(design, lock.built, metres)
             weight = _weight(design, feet, lock, metres, density)
     return DeploymentReport(
         start=file.deployment.start,
@@ -232,6 +234,17 @@ def _packed(design: Design, lock: Lock) -> PackedReport:
 def _tie(tie: Tie) -> TieReport:
     fails = None if tie.fails_at is None else tidy_degrees(tie.fails_at)
     return TieReport(tie.ends, tie.length, tie.flat, tie.packed, tie.grows, tie.slack, fails)
+
+
+def _areal_density(design: Design, built: Built | None, metres: float) -> float:
+    """Mass of the panels per area of the sheet (kg/m^2); 0 where that of a part is not known."""
+    if built is None:
+        return 0.0
+    build, area = built.build, sheet_area(design.mechanism.positions(0.0))
+    boards = build.density * float(built.boards.volumes().sum())
+    membrane = build.membrane_density * build.membrane * area
+    known = build.density and (build.membrane_density or not build.membrane)
+    return metres * (boards + membrane) / area if known else 0.0
 
 
 def _weight(
