@@ -268,6 +268,12 @@ def test_shelter_of_boards(
     assert size["mass of fabric"] == pytest.approx(0.5 * size["fabric area"], rel=1e-9)
     assert [round(size[f"mass of {each}"]) for each in ("boards", "fabric")] == [64, 24]
     assert size["fabric area"] == pytest.approx(shell.report.quantities.area, rel=1e-9)
+    # Own weight is that of the sheet, flaps left out.
+    weight = shell.report.deployment.weight
+    assert weight is not None
+    assert weight.force_unit == "N"
+    sheet_mass = 0.00475 * 190 * areas[0] + 0.5 * shell.report.sheet.area
+    assert weight.total == pytest.approx(9.81 * sheet_mass, rel=1e-6)
     # The box that its design file names, which 72 panels of 10 mm fit into; sheets that hold them.
     pack = [size[f"pack {each}"] for each in ("length", "width", "height")]
     assert pack == pytest.approx([2.10, 1.23, 0.97], abs=0.005)
