@@ -292,6 +292,20 @@ export interface LockReport {
   path: PathReport | null;
 }
 
+/** Where boards of flaps meet at the target. */
+export interface MeetingReport {
+  /** Number of row creases of flaps about which two boards meet. */
+  creases: number;
+  /** Along how much of a crease they meet at least, and of all together. */
+  shortest: number;
+  /** Along how much of a crease they meet at least, and of all together. */
+  total: number;
+  /** How far apart they are at most, where a gap sets them farther back. */
+  largest_play: number;
+  /** By how much a flap could fold further at most until they meet. */
+  largest_turn_deg: number;
+}
+
 /** The design file that the studio was started with. */
 export interface NamedDesign {
   name: string;
@@ -352,6 +366,8 @@ export interface PanelReport {
   membrane: number;
   /** What they are made of. */
   gap: number;
+  /** By how much flaps stop short of folding flat. */
+  stop_deg: number;
   /** The drive up to which boards are set back. */
   set_back_for_deg: number;
   /** The largest fold angle of a crease on the way there. */
@@ -364,6 +380,8 @@ export interface PanelReport {
   corners_cut: number;
   /** Number of vertices at which corners of boards are cut off, and how far at most. */
   largest_cut: number;
+  /** Where boards of flaps meet at the target; None if there are none. */
+  meeting: MeetingReport | null;
   /** How contact of boards was looked for; None if it was not. */
   path: PathReport | null;
 }
