@@ -159,6 +159,14 @@ class Design:
         parameters = {**self.parameters, "stop_deg": tidy_degrees(stop)}
         return replace(self, mechanism=mechanism, parameters=parameters)
 
+    def ended_at(self, drive: float) -> Design:
+        """The design with its motion ending at a drive, where nothing says where it ends (radians).
+
+        Its hinges and panels stay what they are.
+        """
+        assert self.ending_at is not None
+        return replace(self.ending_at(drive), largest_fold=self.largest_fold, panel=self.panel)
+
     @property
     def surface(self) -> Surface:
         """The surface asked for: f swept along g.

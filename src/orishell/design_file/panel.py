@@ -19,7 +19,7 @@ class SetbackTable(Table):
     """How far boards may stand back from creases."""
 
     share: Annotated[Number, Field(gt=0, lt=1)] = 0.5
-    length: Annotated[float, Field(gt=0)] = math.inf
+    length: Annotated[Number, Field(gt=0)] | None = None
 
 
 class PanelTable(Table):
@@ -45,13 +45,14 @@ class PanelTable(Table):
                     {"others": ", ".join(sorted(others)), "key": "thickness", "got": 0},
                 )
         elif self.construction == "bevel":
-            if self.membrane:
-                raise PydanticCustomError(
-                    "solid",
-                    'no membrane: "bevel" panels are solid. A membrane asks for construction = '
-                    '"sandwich"',
-                    {"key": "membrane", "got": self.membrane},
-                )
+            for key in ("membrane", "membrane_density"):
+                if getattr(self, key):
+                    raise PydanticCustomError(
+                        "solid",
+                        'no membrane: "bevel" panels are solid. A membrane asks for construction = '
+                        '"sandwich"',
+                        {"key": key, "got": getattr(self, key)},
+                    )
             if not self.gap:
                 raise PydanticCustomError(
                     "no_hinge",
@@ -72,13 +73,14 @@ class PanelTable(Table):
         """What panels are made of, or None if they have no thickness."""
         if not self.thickness:
             return None
+        longest = self.largest_setback.length
         return PanelBuild(
             thickness=self.thickness,
             construction=self.construction,
             membrane=self.membrane,
             gap=self.gap,
             share=self.largest_setback.share,
-            setback=self.largest_setback.length,
+            setback=math.inf if longest is None else longest,
             stop=None if self.stop_deg == "auto" else float(np.deg2rad(self.stop_deg)),
             density=self.density,
             membrane_density=self.membrane_density,

@@ -27,7 +27,7 @@ leaves something of all boards."""
 FINE = 0.05
 """Corners are cut off by this share more than is needed."""
 CLEARANCE = 1e-3
-"""Cut corners keep this share of the height of boards between them."""
+"""Cut corners keep this share of the height of boards between them, and do not touch."""
 HALVINGS = 12
 TRIES = 4
 
@@ -50,19 +50,28 @@ def prove_boards(
         If nothing is left of a panel.
     """
     mechanism = design.mechanism.still
-    built = build_panels(design, end)
-    for attempt in range(TRIES):
-        bodies = _bodies(design, built)
-        result = find_first_body_contact(
-            mechanism, end, tolerance, bodies, settled=built.settled(), progress=progress
+
+    def first_contact(built: Built) -> PathResult:
+        return find_first_body_contact(
+            mechanism,
+            end,
+            tolerance,
+            _bodies(design, built),
+            settled=built.settled(),
+            progress=progress,
         )
+
+    built = build_panels(design, end)
+    result = first_contact(built)
+    for attempt in range(TRIES):
         contact = result.contact
         if contact is None or not _share_vertex(mechanism, contact.panels):
             break
-        reliefs = _relieve(design, mechanism, built, contact.drive, FINE * 2.0**attempt)
+        reliefs = _relieve(design, built, contact.drive, tolerance, FINE * 2.0**attempt)
         if reliefs is None:
             break
         built = build_panels(design, end, reliefs)
+        result = first_contact(built)
     return built, result
 
 
@@ -77,15 +86,16 @@ def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
 
 
 def _relieve(
-    design: Design, mechanism: Mechanism, built: Built, drive: float, more: float
+    design: Design, built: Built, drive: float, tolerance: float, more: float
 ) -> Array | None:
     """How far corners are cut off (rows, columns) so that opposite boards are apart.
 
     None if that does not help.
     """
+    mechanism = design.mechanism.still
     grid = mechanism.grid
     shortest = _shortest_edges(mechanism)
-    clearance = CLEARANCE * built.build.height
+    clearance = tolerance + CLEARANCE * built.build.height
     bodies = _bodies(design, built)
     panels, vertices = opposite_panels(grid, built.settled())
     pairs, which = bodies.pairs_of(panels)

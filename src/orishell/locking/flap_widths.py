@@ -36,20 +36,23 @@ def reaches_target(request: Request, *, flaps_only: bool = False) -> bool:
     ).early
 
 
-def widest_flap(request: Request, design: Design) -> float | None:
+def widest_flap(request: Request, design: Design, *, boards: bool = False) -> float | None:
     """Return the largest width, below that of a design's flaps, at which no flap meets anything.
 
     Parameters
     ----------
     request, design
         What is asked for, and what was made of it.
+    boards
+        Look for contacts of all boards and panels, not of panels of the flaps only.
     """
     asked = flap_width(design)
     if asked <= 0:
         return None
 
     def works(width: float) -> bool:
-        return reaches_target(request.changed(Remedy({"pattern.flap": width})), flaps_only=True)
+        narrower = request.changed(Remedy({"pattern.flap": width}))
+        return reaches_target(narrower, flaps_only=not boards)
 
     return largest_quotable(works, asked, NARROWEST, FINE)
 

@@ -53,12 +53,15 @@ def end_motion(
     if not lock.early or contact is None:
         return design, lock
     if design.ending_at is not None and contact.clear_until > 0:
-        design = design.ending_at(contact.clear_until)
+        design = design.ended_at(contact.clear_until)
+        if design.panel is not None and lock.built is None:
+            # Panels meet there, boards perhaps before.
+            return end_motion(design, request, allow_clash=allow_clash, progress=progress)
         end = design.mechanism.target_drive
         depth = corrugation_depth(design.mechanism.positions(end))
         return design, replace(lock, target=end, depth=depth)
     if request is not None and request.target is not None and request.pattern.flap == "auto":
-        width = widest_flap(request, design)
+        width = widest_flap(request, design, boards=contact.sides is not None)
         if width is not None:
             design = request.changed(Remedy({"pattern.flap": width})).designed()
             lock = find_lock(design, tolerance=tolerance, progress=progress)

@@ -55,7 +55,8 @@ class _Search:
     def limit(self) -> str:
         """Why the first candidate does not work."""
         if not self.failures:
-            return "another f or g is needed"
+            needed = "f or g" if self.request.target else "sheet"
+            return f"another {needed} is needed"
         remedy, reason = self.failures[0]
         place = f", {reason.place}" if reason.place else ""
         return f"with {remedy}, {reason.condition}{place}"

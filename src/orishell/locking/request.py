@@ -15,11 +15,13 @@ from orishell.errors import DesignError, Remedy, Value
 from orishell.families.pattern import Pattern
 from orishell.families.registry import FAMILIES
 from orishell.locking.lock import CONTACT_TOLERANCE
-from orishell.motion import largest_fold
-from orishell.solids import find_room, find_stop, thinner, wide_gap
+from orishell.motion import drive_at_fold, largest_fold
+from orishell.solids import drive_for_height, find_room, find_stop, thinner, wide_gap
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
+LEAST = 1e-3
+"""A sheet without a target is folded this share of the way at least, or refused."""
 UP = 5e-4
 """A fold angle that is offered is so much above what is needed (degrees)."""
 
@@ -84,6 +86,7 @@ class Request:
             reach: Literal["target", "pack"] = "pack" if self.from_pack else "target"
             design = _with_panels(design, replace(self.panel, reach=reach))
         design = design.with_clipped_flaps() if self.clipped else design
+        design = _as_far_as_it_goes(design)
         _require_hinges(design, self.from_pack)
         _require_room(design)
         return design
@@ -112,6 +115,20 @@ class Request:
                 _changed(self.target[1], tables.get("target.g", {})),
             ),
         )
+
+
+def _as_far_as_it_goes(design: Design) -> Design:
+    """The design, ended where hinges or boards let it go no further, if nothing else ends it."""
+    if design.ending_at is None:
+        return design
+    mechanism, build = design.mechanism, design.panel
+    end = drive_at_fold(mechanism, design.largest_fold)
+    if build is not None:
+        end = drive_for_height(
+            mechanism, build.height, end, build.share, build.setback, gap=build.gap
+        )
+    target = mechanism.target_drive
+    return design if end >= target else design.ended_at(max(end, LEAST * target))
 
 
 def _require_hinges(design: Design, from_pack: bool) -> None:
@@ -154,7 +171,7 @@ def _require_room(design: Design) -> None:
         return
     place = f"at the target, {room.crease}"
     if not room.thickness and find_room(sheet, replace(build, gap=0.0)).thickness:
-        raise wide_gap(build, place)
+        raise wide_gap(build, place, lambda other: find_room(sheet, other).thickness)
     earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
     raise DesignError(
         "boards would take more of a panel than set-backs may",

@@ -158,7 +158,8 @@ def _over(length: Array | float, share: Array) -> Array:
     taken = np.broadcast_to(length, share.shape)
     some = (share > 0) & (share < np.inf)
     bound = np.where(share > 0, 0.0, np.inf)
-    return np.asarray(np.divide(taken, share, out=bound, where=some))
+    with np.errstate(over="ignore"):  # a crease that hardly folds leaves room for any height
+        return np.asarray(np.divide(taken, share, out=bound, where=some))
 
 
 def _ways_across(flat: Array, grid: Grid) -> Array:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from orishell.conventions.formatting import rounded
 from orishell.design import PanelBuild
-from orishell.errors import DesignError, Remedy
+from orishell.errors import DesignError, Remedy, Value
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import largest_below
 from orishell.sheet.grid import Grid
 from orishell.solids.limits import allowed_heights, bare_faces
 from orishell.solids.setbacks import largest_folds
@@ -37,8 +39,10 @@ class Room:
 
 THINNER = (0.99, 0.5, 0.1)
 """Shares of the largest thickness that are offered."""
-NARROWER = (0.5, 0.1)
-"""Shares of a gap that are offered."""
+NARROWEST = 1e-4
+"""A gap is offered no narrower than this share of it."""
+COARSE, SURELY = 1e-3, 0.99
+"""Accuracy of the widest gap, and the share of it that is offered."""
 
 
 def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
@@ -66,40 +70,55 @@ def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
 
 
 def thinner(build: PanelBuild, most: float) -> list[Remedy]:
-    """Changes to panels that are thinner than a largest thickness.
-
-    A membrane that they would not be thicker than becomes thinner by the same share.
+    """Changes to panels that are thinner than a largest thickness; a membrane fits into them.
 
     Parameters
     ----------
     most
         The largest thickness (length).
     """
-    remedies = []
-    for thickness in (rounded(share * most) for share in THINNER):
-        remedy = Remedy({"panel.thickness": thickness})
-        if build.membrane >= thickness:
-            membrane = rounded(build.membrane / build.thickness * thickness)
-            remedy |= Remedy({"panel.membrane": membrane})
-        remedies.append(remedy)
-    return remedies
+    offered = []
+    for thickness in (rounded(share * most) for share in THINNER if most > 0):
+        changes: dict[str, Value | None] = {"panel.thickness": thickness}
+        if thickness <= build.membrane:
+            changes["panel.membrane"] = rounded(build.membrane / build.thickness * thickness)
+        offered.append(Remedy(changes))
+    return offered
 
 
-def wide_gap(build: PanelBuild, place: str) -> DesignError:
+def wide_gap(build: PanelBuild, place: str, room: Callable[[PanelBuild], float]) -> DesignError:
     """The refusal of a gap that alone takes more of a panel than set-backs may.
 
     Parameters
     ----------
     place
         Where in the sheet.
+    room
+        The largest thickness of panels of some make (length).
     """
+    widest = _widest_gap(build, room)
+    offered = [] if widest is None else [rounded(SURELY * widest)]
+    if build.construction == "sandwich":
+        offered.append(0.0)
     return DesignError(
         "the gap between panels takes more of one than set-backs may",
         place=place,
         keys=("panel.gap",),
         size=f"it is {build.gap:.4g} wide",
-        candidates=[Remedy({"panel.gap": rounded(share * build.gap)}) for share in NARROWER],
+        candidates=[Remedy({"panel.gap": gap}) for gap in offered],
     )
+
+
+def _widest_gap(build: PanelBuild, room: Callable[[PanelBuild], float]) -> float | None:
+    """The widest gap with room for panels as thick as they are, or else for any; None if none."""
+
+    def widest(least: float) -> float | None:
+        def works(gap: float) -> bool:
+            return room(replace(build, gap=gap)) > least
+
+        return largest_below(works, build.gap, smallest=NARROWEST, relative=COARSE)
+
+    return widest(build.thickness) or widest(0.0)
 
 
 def _crease(panel: int, way: int, sizes: Array, grid: Grid) -> str:

@@ -52,7 +52,9 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
         if not works(good):
             most = largest_thickness(mechanism, build)
             if not most:
-                raise wide_gap(build, "at a flap")
+                raise wide_gap(
+                    build, "at a flap", lambda other: largest_thickness(mechanism, other)
+                )
             raise DesignError(
                 "boards on flaps would stand back too far from their creases, however early flaps "
                 "stop",

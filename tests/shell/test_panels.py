@@ -1,0 +1,224 @@
+"""The table [panel]: what is refused at the command line, and shells that boards end or mend."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from command_line import orishell
+from design_tables import formula, made, mended, refused, tables
+from orishell.design_file import read_design_file
+from orishell.locking.motion_end import end_motion
+from orishell.motion import largest_fold
+from orishell.shell.make import Shell, design_shell
+from orishell.shell.tolerance import request_of
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CARD = EXAMPLES / "figure1_card.toml"
+SECTORS = (EXAMPLES / "sectors.toml").read_text()
+SANDWICH = "thickness = 4.2\nmembrane = 0.2\n"
+BEVEL = 'thickness = 4.2\nconstruction = "bevel"\ngap = 0.4\n'
+
+
+def with_panel(panel: str) -> str:
+    head, rest = CARD.read_text().split("[panel]")
+    return f"{head}[panel]\n{panel}\n[motion]{rest.split('[motion]')[1]}"
+
+
+@pytest.mark.parametrize(
+    ("panel", "key", "got", "expected"),
+    [
+        ("thickness = -1\nmembrane = 0.2", "thickness", "-1", "at least 0"),
+        ("thickness = nan\nmembrane = 0.2", "thickness", "nan", "a finite number"),
+        ("thickness = inf\nmembrane = 0.2", "thickness", "inf", "a finite number"),
+        ('thickness = "thick"', "thickness", "'thick'", "a number"),
+        ("thickness = true", "thickness", "True", "a number"),
+        ("thickness = 4.2", "membrane", "0.0", 'Without one, construction = "bevel"'),
+        ('thickness = 4.2\nconstruction = "bevel"', "gap", "0.0", "a gap above 0"),
+        ("thickness = 0.2\nmembrane = 0.2", "membrane", "0.2", "below thickness (0.2)"),
+        ("thickness = 0.2\nmembrane = 0.3", "membrane", "0.3", "below thickness (0.2)"),
+        ("membrane = 0.2", "thickness", "0", "because membrane says"),
+        ("stop_deg = 0", "thickness", "0", "because stop_deg says"),
+        ("thickness = 0\ngap = 1", "thickness", "0", "because gap says"),
+        (SANDWICH + "colour = 1", "colour", "", "unknown key"),
+        (SANDWICH + "largest_setback = {shares = 0.3}", "shares", "", "write share"),
+        (SANDWICH + "largest_setback = {share = 0}", "share", "0", "greater than 0"),
+        (SANDWICH + "largest_setback = {share = 1}", "share", "1", "less than 1"),
+        (SANDWICH + "largest_setback = {share = 1.5}", "share", "1.5", "less than 1"),
+        (SANDWICH + "largest_setback = {share = nan}", "share", "nan", "a finite number"),
+        (SANDWICH + "largest_setback = {length = 0}", "length", "0", "greater than 0"),
+        (SANDWICH + "largest_setback = {length = nan}", "length", "nan", "a finite number"),
+        (SANDWICH + "largest_setback = {length = inf}", "length", "inf", "a finite number"),
+        (SANDWICH + "largest_setback = 0.3", "largest_setback", "0.3", "a table"),
+        (SANDWICH + "stop_deg = -1", "stop_deg", "-1", "at least 0 or 'auto'"),
+        (SANDWICH + "stop_deg = 46", "stop_deg", "46", "at most 45 or 'auto'"),
+        (SANDWICH + 'stop_deg = "no"', "stop_deg", "'no'", "a number or 'auto'"),
+        (SANDWICH + 'construction = "bevel"\ngap = 1', "membrane", "0.2", "panels are solid"),
+        (BEVEL + "membrane_density = 5", "membrane_density", "5.0", "panels are solid"),
+        (SANDWICH + 'construction = "foam"', "construction", "'foam'", "'sandwich' or 'bevel'"),
+        (SANDWICH + "gap = -1", "gap", "-1", "at least 0"),
+        (SANDWICH + "density = inf", "density", "inf", "a finite number"),
+    ],
+)
+def test_bad_values_are_one_message_and_nothing_is_written(
+    tmp_path: Path, panel: str, key: str, got: str, expected: str
+) -> None:
+    (tmp_path / "card.toml").write_text(with_panel(panel))
+    done = orishell("design", "card.toml", "--out", "out", cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.count("orishell:") == 1
+    assert "[panel] " in done.stderr
+    assert f"{key}: " in done.stderr
+    assert expected in done.stderr
+    assert not got or f"got {got}, expected" in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["card.toml"]
+
+
+@pytest.mark.parametrize(
+    ("panel", "says", "offers"),
+    [
+        ("thickness = 30\nmembrane = 0.2", "boards on flaps would stand", ["panel.thickness"]),
+        # The membrane is thicker than panels may be: it is made thinner with them.
+        ("thickness = 30\nmembrane = 25", "may be", ["panel.thickness", "panel.membrane"]),
+        (SANDWICH + "gap = 40", "the gap between panels takes more", ["panel.gap"]),
+        (BEVEL.replace("0.4", "40"), "the gap between panels takes more", ["panel.gap"]),
+        (SANDWICH + "stop_deg = 45", "stop", ["panel.stop_deg"]),
+    ],
+)
+def test_what_is_offered_for_too_much_works(panel: str, says: str, offers: list[str]) -> None:
+    design = tables(
+        "parallel-repeating",
+        {**formula("-x**2", -1, 1), "scale": 26},
+        {**formula("5*sin(pi*x/10)", 0, 10), "scale": 26},
+        rows=5,
+        columns=7,
+        flap=11,
+        xi_deg=50,
+    )
+    design["panel"] = _values(panel)
+    error = refused(design)
+    assert error is not None
+    assert says in str(error)
+    assert "No value was found" not in str(error)
+    assert set(offers) <= set(error.remedies[0].changes)
+    for remedy in error.remedies:
+        assert refused(mended(design, remedy)) is None
+
+
+def test_too_thick_names_the_crease_and_the_largest_that_works() -> None:
+    design = tables(
+        "parallel-repeating",
+        formula("-x**2", -1, 1),
+        formula("5*sin(pi*x/10)", 0, 10),
+        rows=5,
+        columns=7,
+        flap=0,
+        xi_deg=50,
+    )
+    design["panel"] = {"thickness": 3.0, "membrane": 0.01}
+    error = refused(design)
+    assert error is not None
+    assert "at the target, at the crease of row " in error.place
+    most = float(error.size.split()[3])
+    offered = error.remedies[0].changes["panel.thickness"]
+    assert offered == pytest.approx(0.99 * most, rel=1e-3)
+    design["panel"]["thickness"] = offered
+    assert refused(design) is None
+    design["panel"]["thickness"] = 1.001 * most
+    assert refused(design) is not None
+
+
+def _values(panel: str) -> dict[str, float | str]:
+    pairs = (line.split(" = ") for line in panel.splitlines() if line)
+    return {key: text.strip('"') if '"' in text else float(text) for key, text in pairs}
+
+
+def shell_of(directory: Path, text: str) -> Shell:
+    path = directory / "sheet.toml"
+    path.write_text(text)
+    return design_shell(path)
+
+
+THICK = "\n[panel]\nthickness = 0.2\nmembrane = 0.001\n"
+
+
+def test_without_a_target_boards_end_the_motion(tmp_path: Path) -> None:
+    # Without boards the sheet rolls up until panels meet, beyond 8.7 degrees.
+    shell = shell_of(tmp_path, SECTORS + THICK)
+    lock, panel = shell.lock, shell.report.panel
+    assert lock.cause == "boards"
+    assert lock.built is not None
+    assert lock.target == lock.pack < np.deg2rad(8)
+    assert panel is not None
+    assert shell.design.panel is not None
+    room = 0.5 * shell.design.panel.thickness * np.tan(np.deg2rad(panel.largest_fold_deg) / 2)
+    assert panel.largest_setback == pytest.approx(room, rel=1e-12)
+
+
+def test_without_a_target_hinges_end_the_motion(tmp_path: Path) -> None:
+    shell = shell_of(tmp_path, SECTORS + "\n[deployment]\nlargest_fold_deg = 40\n")
+    assert shell.lock.cause == "hinges"
+    fold = largest_fold(shell.design.mechanism, np.array([shell.lock.target]))
+    np.testing.assert_allclose(np.rad2deg(fold), 40, rtol=1e-9)
+
+
+def test_a_motion_that_is_cut_short_keeps_its_panels_and_hinges(tmp_path: Path) -> None:
+    # Thin boards: panels of the rolled sheet meet first, boards a little before.
+    path = tmp_path / "sheet.toml"
+    thin = "\n[panel]\nthickness = 0.01\nmembrane = 0.001\n"
+    path.write_text(SECTORS + thin + "\n[deployment]\nlargest_fold_deg = 179\n")
+    request = request_of(read_design_file(path))
+    design = request.designed()
+    ended, lock = end_motion(design, request)
+    assert lock.cause == "boards"
+    assert lock.first_contact is not None
+    assert lock.target == lock.first_contact.clear_until
+    assert ended.mechanism.target_drive == lock.target
+    assert ended.panel == design.panel
+    assert ended.largest_fold == design.largest_fold == np.deg2rad(179)
+    assert lock.built is not None
+
+
+@pytest.mark.parametrize("thickness", [1e-9, 1e-13])
+def test_boards_thinner_than_what_counts_as_contact(tmp_path: Path, thickness: float) -> None:
+    # Panels touch within 1.3e-8 here: corners are cut off so that boards keep more than that.
+    panel = f"\n[panel]\nthickness = {thickness}\nmembrane = {0.1 * thickness}\n"
+    report = shell_of(tmp_path, SECTORS + panel).report.panel
+    assert report is not None
+    assert report.corners_cut == 45
+
+
+def test_flaps_of_no_given_width_are_narrowed_for_boards() -> None:
+    # A horseshoe whose two flaps meet in its mouth if they carry boards of 0.15.
+    g = formula(["2*sin(t)", "-2*cos(t)"], 0.25, 6.03)
+    design = tables(
+        "parallel-repeating",
+        formula("-0.15*x**2", -1, 1),
+        g,
+        rows=3,
+        columns=25,
+        xi_deg=50,
+        flap="auto",
+    )
+    bare = made(design).report.parameters["flap"]
+    design["panel"] = {"thickness": 0.15, "construction": "bevel", "gap": 0.002}
+    shell = made(design)
+    flap = shell.report.parameters["flap"]
+    assert isinstance(bare, float)
+    assert isinstance(flap, float)
+    assert flap < 0.999 * bare
+    assert shell.lock.cause == "flaps"
+
+
+def test_reports_have_finite_numbers_only(tmp_path: Path) -> None:
+    # Flaps that fold flat carry no boards there: their set-backs are infinite.
+    (tmp_path / "card.toml").write_text(
+        with_panel(SANDWICH + "stop_deg = 0").replace('"clipped"', '"folded"')
+    )
+    assert orishell("design", "card.toml", "--out", "out", cwd=tmp_path).returncode == 0
+    text = (tmp_path / "out" / "report.json").read_text()
+    assert json.loads(text, parse_constant=pytest.fail)["panel"]["stop_deg"] == 0
