@@ -223,8 +223,8 @@ def test_figure_1_card(
     runpy.run_path(str(EXAMPLES / "figure1_card.py"), run_name="__main__")
     assert capsys.readouterr().out.splitlines() == [
         "407 mm x 180 mm of paper on 1 sheet of A3",
-        "76 boards on 1 sheet of card, the narrowest 8.1 mm wide",
-        "106 g; it folds by 130.5 degrees at most",
+        "96 boards on 1 sheet of card, the narrowest 6.2 mm wide",
+        "109 g; it folds by 130.5 degrees at most",
     ]
     assert sorted(path.name for path in tmp_path.iterdir()) == [
         "pattern-1.svg",
