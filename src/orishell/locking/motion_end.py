@@ -15,6 +15,7 @@ from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.request import Request
 from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth
+from orishell.solids import build_panels
 
 NO_PACK = 1e-3
 """A motion that goes on beyond the target by less than this share is of no use."""
@@ -67,6 +68,9 @@ def end_motion(
             lock = find_lock(design, tolerance=tolerance, progress=progress)
     if lock.early and not allow_clash:
         raise _clash(design, lock)
+    if lock.built is None and design.panel is not None:
+        # Panels meet before: nobody has looked at boards.
+        lock = replace(lock, built=build_panels(design, lock.target))
     return design, lock
 
 
