@@ -58,7 +58,13 @@ def area_vectors(corners: Array) -> Array:
 
 
 def longer_diagonals(corners: Array) -> Integers:
-    """The corner (F,) at which the longer diagonal of a panel (F, 4, 3) begins: 0 or 1."""
+    """The corner (F,) at which the longer diagonal of every panel begins: 0 or 1.
+
+    Parameters
+    ----------
+    corners
+        Corners (F, 4, 3) of every panel in order around it.
+    """
     diagonals = corners[:, 2:] - corners[:, :2]
     return np.asarray(np.argmax((diagonals**2).sum(axis=-1), axis=1))
 
