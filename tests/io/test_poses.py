@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from orishell.io.poses import find_frames, longer_diagonals, quaternions
+from orishell.io.poses import find_frames, quaternions
+from orishell.sheet.quads import longer_diagonals
 
 
 def test_quaternions_agree_with_scipy() -> None:

@@ -59,9 +59,17 @@ def test_what_the_page_asks_for_first(client: httpx.Client) -> None:
     assert fits(client.get("/api/info").json(), api.Info)
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_answers_about_a_design(client: httpx.Client, family: str) -> None:
-    text = starter_file(family)
+THICK = "[panel]\nthickness = 0.02\nmembrane = 0.001\n"
+CLIPPED = '[deployment]\nflap_attachment = "clipped"\n'
+
+
+@pytest.mark.parametrize(
+    ("family", "more"),
+    [(each, "") for each in FAMILIES]
+    + [("parallel-repeating", each + THICK) for each in ("", CLIPPED)],
+)
+def test_answers_about_a_design(client: httpx.Client, family: str, more: str) -> None:
+    text = f"{starter_file(family)}\n{more}"
     design = tomllib.loads(text)
     assert fits(client.post("/api/parse", json={"text": text}).json(), api.Parsed)
     assert fits(client.post("/api/format", json={"design": design}).json(), api.Written)

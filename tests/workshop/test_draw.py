@@ -7,9 +7,10 @@ from documents import FAMILIES, demo_document, folded_only
 from orishell.conventions.units import MILLIMETRES
 from orishell.errors import InputError
 from orishell.sheet.mesh import build_mesh
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop import Drawing, Line, Workshop
 from orishell.workshop.draw import draw_part, part_lines
-from orishell.workshop.outline import signed_areas, whole_sheet
+from orishell.workshop.outline import whole_sheet
 from orishell.workshop.title_block import round_length
 
 

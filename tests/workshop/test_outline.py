@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from documents import FAMILIES, demo_document
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.outline import (
     find_outlines,
-    signed_areas,
     whole_sheet,
     without_straight,
 )

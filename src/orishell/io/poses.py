@@ -8,12 +8,6 @@ from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.quads import unit_normals
 
 
-def longer_diagonals(corners: Array) -> Integers:
-    """The corner (F,) at which the longer diagonal of a panel (F, 4, 3) begins: 0 or 1."""
-    diagonals = corners[:, 2:] - corners[:, :2]
-    return np.asarray(np.argmax((diagonals**2).sum(axis=-1), axis=1))
-
-
 def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
     """Origin and axes of a frame fixed in every panel, as it moves.
 
@@ -23,7 +17,7 @@ def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
         Corners (F, 4, 3) of the panels.
     along
         The corner (F,) at which the diagonal begins that the x axis follows, the same in all
-        states: see :func:`longer_diagonals`.
+        states: see :func:`~orishell.sheet.quads.longer_diagonals`.
 
     Returns
     -------

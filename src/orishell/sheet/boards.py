@@ -8,7 +8,8 @@ import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.quads import unit_normals
+from orishell.sheet.polygons import signed_areas
+from orishell.sheet.quads import longer_diagonals, unit_normals
 
 COINCIDING = 1e-6
 """Corners of an outline that are nearer to each other than this share of the board are one."""
@@ -69,13 +70,12 @@ class Boards:
 
     def areas(self) -> Array:
         """Area (B,) of every board's largest outline."""
-        return np.asarray(self._sections().max(axis=1))
+        return np.asarray(signed_areas(self.outlines[..., :2]).max(axis=1))
 
     def volumes(self) -> Array:
         """Volume (B,) of every board; between two outlines sections are quadratic in the height."""
-        middle = 0.5 * (self.outlines[:, 1:] + self.outlines[:, :-1])
-        ends, height = self._sections(), np.diff(self.outlines[:, :, 0, 2], axis=1)
-        between = _areas(middle)
+        outlines, height = self.outlines[..., :2], np.diff(self.outlines[:, :, 0, 2], axis=1)
+        ends, between = map(signed_areas, (outlines, 0.5 * (outlines[:, 1:] + outlines[:, :-1])))
         return np.asarray(((ends[:, 1:] + ends[:, :-1] + 4 * between) * height).sum(axis=1) / 6)
 
     def triangles(self) -> tuple[Integers, Booleans]:
@@ -137,10 +137,6 @@ class Boards:
             boards=np.repeat(np.arange(count), present.sum(axis=1)),
         )
 
-    def _sections(self) -> Array:
-        """Area (B, H) of every outline."""
-        return _areas(self.outlines)
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Surfaces:
@@ -175,18 +171,10 @@ def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:
     flat
         The same (F, 4, 3) in the flat sheet.
     """
-    first = ((flat[:, 2:] - flat[:, :2]) ** 2).sum(axis=-1).argmax(axis=1)
+    first = longer_diagonals(flat)
     panel = np.arange(len(corners))
     x = corners[panel, first + 2] - corners[panel, first]
     z = unit_normals(corners)
     x -= (x * z).sum(axis=-1, keepdims=True) * z
     x /= np.sqrt((x * x).sum(axis=-1, keepdims=True))
     return corners.mean(axis=1), np.stack([x, np.cross(z, x), z], axis=-1)
-
-
-def _areas(outlines: Array) -> Array:
-    """Area (B, H) of outlines (B, H, K, 3)."""
-    x, y = outlines[..., 0], outlines[..., 1]
-    return np.asarray(
-        0.5 * (x * np.roll(y, -1, axis=-1) - y * np.roll(x, -1, axis=-1)).sum(axis=-1)
-    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 
 def dots(first: Array, second: Array) -> Array:
@@ -55,6 +55,18 @@ def area_vectors(corners: Array) -> Array:
     p, q, r, s = (corners[..., k, :] for k in range(4))
     (a, b, c), (d, e, f) = (np.moveaxis(each, -1, 0) for each in (r - p, s - q))
     return np.asarray(0.5 * np.stack([b * f - c * e, c * d - a * f, a * e - b * d], axis=-1))
+
+
+def longer_diagonals(corners: Array) -> Integers:
+    """The corner (F,) at which the longer diagonal of every panel begins: 0 or 1.
+
+    Parameters
+    ----------
+    corners
+        Corners (F, 4, 3) of every panel in order around it.
+    """
+    diagonals = corners[:, 2:] - corners[:, :2]
+    return np.asarray(np.argmax((diagonals**2).sum(axis=-1), axis=1))
 
 
 def unit_normals(corners: Array) -> Array:

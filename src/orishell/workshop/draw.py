@@ -9,10 +9,11 @@ import numpy as np
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.creases import crease_lines, relief_holes
 from orishell.workshop.drawing import Drawing, Line, Text
 from orishell.workshop.labels import part_labels
-from orishell.workshop.outline import signed_areas, without_straight
+from orishell.workshop.outline import without_straight
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.part import Part
 from orishell.workshop.placing import Content, shifted

@@ -9,8 +9,8 @@ import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.drawing import Text
-from orishell.workshop.outline import signed_areas
 
 CHARACTER = 1.0
 """Width kept for a character, in heights of capitals: that of CAD programs' stroke fonts."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.board_labels import board_labels
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.drawing import Text
@@ -18,7 +19,6 @@ from orishell.workshop.fitted_words import (
     readable,
     ways_across,
 )
-from orishell.workshop.outline import signed_areas
 from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.part import Part
 
 STRAIGHT = 1e-9
@@ -65,14 +66,6 @@ def find_outlines(faces: Integers, flat: Array) -> tuple[Integers, ...]:
     loops = [start[np.array(cycle, dtype=np.int64)] for cycle in cycles]
     loops = [np.roll(loop, -int(np.argmin(loop))) for loop in loops]
     return tuple(sorted(loops, key=lambda loop: (-float(signed_areas(flat[loop])), int(loop[0]))))
-
-
-def signed_areas(corners: Array) -> Array:
-    """Areas (...) of polygons (..., k, 2), positive if they go round counter-clockwise."""
-    local = corners - corners[..., :1, :]
-    after = np.roll(local, -1, axis=-2)
-    cross = local[..., 0] * after[..., 1] - local[..., 1] * after[..., 0]
-    return np.asarray(0.5 * cross.sum(axis=-1))
 
 
 def without_straight(points: Array) -> Array:

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.document import Document
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.assembly import draw_map, number_text
 from orishell.workshop.board_sheets import draw_boards
 from orishell.workshop.clipped import with_clipped
@@ -21,7 +22,7 @@ from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, 
 from orishell.workshop.drawing import Drawing
 from orishell.workshop.glue import back_of, sheet_title, with_glue_areas
 from orishell.workshop.layout import Layout, lay_out, usable_stock
-from orishell.workshop.outline import signed_areas, whole_sheet
+from orishell.workshop.outline import whole_sheet
 from orishell.workshop.part import Part
 from orishell.workshop.placing import Content, Placement
 from orishell.workshop.settings import Workshop

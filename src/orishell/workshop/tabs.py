@@ -11,7 +11,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.workshop.outline import signed_areas
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.settings import Workshop
 
 AUTO_SHARE = 0.25

@@ -19,8 +19,8 @@ from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.formats.dxf import write_dxf
 from orishell.io.settings import Settings
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop import DEFAULT, LAYERS, Workshop
-from orishell.workshop.outline import signed_areas
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.settings import CreaseStyle
 from orishell.workshop.sheets import draw_sheets

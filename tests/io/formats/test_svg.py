@@ -14,8 +14,8 @@ from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.formats.svg import write_svg
 from orishell.io.settings import Settings
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop import DEFAULT, Workshop
-from orishell.workshop.outline import signed_areas
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.sheets import draw_sheets
 

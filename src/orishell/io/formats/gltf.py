@@ -13,10 +13,11 @@ from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles
-from orishell.io.poses import find_frames, longer_diagonals, quaternions
+from orishell.io.poses import find_frames, quaternions
 from orishell.io.settings import Settings
 from orishell.io.triangles import TRIANGLES, find_splits
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.quads import longer_diagonals
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""
