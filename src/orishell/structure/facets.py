@@ -1,0 +1,126 @@
+"""Flat triangular facets in space: stiffness of membrane and bending, assembled.
+
+Every node has six freedoms, three translations and three rotations, in the world's axes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Integers
+from orishell.structure.membrane import membrane_stiffness
+from orishell.structure.plate import plate_stiffness
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+FREEDOMS = 6
+IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
+"""Freedoms of a node in its facet's axes: u, v, rotation about z; w, rotations about x and y."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Section:
+    """Stiffness of a plate's section, isotropic.
+
+    Parameters
+    ----------
+    membrane
+        Force per length by strain, E t/(1 - nu^2) of a solid plate (force per length).
+    bending
+        Moment per length by curvature, E t^3/12/(1 - nu^2) of a solid plate (force times length).
+    poisson
+        Poisson's ratio.
+    """
+
+    membrane: float
+    bending: float
+    poisson: float
+
+    @classmethod
+    def solid(cls, modulus: float, thickness: float, poisson: float) -> Section:
+        """That of a solid plate (force per area, length)."""
+        plane = modulus / (1 - poisson**2)
+        return cls(plane * thickness, plane * thickness**3 / 12, poisson)
+
+    def matrix(self, stiffness: float) -> Array:
+        """The matrix (3, 3) of plane stress with one of the two stiffnesses."""
+        nu = self.poisson
+        plane = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
+        return np.asarray(stiffness * plane)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Facets:
+    """Triangles in space.
+
+    Parameters
+    ----------
+    points
+        Nodes (N, 3).
+    triangles
+        Corners (T, 3).
+    """
+
+    points: Array
+    triangles: Integers
+
+    __repr__ = in_one_line
+
+    def axes(self) -> Array:
+        """Axes (T, 3, 3) of every facet, as rows: along its first side, in its plane, normal."""
+        corners = self.points[self.triangles]
+        x = corners[:, 1] - corners[:, 0]
+        z = np.cross(x, corners[:, 2] - corners[:, 0])
+        x, z = (each / np.linalg.norm(each, axis=1, keepdims=True) for each in (x, z))
+        return np.stack([x, np.cross(z, x), z], axis=1)
+
+    def areas(self) -> Array:
+        """Area (T,) of every facet."""
+        corners = self.points[self.triangles]
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        return np.asarray(0.5 * np.linalg.norm(normal, axis=1))
+
+    def element_stiffness(self, section: Section) -> Array:
+        """Stiffness (T, 18, 18) of every facet in the world's axes."""
+        axes = self.axes()
+        corners = self.points[self.triangles]
+        flat = np.einsum("tij,tkj->tki", axes, corners - corners[:, :1])[..., :2]
+        local = np.zeros((len(flat), 18, 18))
+        membrane = membrane_stiffness(flat, section.matrix(section.membrane), section.poisson)
+        plate = plate_stiffness(flat, section.matrix(section.bending))
+        for part, own in ((membrane, IN_PLANE), (plate, OUT_OF_PLANE)):
+            places = (FREEDOMS * np.arange(3)[:, None] + np.array(own)).ravel()
+            local[:, places[:, None], places] = part
+        turned = np.zeros((len(flat), 18, 18))
+        for k in range(6):
+            turned[:, 3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = axes
+        return np.asarray(turned.swapaxes(1, 2) @ local @ turned)
+
+    def freedoms(self) -> Integers:
+        """Freedoms (T, 18) of the corners of every facet, where no node has rotations apart."""
+        places = FREEDOMS * self.triangles[..., None] + np.arange(FREEDOMS)
+        return np.asarray(places.reshape(-1, 18))
+
+
+def assemble(elements: Array, freedoms: Integers, count: int) -> csr_array:
+    """The matrix (D, D) of elements.
+
+    Parameters
+    ----------
+    elements
+        Their matrices (T, k, k).
+    freedoms
+        Their freedoms (T, k).
+    count
+        Number of all freedoms D.
+    """
+    from scipy.sparse import coo_array
+
+    size = freedoms.shape[1]
+    rows, columns = np.repeat(freedoms, size, axis=1).ravel(), np.tile(freedoms, (1, size)).ravel()
+    return coo_array((elements.ravel(), (rows, columns)), shape=(count, count)).tocsr()

@@ -1,0 +1,108 @@
+"""The shell as facets: every panel meshed, panels tied along their creases.
+
+Panels that share a crease have its translations in common; rotations are every panel's own, so that
+creases are free hinges until springs are put on them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.grid import Grid
+from orishell.structure.facets import Facets
+
+CELLS = 4
+"""Cells along every side of a panel, of two triangles each."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SheetMesh:
+    """A meshed shell.
+
+    Parameters
+    ----------
+    facets
+        Its nodes (N) and triangles.
+    nodes
+        Nodes (F, cells+1, cells+1) of every panel, downwards and to the right.
+    freedoms
+        Freedoms (T, 18) of the corners of every triangle: translations of its nodes, then the
+        rotations that its panel has there.
+    count
+        Number of freedoms.
+    """
+
+    facets: Facets
+    nodes: Integers
+    freedoms: Integers
+    count: int
+
+    __repr__ = in_one_line
+
+    def rotations(self) -> Integers:
+        """Freedoms (F, cells+1, cells+1, 3) of the panels' rotations at their nodes."""
+        first = 3 * len(self.facets.points)
+        return np.asarray(first + np.arange(3 * self.nodes.size).reshape(*self.nodes.shape, 3))
+
+
+def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
+    """Mesh the panels of a folded state.
+
+    Parameters
+    ----------
+    positions
+        Vertices (rows, columns, 3).
+    grid
+        Its grid.
+    cells
+        Cells along every side of a panel, at least 1.
+    """
+    faces, edges = grid.faces_vertices(), grid.faces_edges()
+    nodes = _nodes(grid, faces, edges, cells)
+    corners = positions.reshape(-1, 3)[faces]
+    down, right = (
+        each.ravel()[None, :, None]
+        for each in np.meshgrid(*[np.linspace(0, 1, cells + 1)] * 2, indexing="ij")
+    )
+    top = corners[:, None, 0] * (1 - right) + corners[:, None, 3] * right
+    bottom = corners[:, None, 1] * (1 - right) + corners[:, None, 2] * right
+    points = np.empty((int(nodes.max()) + 1, 3))
+    points[nodes.reshape(len(faces), -1)] = top * (1 - down) + bottom * down
+
+    local = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    a, b, c, d = (
+        local[rows, columns].ravel()
+        for rows, columns in (
+            (np.s_[:-1], np.s_[:-1]),
+            (np.s_[1:], np.s_[:-1]),
+            (np.s_[1:], np.s_[1:]),
+            (np.s_[:-1], np.s_[1:]),
+        )
+    )
+    pattern = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    flat = nodes.reshape(len(faces), -1)
+    triangles = flat[:, pattern].reshape(-1, 3)
+    own = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
+    translations = 3 * triangles[..., None] + np.arange(3)
+    rotations = 3 * len(points) + 3 * own[..., None] + np.arange(3)
+    freedoms = np.concatenate([translations, rotations], axis=-1).reshape(-1, 18)
+    count = 3 * len(points) + 3 * flat.size
+    return SheetMesh(Facets(points, triangles), nodes, freedoms, count)
+
+
+def _nodes(grid: Grid, faces: Integers, edges: Integers, cells: int) -> Integers:
+    """Nodes (F, cells+1, cells+1): vertices first, then those inside edges, then inside panels."""
+    between = np.arange(cells - 1)
+    on_edges = grid.vertex_count + (cells - 1) * edges[..., None] + between
+    first = grid.vertex_count + (cells - 1) * len(grid.edges_vertices())
+    inside = first + np.arange(len(faces) * (cells - 1) ** 2)
+    nodes = np.empty((len(faces), cells + 1, cells + 1), np.int64)
+    nodes[:, [0, -1, -1, 0], [0, 0, -1, -1]] = faces
+    nodes[:, 1:-1, 0], nodes[:, -1, 1:-1] = on_edges[:, 0], on_edges[:, 1]
+    nodes[:, 1:-1, -1], nodes[:, 0, 1:-1] = on_edges[:, 2], on_edges[:, 3]
+    nodes[:, 1:-1, 1:-1] = inside.reshape(len(faces), cells - 1, cells - 1)
+    return nodes
