@@ -18,6 +18,8 @@ LEVELS = 3
 """Halvings of the path from one table to those of its parts."""
 TABLES_KEPT = 64
 ROUNDING = 1 + 1e-9
+FLATTEST = 1e-30
+"""The area that two edges span counts as at least this share of the largest."""
 
 
 class EdgeBounds:
@@ -88,6 +90,8 @@ class NormalBounds:
         sides = np.roll(corners, -1, axis=-2) - corners
         row, column = sides[..., [3, 1, 1, 3], :], sides[..., [0, 0, 2, 2], :]
         area = lengths(np.cross(row, column))
+        # At a corner of 180 degrees there is no bound, and the other corners give one.
+        area = np.maximum(area, FLATTEST * area.max())
         self.along = np.sqrt(lengths(column) / area)
         self.down = np.sqrt(lengths(row) / area)
 
