@@ -1,9 +1,9 @@
 """Plates in bending: the discrete Kirchhoff triangle DKT.
 
 J.-L. Batoz, K.-J. Bathe and L.-W. Ho, "A study of three-node triangular plate bending elements",
-International Journal for Numerical Methods in Engineering 15 (1980). Rotations are quadratic, normal
-to the plate along its sides and free of shear at corners and middles of sides; the curvatures are
-linear in area coordinates, so that the three middles of the sides integrate them exactly.
+International Journal for Numerical Methods in Engineering 15 (1980). Rotations are quadratic, and
+free of shear at corners and middles of sides; curvatures are linear in area coordinates, so that
+the three middles of the sides integrate their products exactly.
 """
 
 from __future__ import annotations

@@ -1,0 +1,58 @@
+"""Hinges: springs about creases, between the rotations of the two panels beside them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.grid import Grid
+from orishell.structure.facets import assemble
+from orishell.structure.sheet import SheetMesh
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+
+def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> csr_array:
+    """The matrix (D, D) of springs about all creases.
+
+    Parameters
+    ----------
+    grid
+        The grid of the sheet.
+    stiffness
+        Moment per length of crease and per angle, of every edge (E,) or of all; border edges have
+        no spring (force per radian).
+    """
+    edge, first, second, nodes = _beside_creases(mesh, grid)
+    points = mesh.facets.points[nodes]  # (C, cells+1, 3)
+    step = np.linalg.norm(np.diff(points, axis=1), axis=-1)
+    share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
+    along = points[:, -1] - points[:, 0]
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    k = np.broadcast_to(np.asarray(stiffness, np.float64), len(grid.edges_vertices()))[edge]
+    turn = np.concatenate([along, -along], axis=1)
+    elements = (k[:, None] * share)[..., None, None] * (
+        turn[:, None, :, None] * turn[:, None, None]
+    )
+    freedoms = np.concatenate([first, second], axis=-1)
+    return assemble(elements.reshape(-1, 6, 6), freedoms.reshape(-1, 6), mesh.count)
+
+
+def _beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:
+    """Edges (C,) that are creases, rotations (C, cells+1, 3) on both sides, nodes (C, cells+1)."""
+    rotations, nodes, edges = mesh.rotations(), mesh.nodes, grid.faces_edges()
+    sides = [  # in the order of Grid.faces_edges
+        (rotations[:, :, 0], nodes[:, :, 0]),
+        (rotations[:, -1], nodes[:, -1]),
+        (rotations[:, :, -1], nodes[:, :, -1]),
+        (rotations[:, 0], nodes[:, 0]),
+    ]
+    edge = edges.T.ravel()
+    rotation, nodes = (np.concatenate(each) for each in zip(*sides, strict=True))
+    order = np.argsort(edge, kind="stable")
+    edge, rotation, nodes = edge[order], rotation[order], nodes[order]
+    pair = np.flatnonzero(edge[1:] == edge[:-1])
+    return edge[pair], rotation[pair], rotation[pair + 1], nodes[pair]
