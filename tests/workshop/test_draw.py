@@ -1,4 +1,5 @@
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,10 +15,10 @@ from orishell.workshop.outline import whole_sheet
 from orishell.workshop.title_block import round_length
 
 
-def drawn(family: str, unit: str = "m", factor: float = 1.0, **settings: object) -> Drawing:
+def drawn(family: str, unit: str = "m", factor: float = 1.0, **settings: Any) -> Drawing:
     document = demo_document(family)
     document = replace(document, unit=unit, flat=factor * document.require_flat())
-    workshop = replace(Workshop(), **settings)  # type: ignore[arg-type] # a mapping has one type
+    workshop = replace(Workshop(), **settings)
     return draw_part(document, whole_sheet(document), workshop)
 
 

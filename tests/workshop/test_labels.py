@@ -13,6 +13,7 @@ from orishell.workshop.fitted_words import CHARACTER
 from orishell.workshop.labels import part_labels
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.part import Part
+from orishell.workshop.settings import Labels
 
 
 def outline(text: Text) -> Polygon:
@@ -27,8 +28,8 @@ def panels(document: Document) -> list[Polygon]:
     return [Polygon(corners) for corners in document.require_flat()[document.mesh.faces]]
 
 
-def labels(document: Document, kind: str, part: Part | None = None) -> tuple[Text, ...]:
-    workshop = replace(Workshop(), labels=kind)  # type: ignore[arg-type] # one of its words
+def labels(document: Document, kind: Labels, part: Part | None = None) -> tuple[Text, ...]:
+    workshop = replace(Workshop(), labels=kind)
     return part_labels(document, part or whole_sheet(document), workshop)
 
 
@@ -63,7 +64,7 @@ def test_every_crease_that_folds_has_its_angle_beside_its_middle(family: str) ->
 
 @pytest.mark.parametrize("kind", ["creases", "both"])
 @pytest.mark.parametrize("family", FAMILIES)
-def test_labels_lie_in_one_panel_each_and_do_not_overlap(family: str, kind: str) -> None:
+def test_labels_lie_in_one_panel_each_and_do_not_overlap(family: str, kind: Labels) -> None:
     document = demo_document(family)
     shapes = [outline(text) for text in labels(document, kind)]
     tree = STRtree(panels(document))

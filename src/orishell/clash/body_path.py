@@ -18,10 +18,13 @@ from orishell.clash.opposite import OppositeBoards
 from orishell.clash.path import Part, PathSearch
 from orishell.clash.ranges import search_ranges
 from orishell.clash.result import PathContact, PathResult, ProofRecord
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, stretch, unwatched
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.quads import grid_corners
+
+OPPOSITE = 0.7
+"""Share of the progress, as of the time, that opposite boards take."""
 
 
 def find_first_body_contact(
@@ -49,13 +52,15 @@ def find_first_body_contact(
     """
     search = _BodySearch(mechanism, end, tolerance, bodies)
     opposite = search.opposite(settled)
-    found, clear = search_ranges(opposite.examine, opposite.everything, unwatched)
+    found, clear = search_ranges(
+        opposite.examine, opposite.everything, stretch(progress, 0.0, OPPOSITE)
+    )
     contact = None
     if found is not None:
         ends = search.states.drive(found[0]), search.states.drive(clear)
         contact = PathContact(*ends, bodies.carriers(found[1]), found[1])
         search = _BodySearch(mechanism, ends[0], tolerance, bodies)
-    result = search.run(progress)
+    result = search.run(stretch(progress, OPPOSITE, 1.0))
     record = result.proof
     proof = ProofRecord(
         record.states,

@@ -21,6 +21,19 @@ def unwatched(share: float, what: str) -> None:
     """
 
 
+def stretch(progress: Progress, start: float, stop: float) -> Progress:
+    """Report the progress of a part of some work as that of the whole.
+
+    Parameters
+    ----------
+    progress
+        Is told of the whole.
+    start, stop
+        Where the part begins and ends, as shares of the whole.
+    """
+    return lambda share, what: progress(start + share * (stop - start), what)
+
+
 T = TypeVar("T")
 
 

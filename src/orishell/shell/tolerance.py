@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, stretch, unwatched
 from orishell.design import Design
 from orishell.design_file import DesignFile, require_memory
 from orishell.deviation import SAMPLES as CAREFUL
@@ -54,11 +54,9 @@ def meet_tolerance(
         def measured(design: Design, careful: bool) -> Measured:
             return measure(design, careful, tolerance)
 
-        def shown(share: float, what: str, number: int = number) -> None:
-            progress((number + share) / len(variants), what)
-
+        part = stretch(progress, number / len(variants), (number + 1) / len(variants))
         try:
-            choice = choose(make, measured, tolerance, shown, most=variant.most)
+            choice = choose(make, measured, tolerance, part, most=variant.most)
         except DesignError as error:
             refusals.append(error)
             continue

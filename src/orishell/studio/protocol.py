@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any
+from typing import Any, cast
 
 import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -23,10 +23,10 @@ class ImpatientProtocol(H11Protocol):
         super().__init__(*arguments, **named)
         self._waiting: asyncio.TimerHandle | None = None
 
-    # uvicorn narrows the transport that asyncio declares, and so must we.
-    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Start the timer for the first head."""
-        super().connection_made(transport)
+        # uvicorn narrows the transport that asyncio declares.
+        super().connection_made(cast("asyncio.Transport", transport))
         self._wait()
 
     def data_received(self, data: bytes) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -151,8 +152,8 @@ class LengthsProgram:
         for number, (crease, limit, end) in enumerate(self._room):
             room[number, self.column_scale], room[number, crease] = end, -limit
         at_most = sparse.vstack([at_most, room], format="csc")
-        # The stubs of scipy know no sparse constraints.
-        result = linprog(  # type: ignore[call-overload]
+        solve: Callable[..., Any] = linprog  # the stubs of scipy know no sparse constraints
+        result = solve(
             cost,
             A_ub=at_most,
             b_ub=np.zeros(at_most.shape[0]),
