@@ -2,7 +2,7 @@
 
 from orishell.deployment.box import Box, smallest_box
 from orishell.deployment.pack import Pack, count_layers, find_pack
-from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start, VertexPair
+from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start
 from orishell.deployment.ties import ColumnDistances, Tie, feet_ties, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight
 
@@ -16,7 +16,6 @@ __all__ = [
     "Pack",
     "Start",
     "Tie",
-    "VertexPair",
     "count_layers",
     "feet_ties",
     "find_pack",

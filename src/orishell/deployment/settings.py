@@ -8,14 +8,12 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.sheet.grid import VertexPair
 
 Start = Literal["flat", "pack"]
 """What a shell is folded up or opened from."""
 Attachment = Literal["folded", "clipped"]
 """Whether flaps are part of the folding sheet, or put on at the target."""
-Vertex = tuple[int, int]
-"""Row and column of a vertex."""
-VertexPair = tuple[Vertex, Vertex]
 
 
 @dataclass(frozen=True, slots=True)

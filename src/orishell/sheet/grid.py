@@ -19,6 +19,10 @@ UNFOLDED = 1e-9
 
 BORDER, MOUNTAIN, FLAT, VALLEY = "B", "M", "F", "V"
 
+Vertex = tuple[int, int]
+"""Row and column of a vertex."""
+VertexPair = tuple[Vertex, Vertex]
+
 
 @dataclass(frozen=True, slots=True)
 class Grid:

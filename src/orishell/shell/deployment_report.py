@@ -14,7 +14,6 @@ from orishell.deployment import (
     Deployment,
     Start,
     Tie,
-    VertexPair,
     feet_ties,
     find_pack,
     find_ties,
@@ -25,6 +24,7 @@ from orishell.design_file import DesignFile
 from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
+from orishell.sheet.grid import VertexPair
 from orishell.shell.standing import Feet
 from orishell.solids import Built, largest_thickness
 

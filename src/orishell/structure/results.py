@@ -1,0 +1,156 @@
+"""What an analysis found: of every load case, with every stiffness of creases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.grid import Grid, Vertex, VertexPair
+from orishell.structure.sheet import SheetMesh
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Balance:
+    """Loads of a case against what bears them.
+
+    Parameters
+    ----------
+    load
+        Sum of all loads (3,) (N).
+    reaction
+        Sum of all reactions (3,) (N).
+    residual
+        Largest of force and moment that are missing, relative to the loads (their forces' sizes,
+        and those times the size of the shell).
+    """
+
+    load: Array
+    reaction: Array
+    residual: float
+
+    __repr__ = in_one_line
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FreeMotion:
+    """A motion that nothing resists, and that the loads drive.
+
+    Parameters
+    ----------
+    displacements
+        Of all nodes (N, 3), the largest is 1, the way that the loads drive it.
+    folding
+        Whether it is the shell's own folding motion, not one of the shell as a whole.
+    opens
+        Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
+    """
+
+    displacements: Array
+    folding: bool
+    opens: bool | None
+
+    __repr__ = in_one_line
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CaseResult:
+    """A load case with one stiffness of creases.
+
+    Parameters
+    ----------
+    name
+        The case.
+    stiffness
+        Of creases (force per radian); 0 free, infinite rigid.
+    loads
+        Forces on nodes (N, 3) (N).
+    motion
+        What nothing resists; None if the shell stands. Where it does not, the rest is not a number
+        or None.
+    balance
+        Loads against reactions.
+    displacements
+        Of nodes (N, 3) (length).
+    reactions
+        Forces on supported vertices (S, 3), in the order of :attr:`Analysis.supported` (N).
+    tie_forces
+        Of ties (K,), 0 where they are slack (N).
+    flap_moments
+        With which flaps press on each other (C,), in the order of :attr:`Analysis.flap_creases`; 0
+        where they part (N times length).
+    crease_moments
+        Largest moment per length (E,) about every edge, 0 at the border (N).
+    stresses
+        Von Mises' stress (T, 2) of every triangle at its lower and upper face (force per area).
+    principal
+        The larger and the smaller principal stress (T, 2) of both faces (force per area).
+    buckling
+        Factor of all loads at which the shell buckles, by linear theory; None if it does not, and
+        the mode (N, 3), the largest displacement is 1.
+    frequencies
+        Lowest natural frequencies (M,), loaded as it is: ties that are slack are left out (Hz).
+    modes
+        Their modes (M, N, 3), the largest displacement is 1.
+    """
+
+    name: str
+    stiffness: float
+    loads: Array
+    motion: FreeMotion | None
+    balance: Balance
+    displacements: Array
+    reactions: Array
+    tie_forces: Array
+    flap_moments: Array
+    crease_moments: Array
+    stresses: Array
+    principal: Array
+    buckling: tuple[float, Array] | None
+    frequencies: Array
+    modes: Array
+
+    __repr__ = in_one_line
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Analysis:
+    """A shell as a structure, and what was found of it.
+
+    Parameters
+    ----------
+    grid
+        The grid of the sheet with its flaps, also clipped ones.
+    before
+        Number of columns of clipped flaps before the first column of the folding sheet.
+    mesh
+        Nodes, in the design's frame, and triangles; the vertices of the grid come first.
+    panels
+        The panel (T,) of every triangle, as the grid counts it.
+    supported
+        Supported vertices, rows and columns of the folding sheet.
+    ties
+        Its ties, rows and columns of the folding sheet.
+    flap_creases
+        Edges (C,) of the grid about which panels of flaps press on each other.
+    mass
+        Of all panels (kg).
+    cases
+        All load cases, those with the least stiffness of creases first.
+    change
+        By what share the largest displacement changed when cells were halved for the last time;
+        None if they were not.
+    """
+
+    grid: Grid
+    before: int
+    mesh: SheetMesh
+    panels: Integers
+    supported: tuple[Vertex, ...]
+    ties: tuple[VertexPair, ...]
+    flap_creases: Integers
+    mass: float
+    cases: tuple[CaseResult, ...]
+    change: float | None
+
+    __repr__ = in_one_line
