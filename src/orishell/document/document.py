@@ -15,6 +15,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import nearby_origin
 from orishell.design import PanelBuild
+from orishell.document.loaded import LoadedShell
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.sheet.boards import SIDES, Boards
@@ -117,6 +118,8 @@ class Document:
     clipped
         Boards that are no part of the sheet and clipped on at the target, in the same frame, flat
         and in that one state.
+    loaded
+        The shell as a structure; None if it was not analysed.
     """
 
     title: str
@@ -138,6 +141,7 @@ class Document:
     panel: PanelBuild | None = field(default=None, repr=False)
     boards: Boards | None = field(default=None, repr=False)
     clipped: tuple[Document, ...] = field(default=(), repr=False)
+    loaded: LoadedShell | None = field(default=None, repr=False)
 
     __repr__ = in_one_line
 
