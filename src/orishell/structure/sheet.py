@@ -55,6 +55,11 @@ class SheetMesh:
         """The panel (T,) of every triangle."""
         return np.repeat(np.arange(len(self.nodes)), len(self.places) // len(self.nodes))
 
+    def cells(self) -> Integers:
+        """Nodes (T/2, 4) around every cell; its triangles are numbers 2 k and 2 k + 1."""
+        size = self.nodes.shape[1] - 1
+        return np.asarray(self.nodes.reshape(len(self.nodes), -1)[:, _cells(size)].reshape(-1, 4))
+
     def translations(self) -> Integers:
         """Freedoms (N, 3) of the displacements of nodes."""
         return np.arange(3 * len(self.facets.points)).reshape(-1, 3)
@@ -99,21 +104,32 @@ def mesh_sheet(
     points = np.empty((int(nodes.max()) + 1, 3))
     points[nodes.reshape(len(faces), -1)] = top * (1 - down) + bottom * down
 
-    local = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
-    a, b, c, d = (
-        local[rows, columns].ravel()
-        for rows, columns in (
-            (np.s_[:-1], np.s_[:-1]),
-            (np.s_[1:], np.s_[:-1]),
-            (np.s_[1:], np.s_[1:]),
-            (np.s_[:-1], np.s_[1:]),
-        )
-    )
-    pattern = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    pattern = _triangles(cells)
     flat = nodes.reshape(len(faces), -1)
     triangles = flat[:, pattern].reshape(-1, 3)
     places = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
     return SheetMesh(Facets(points, triangles), nodes, places, rigid)
+
+
+def _cells(cells: int) -> Integers:
+    """Corners (cells^2, 4) of the cells of a panel, downwards and to the right."""
+    node = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    around = (node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:])
+    return np.stack([each.ravel() for each in around], axis=1)
+
+
+def _triangles(cells: int) -> Integers:
+    """Corners (2 cells^2, 3) of the triangles of a panel: two of each cell, one after the other.
+
+    Cells are cut from the side of the panel's corners towards its middle, so that an even number of
+    them is as symmetric as the panel.
+    """
+    a, b, c, d = _cells(cells).T
+    late = np.arange(cells) >= cells / 2
+    outwards = (late[:, None] == late).ravel()[:, None]
+    first = np.where(outwards, np.stack([a, b, c], axis=1), np.stack([a, b, d], axis=1))
+    second = np.where(outwards, np.stack([a, c, d], axis=1), np.stack([b, c, d], axis=1))
+    return np.stack([first, second], axis=1).reshape(-1, 3)
 
 
 def _nodes(grid: Grid, faces: Integers, edges: Integers, cells: int) -> Integers:
