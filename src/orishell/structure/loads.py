@@ -43,12 +43,13 @@ class Exposure:
     panels
         The panel (T,) of every triangle, as the grid counts it.
     grid
-        The grid of the sheet with its flaps, also clipped ones; its vertices are the first nodes.
+        The grid of the sheet between its flaps; its vertices are the first nodes.
     before
-        Number of columns of clipped flaps before the first column of the folding sheet, and behind
-        the last.
+        Number of columns of folded flaps before its first column, which points are counted with.
     areal_mass
         Mass (T,) per area of every triangle (kg per square of the unit).
+    hung
+        Mass (N,) of flaps that hang on nodes (kg).
     unit
         The design's unit of length.
     ground
@@ -62,6 +63,7 @@ class Exposure:
     grid: Grid
     before: int
     areal_mass: Array
+    hung: Array
     unit: str
     ground: float
     span: float | None
@@ -116,7 +118,10 @@ def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -
         points = _at_points(exposure, case.points)
     except InputError as error:
         raise error.located(where) from None
-    return points + _on_corners(exposure.mesh, per_area * areas)
+    forces = points + _on_corners(exposure.mesh, per_area * areas)
+    if case.self_weight:
+        forces[:, 2] -= GRAVITY * exposure.hung
+    return forces
 
 
 def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
@@ -191,17 +196,19 @@ def _coefficients(exposure: Exposure, wind: Wind) -> Array:
 def _at_points(exposure: Exposure, points: Sequence[PointLoad]) -> Array:
     """Forces (N, 3) at single vertices."""
     forces = np.zeros_like(exposure.mesh.points)
-    rows, columns = exposure.grid.rows, exposure.grid.columns - 2 * exposure.before
+    rows, columns = exposure.grid.rows, exposure.grid.columns
+    first = exposure.before
     for number, each in enumerate(points):
         row, column = each.at
-        if not (row < rows and column < columns):
+        if not (row < rows and first <= column < first + columns):
             raise InputError(
                 "there is no such vertex",
                 where=f"points[{number}] at",
                 got=f"[{row}, {column}]",
-                expected=f"a row from 0 to {rows - 1}, a column from 0 to {columns - 1}",
+                expected=f"a row from 0 to {rows - 1}, "
+                f"a column from {first} to {first + columns - 1}",
             )
-        forces[row * exposure.grid.columns + column + exposure.before] += each.force
+        forces[row * columns + column - first] += each.force
     return forces
 
 
