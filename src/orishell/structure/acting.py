@@ -30,6 +30,8 @@ DRIVEN = 1e-6
 """Loads drive a motion if more than this share of them works on it."""
 TOLERANCE = 1e-7
 """Forces below this share of all loads are none, and gaps below it of the displacements."""
+HUGE = 1e-6
+"""Forces of conditions are not huge up to about the loads over this."""
 SOFTER = 1e-9, 1e-7, 1e-11
 """By so much T is made stiffer than it is, so that there is a solution where the shell moves: by
 the first with which the outcome passes its check."""
@@ -105,10 +107,11 @@ def _moving(held: Held, loads: Array) -> Array | None:
     friction = held.conditions.friction[rough][:, None, None]
     cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
-    least = TOLERANCE * np.linalg.norm(by_row, axis=1).max()
-    bearing[np.linalg.norm(bearing, axis=1) < least] = 0.0  # not moved along any of them
     drive = motions.T @ loads
-    missing = drive - bearing.T @ nnls(bearing.T, drive)[0]
+    # Rounding of the motions lets forces balance what they cannot, if they are huge.
+    bound = HUGE * np.linalg.norm(bearing, axis=1).max() * np.eye(len(bearing))
+    aim = np.concatenate([drive, np.zeros(len(bearing))])
+    missing = drive - bearing.T @ nnls(np.concatenate([bearing.T, bound]), aim)[0]
     if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
         return None
     return np.asarray(motions @ missing)
