@@ -5,8 +5,9 @@ The load on a triangle goes to its corners in equal shares, so that nothing of i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -18,6 +19,8 @@ from orishell.sheet.grid import Grid
 from orishell.structure.facets import Facets
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Terrain, Wind, Zone
 
+LoadKind = Literal["self_weight", "pressure", "snow", "wind", "points"]
+"""The keys of a case that are loads."""
 TERRAINS: dict[Terrain, tuple[float, float]] = {
     "0": (0.003, 1.0),
     "I": (0.01, 1.0),
@@ -28,6 +31,7 @@ TERRAINS: dict[Terrain, tuple[float, float]] = {
 """Roughness z_0 and least height z_min of EN 1991-1-4, table 4.1 (metres)."""
 AIR = 1.25
 """Density of air (kg/m^3)."""
+UP = np.array([0.0, 0.0, 1.0])
 FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 """Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
 
@@ -43,10 +47,9 @@ class Exposure:
     panels
         The panel (T,) of every triangle, as the grid counts it.
     grid
-        The grid of the sheet with its flaps, also clipped ones; its vertices are the first nodes.
+        The grid of the sheet between its flaps; its vertices are the first nodes.
     before
-        Number of columns of clipped flaps before the first column of the folding sheet, and behind
-        the last.
+        Number of columns of folded flaps before its first column.
     areal_mass
         Mass (T,) per area of every triangle (kg per square of the unit).
     unit
@@ -80,11 +83,37 @@ class Exposure:
         return -normals if up < 0 else normals
 
 
-def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
-    """Forces (N, 3) on the nodes in one load case (N).
+@dataclass(frozen=True, slots=True, eq=False)
+class Load:
+    """What one kind of load adds to a case.
 
     Parameters
     ----------
+    case
+        The case that has it: another one where that is combined.
+    factor
+        By which it is combined.
+    kind
+        What it is.
+    forces
+        On nodes (N, 3), times the factor (N).
+    """
+
+    case: LoadCase
+    factor: float
+    kind: LoadKind
+    forces: Array
+
+    __repr__ = in_one_line
+
+
+def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
+    """All loads of a case, also of those that it combines.
+
+    Parameters
+    ----------
+    case
+        The case.
     cases
         All cases, for those that it combines.
 
@@ -96,27 +125,33 @@ def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -
     """
     if case.combine:
         named = {each.name: each for each in cases}
-        parts = [
-            factor * case_forces(exposure, named[name], cases) for name, factor in case.combine
-        ]
-        return np.asarray(np.sum(parts, axis=0))
-    where = f'[[load_case]] "{case.name}":'
-    areas = exposure.mesh.areas()[:, None]
-    per_area = np.zeros((len(areas), 3))  # on every triangle
-    if case.self_weight:
-        per_area[:, 2] -= GRAVITY * exposure.areal_mass
-    if case.pressure:
-        per_area -= case.pressure * exposure.outer()
+        return tuple(
+            replace(load, factor=factor, forces=factor * load.forces)
+            for name, factor in case.combine
+            for load in case_loads(exposure, named[name], cases)
+        )
     try:
-        if case.snow is not None:
-            per_area[:, 2] -= _snow(exposure, case.snow)
-        if case.wind is not None:
-            pressure = wind_pressure(exposure, case.wind)
-            per_area -= (pressure * _coefficients(exposure, case.wind))[:, None] * exposure.outer()
-        points = _at_points(exposure, case.points)
+        return tuple(Load(case, 1.0, *part) for part in _parts(exposure, case))
     except InputError as error:
-        raise error.located(where) from None
-    return points + _on_corners(exposure.mesh, per_area * areas)
+        raise error.located(f'[[load_case]] "{case.name}":') from None
+
+
+def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
+    """Forces (N, 3) on the nodes in one load case (N).
+
+    Parameters
+    ----------
+    case
+        The case.
+    cases
+        All cases, for those that it combines.
+
+    Raises
+    ------
+    InputError
+        As :func:`case_loads` does.
+    """
+    return np.asarray(sum(load.forces for load in case_loads(exposure, case, cases)))
 
 
 def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
@@ -142,6 +177,26 @@ def wind_pressure(exposure: Exposure, wind: Wind) -> float:
     metres = conversion(exposure.unit, "m")
     height = exposure.rise if wind.height is None else wind.height
     return peak_pressure(wind.speed, wind.terrain, height * metres) * metres**2
+
+
+def _parts(exposure: Exposure, case: LoadCase) -> Iterator[tuple[LoadKind, Array]]:
+    """The loads that a case has itself: their kinds, and forces (N, 3) on the nodes."""
+    if case.self_weight:
+        yield "self_weight", _on_corners(exposure, -GRAVITY * exposure.areal_mass[:, None] * UP)
+    if case.pressure:
+        yield "pressure", _on_corners(exposure, -case.pressure * exposure.outer())
+    if case.snow is not None:
+        yield "snow", _on_corners(exposure, -_snow(exposure, case.snow)[:, None] * UP)
+    if case.wind is not None:
+        yield "wind", _on_corners(exposure, _wind(exposure, case.wind))
+    if case.points:
+        yield "points", _at_points(exposure, case.points)
+
+
+def _wind(exposure: Exposure, wind: Wind) -> Array:
+    """Wind (T, 3) on every triangle (force per area)."""
+    pressure = wind_pressure(exposure, wind) * _coefficients(exposure, wind)
+    return np.asarray(-pressure[:, None] * exposure.outer())
 
 
 def _snow(exposure: Exposure, snow: Snow) -> Array:
@@ -191,22 +246,24 @@ def _coefficients(exposure: Exposure, wind: Wind) -> Array:
 def _at_points(exposure: Exposure, points: Sequence[PointLoad]) -> Array:
     """Forces (N, 3) at single vertices."""
     forces = np.zeros_like(exposure.mesh.points)
-    rows, columns = exposure.grid.rows, exposure.grid.columns - 2 * exposure.before
+    grid, first = exposure.grid, exposure.before
     for number, each in enumerate(points):
         row, column = each.at
-        if not (row < rows and column < columns):
+        if not (row < grid.rows and first <= column < first + grid.columns):
             raise InputError(
-                "there is no such vertex",
+                "there is no such vertex between the flaps",
                 where=f"points[{number}] at",
                 got=f"[{row}, {column}]",
-                expected=f"a row from 0 to {rows - 1}, a column from 0 to {columns - 1}",
+                expected=f"a row from 0 to {grid.rows - 1}, "
+                f"a column from {first} to {first + grid.columns - 1}",
             )
-        forces[row * exposure.grid.columns + column + exposure.before] += each.force
+        forces[row * grid.columns + column - first] += each.force
     return forces
 
 
-def _on_corners(mesh: Facets, forces: Array) -> Array:
-    """Forces (T, 3) of triangles shared out to the nodes (N, 3)."""
+def _on_corners(exposure: Exposure, per_area: Array) -> Array:
+    """Loads (T, 3) per area of triangles as forces (N, 3) on nodes."""
+    mesh = exposure.mesh
     shared = np.zeros_like(mesh.points)
-    np.add.at(shared, mesh.triangles, forces[:, None] / 3)
+    np.add.at(shared, mesh.triangles, (mesh.areas()[:, None] * per_area)[:, None] / 3)
     return shared
