@@ -154,8 +154,8 @@ def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -
     return np.asarray(sum(load.forces for load in case_loads(exposure, case, cases)))
 
 
-def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
-    """Peak velocity pressure of EN 1991-1-4, 4.3 to 4.5, over flat ground (N/m^2).
+def gusts(speed: float, terrain: Terrain, height: float) -> tuple[float, float]:
+    """Mean wind (m/s) and its turbulence over flat ground, EN 1991-1-4, 4.3 and 4.4.
 
     Parameters
     ----------
@@ -168,15 +168,55 @@ def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
     """
     roughness, least = TERRAINS[terrain]
     logarithm = float(np.log(max(height, least) / roughness))
-    mean = 0.19 * (roughness / TERRAINS["II"][0]) ** 0.07 * logarithm * speed
-    return float((1 + 7 / logarithm) * 0.5 * AIR * mean**2)
+    rough = (roughness / TERRAINS["II"][0]) ** 0.07
+    return float(0.19 * rough * logarithm * speed), 1 / logarithm
+
+
+def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
+    """Peak velocity pressure over flat ground, EN 1991-1-4, 4.5 (N/m^2).
+
+    Parameters
+    ----------
+    speed
+        Basic wind speed (m/s).
+    terrain
+        The category of the terrain.
+    height
+        Over the ground (metres).
+    """
+    mean, turbulence = gusts(speed, terrain, height)
+    return (1 + 7 * turbulence) * 0.5 * AIR * mean**2
+
+
+def wind_height(exposure: Exposure, wind: Wind) -> float:
+    """The height over the ground that wind is given for (length)."""
+    return exposure.rise if wind.height is None else wind.height
 
 
 def wind_pressure(exposure: Exposure, wind: Wind) -> float:
     """Peak velocity pressure at the height that wind is given for (force per area)."""
     metres = conversion(exposure.unit, "m")
-    height = exposure.rise if wind.height is None else wind.height
-    return peak_pressure(wind.speed, wind.terrain, height * metres) * metres**2
+    height = wind_height(exposure, wind) * metres
+    return peak_pressure(wind.speed, wind.terrain, height) * metres**2
+
+
+def cylinder_coefficient(exposure: Exposure) -> float:
+    """The coefficient mu_3 of snow on a cylinder, by rise and span, EN 1991-1-3, 5.3.5.
+
+    Raises
+    ------
+    InputError
+        If there is no span.
+    """
+    if exposure.span is None:
+        raise InputError(
+            "there are no feet, so there is no span",
+            where="snow shape",
+            got='"cylinder"',
+            expected="a shell that stands on the two ends of f",
+            remedy='shape = "slope"',
+        )
+    return min(0.2 + 10 * exposure.rise / exposure.span, 2.0)
 
 
 def _parts(exposure: Exposure, case: LoadCase) -> Iterator[tuple[LoadKind, Array]]:
@@ -205,16 +245,8 @@ def _snow(exposure: Exposure, snow: Snow) -> Array:
     slope = np.arccos(level)
     if snow.shape == "slope":
         share = 0.8 * np.clip((NONE - slope) / (NONE - FULL), 0, 1)
-    elif exposure.span is None:
-        raise InputError(
-            "there are no feet, so there is no span",
-            where="snow shape",
-            got='"cylinder"',
-            expected="a shell that stands on the two ends of f",
-            remedy='shape = "slope"',
-        )
     else:
-        share = np.where(slope < NONE, min(0.2 + 10 * exposure.rise / exposure.span, 2.0), 0.0)
+        share = np.where(slope < NONE, cylinder_coefficient(exposure), 0.0)
     return np.asarray(snow.ground * share * level)
 
 
