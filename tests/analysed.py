@@ -42,7 +42,8 @@ def tent() -> Exposure:
     grid = Grid(3, 2)
     mesh = mesh_sheet(positions, grid, 2)
     mass = np.full(len(mesh.places), 1.9)
-    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, "m", 0.0, SPAN)
+    hung = np.zeros(len(mesh.facets.points))
+    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN)
 
 
 def analysed() -> Analysis:
@@ -100,6 +101,7 @@ def analysed() -> Analysis:
             case("both", np.inf),
             case("wind", np.inf),
         ),
+        exposure=exposure,
         change=0.02,
     )
 

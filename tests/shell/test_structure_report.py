@@ -9,7 +9,7 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed, tent
+from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
 from orishell.shell.structure_report import StructureReport, describe_structure
 from orishell.structure.results import CaseResult, FreeMotion
 from orishell.structure.settings import NO_CODE, LoadCase
@@ -20,14 +20,14 @@ AREA = SPAN * LENGTH * ROOT
 
 @pytest.fixture(scope="module")
 def report() -> StructureReport:
-    return describe_structure(STRUCTURE, analysed(), tent(), None)
+    return describe_structure(STRUCTURE, analysed(), None)
 
 
 def warnings(change: Callable[[CaseResult], CaseResult]) -> str:
     """Warnings of results that are changed, a line each."""
     found = analysed()
     changed = replace(found, cases=tuple(map(change, found.cases)))
-    return "\n".join(describe_structure(STRUCTURE, changed, tent(), None).warnings)
+    return "\n".join(describe_structure(STRUCTURE, changed, None).warnings)
 
 
 def test_the_model(report: StructureReport) -> None:
@@ -108,11 +108,11 @@ def test_what_governs(report: StructureReport) -> None:
 
 def test_a_strength_that_is_not_known_governs_nothing() -> None:
     bare = replace(STRUCTURE, strength=None, crease_strength=None, tie_strength=None)
-    found = describe_structure(bare, analysed(), tent(), None)
+    found = describe_structure(bare, analysed(), None)
     assert found.governs is not None
     assert found.governs.part == "buckling"
     cases = tuple(replace(case, buckling=None) for case in analysed().cases)
-    found = describe_structure(bare, replace(analysed(), cases=cases), tent(), None)
+    found = describe_structure(bare, replace(analysed(), cases=cases), None)
     assert found.governs is None
 
 
@@ -165,7 +165,7 @@ def test_coefficients_of_no_code_are_named() -> None:
     gusts = replace(wind, coefficients=NO_CODE)
     cases = (*STRUCTURE.cases[:3], LoadCase("wind", wind=gusts))
     asked = replace(STRUCTURE, cases=cases)
-    found = describe_structure(asked, analysed(), tent(), None)
+    found = describe_structure(asked, analysed(), None)
     assert found.cases[1].loads[0].rule.endswith("of no code")
     assert any("wind are of no code" in text for text in found.warnings)
 
@@ -175,7 +175,7 @@ def test_a_sound_structure_is_warned_of_nothing() -> None:
     dead = replace(STRUCTURE, cases=STRUCTURE.cases[:1])
     small = 0.1 * found.cases[2].displacements
     case = replace(found.cases[2], name="dead", displacements=small, buckling=(4.0, small))
-    assert not describe_structure(dead, replace(found, cases=(case,)), tent(), None).warnings
+    assert not describe_structure(dead, replace(found, cases=(case,)), None).warnings
 
 
 def test_it_is_json(report: StructureReport) -> None:

@@ -35,7 +35,8 @@ def tent(slope: float = SLOPE, unit: float = 1.0, *, turned: bool = False) -> Ex
     mesh = mesh_sheet(positions, grid, 3)
     panels = np.repeat(np.arange(2), len(mesh.facets.triangles) // 2)
     mass = np.full(len(panels), 1.9 / unit**2)
-    return Exposure(mesh.facets, panels, grid, 0, mass, "m", 0.0, unit * SPAN)
+    hung = np.zeros(len(mesh.facets.points))
+    return Exposure(mesh.facets, panels, grid, 0, mass, hung, "m", 0.0, unit * SPAN)
 
 
 def total(exposure: Exposure, case: LoadCase) -> Array:
@@ -63,6 +64,14 @@ def test_peak_pressure_by_hand(terrain: Terrain, height: float, pressure: float)
 def test_own_weight_is_mass_times_gravity() -> None:
     weight = 9.81 * 1.9 * AREA
     np.testing.assert_allclose(total(tent(), LoadCase("g", self_weight=True)), [0, 0, -weight])
+
+
+def test_flaps_hang_on_their_vertices() -> None:
+    flaps = replace(tent(), hung=np.bincount([0, 3], [2.0, 5.0], len(tent().mesh.points)))
+    case = LoadCase("g", self_weight=True)
+    more = case_forces(flaps, case, [case]) - case_forces(tent(), case, [case])
+    np.testing.assert_allclose(more[[0, 3]], [[0, 0, -2 * 9.81], [0, 0, -5 * 9.81]])
+    np.testing.assert_allclose(more.sum(axis=0), [0, 0, -7 * 9.81])
 
 
 def test_pressure_on_the_outer_face_presses_on_the_plan() -> None:

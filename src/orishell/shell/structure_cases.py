@@ -42,7 +42,6 @@ from orishell.structure.settings import NO_CODE, LoadCase, Structure, Wind, Zone
 def describe_case(
     structure: Structure,
     analysis: Analysis,
-    exposure: Exposure,
     case: LoadCase,
     found: CaseResult,
 ) -> CaseReport:
@@ -52,13 +51,12 @@ def describe_case(
     ----------
     structure
         What was asked.
-    exposure
-        What was loaded.
     case
         The case as it was asked for.
     found
         What was found of it.
     """
+    exposure = analysis.exposure
     loads = case_loads(exposure, case, structure.cases)
     stands = found.motion is None
     return CaseReport(

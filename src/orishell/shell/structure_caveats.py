@@ -21,7 +21,7 @@ NOT_COVERED = (
     "glue, seams and holes, and what tears at the corners of panels",
     "creep, fatigue, heat and moisture",
     "anchors, and the ground under the feet",
-    "loads on flaps, their weight among them",
+    "wind and snow on flaps: only their weight counts",
     "wind inside, gusts that shake the shell, snow that drifts or slides",
     "the way from the pack to the target",
 )

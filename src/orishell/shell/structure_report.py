@@ -13,7 +13,6 @@ from orishell.sheet.grid import Vertex
 from orishell.shell.case_report import CaseReport, Part, Stiffness
 from orishell.shell.structure_cases import describe_case, height_of, stiffness_in_words
 from orishell.shell.structure_caveats import NOT_COVERED, warn_of_structure
-from orishell.structure.loads import Exposure
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Place, Structure, SupportKind
 
@@ -139,7 +138,7 @@ class StructureReport:
 
 
 def describe_structure(
-    structure: Structure, analysis: Analysis, exposure: Exposure, panel: PanelBuild | None
+    structure: Structure, analysis: Analysis, panel: PanelBuild | None
 ) -> StructureReport:
     """The shell as a structure, and what was found of it.
 
@@ -147,16 +146,13 @@ def describe_structure(
     ----------
     structure
         What was asked.
-    exposure
-        What was loaded.
     panel
         What panels are made of; None if they have the thickness of ``structure``.
     """
-    model = _model(structure, analysis, exposure, panel)
+    model = _model(structure, analysis, panel)
     asked = {case.name: case for case in structure.cases}
     cases = tuple(
-        describe_case(structure, analysis, exposure, asked[found.name], found)
-        for found in analysis.cases
+        describe_case(structure, analysis, asked[found.name], found) for found in analysis.cases
     )
     return StructureReport(
         model=model,
@@ -167,9 +163,7 @@ def describe_structure(
     )
 
 
-def _model(
-    structure: Structure, analysis: Analysis, exposure: Exposure, panel: PanelBuild | None
-) -> ModelReport:
+def _model(structure: Structure, analysis: Analysis, panel: PanelBuild | None) -> ModelReport:
     thickness = structure.thickness if panel is None else panel.thickness
     assert thickness is not None
     mesh, section = analysis.mesh, analysis.section

@@ -49,9 +49,11 @@ class Exposure:
     grid
         The grid of the sheet between its flaps; its vertices are the first nodes.
     before
-        Number of columns of folded flaps before its first column.
+        Number of columns of folded flaps before its first column, which points are counted with.
     areal_mass
         Mass (T,) per area of every triangle (kg per square of the unit).
+    hung
+        Mass (N,) of flaps that hang on nodes (kg).
     unit
         The design's unit of length.
     ground
@@ -65,6 +67,7 @@ class Exposure:
     grid: Grid
     before: int
     areal_mass: Array
+    hung: Array
     unit: str
     ground: float
     span: float | None
@@ -222,7 +225,8 @@ def cylinder_coefficient(exposure: Exposure) -> float:
 def _parts(exposure: Exposure, case: LoadCase) -> Iterator[tuple[LoadKind, Array]]:
     """The loads that a case has itself: their kinds, and forces (N, 3) on the nodes."""
     if case.self_weight:
-        yield "self_weight", _on_corners(exposure, -GRAVITY * exposure.areal_mass[:, None] * UP)
+        panels = _on_corners(exposure, exposure.areal_mass[:, None] * UP)
+        yield "self_weight", -GRAVITY * (panels + exposure.hung[:, None] * UP)
     if case.pressure:
         yield "pressure", _on_corners(exposure, -case.pressure * exposure.outer())
     if case.snow is not None:
