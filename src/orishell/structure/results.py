@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid, Vertex, VertexPair
+from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
 
@@ -74,12 +75,12 @@ class CaseResult:
     displacements
         Of nodes (N, 3) (length).
     reactions
-        Forces on supported vertices (S, 3), in the order of :attr:`Analysis.supported` (N).
+        Forces on supported vertices (S, 3), in the order of ``Analysis.supported`` (N).
     tie_forces
         Of ties (K,), 0 where they are slack (N).
     flap_forces
         With which two neighbouring flaps keep the vertices at their outer corners apart (C,), in
-        the order of :attr:`Analysis.flaps`; 0 where they part (N).
+        the order of ``Analysis.flaps``; 0 where they part (N).
     crease_moments
         Largest moment per length (E,) about every edge, 0 at the border (N).
     stresses
@@ -139,6 +140,8 @@ class Analysis:
         Of all panels (kg).
     cases
         All load cases, those with the least stiffness of creases first.
+    exposure
+        What was loaded, and how it stands.
     change
         By what share the largest displacement changed when cells were halved for the last time;
         None if they were not.
@@ -153,6 +156,7 @@ class Analysis:
     flaps: tuple[VertexPair, ...]
     mass: float
     cases: tuple[CaseResult, ...]
+    exposure: Exposure
     change: float | None
 
     __repr__ = in_one_line
