@@ -41,8 +41,11 @@ def test_cells_are_quadrilaterals_with_middles(tmp_path: Path) -> None:
     np.testing.assert_allclose(mesh.points[: len(shell.points)], shell.points, atol=1e-11)
     ends = np.stack([mesh.points[corners], mesh.points[np.roll(corners, -1, axis=1)]])
     np.testing.assert_allclose(mesh.points[middles], ends.mean(axis=0), atol=1e-11)
-    halves = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
-    assert sorted(halves.tolist()) == sorted(shell.triangles.tolist())
+    halves = np.sort(shell.triangles, axis=1).reshape(-1, 6)
+    assert all(set(cell) == set(half) for cell, half in zip(corners.tolist(), halves, strict=True))
+    sides = mesh.points[np.roll(corners, -1, axis=1)] - mesh.points[corners]
+    turns = np.cross(sides, np.roll(sides, -1, axis=1))
+    assert (np.einsum("cka,cla->ckl", turns, turns) > 0).all()  # none crosses itself
     # Middles are shared: as many as there are sides.
     sides = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1), axis=-1)
     assert len(mesh.points) - len(shell.points) == len(np.unique(sides.reshape(-1, 2), axis=0))

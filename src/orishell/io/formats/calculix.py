@@ -98,16 +98,14 @@ class _Deck:
 
 
 def _deck_of(shell: LoadedShell) -> _Deck:
-    """Cells of two triangles each, a panel's first halves a, b, c before its second ones a, c, d.
+    """Cells of two triangles, which follow each other.
 
     A plate that is as stiff in its plane and in bending has the thickness sqrt(12 bending/membrane)
     and Young's modulus (1 - nu^2) membrane/thickness.
     """
-    panels = int(shell.panels.max()) + 1
-    first, second = np.moveaxis(shell.triangles.reshape(panels, 2, -1, 3), 1, 0).reshape(2, -1, 3)
-    corners = np.column_stack([first, second[:, 2]])
+    corners = _around(shell.triangles[::2], shell.triangles[1::2])
     membrane, bending, mass = (
-        each.reshape(panels, 2, -1).mean(axis=1).ravel()
+        each.reshape(-1, 2).mean(axis=1)
         for each in (shell.membrane, shell.bending, shell.areal_mass)
     )
     thickness = np.sqrt(12 * bending / membrane)
@@ -121,6 +119,17 @@ def _deck_of(shell: LoadedShell) -> _Deck:
     middles = len(shell.points) + middle.reshape(-1, 4)
     cells = np.column_stack([corners, middles])
     return _Deck(points, len(shell.points), cells, sections, section.ravel())
+
+
+def _around(first: Integers, second: Integers) -> Integers:
+    """Corners (C, 4) around pairs of triangles (C, 3) that share a side."""
+    row = np.arange(len(first))
+    alone, other = (
+        np.argmin((mine[:, :, None] == theirs[:, None]).any(axis=2), axis=1)
+        for mine, theirs in ((first, second), (second, first))
+    )
+    begin, then, last = (first[row, (alone + k) % 3] for k in range(3))
+    return np.column_stack([begin, then, second[row, other], last])
 
 
 def _different_loads(shell: LoadedShell) -> list[tuple[str, Array]]:
