@@ -48,14 +48,13 @@ def loaded_document(family: str = "parallel-repeating", cells: int = 1) -> Docum
     grid = Grid(*document.grid_shape)
     mesh = mesh_sheet(document.shell.positions.reshape(*document.grid_shape, 3), grid, cells)
     points, triangles = mesh.facets.points, mesh.facets.triangles
-    triangles = triangles.reshape(grid.panel_count, 2, -1, 3).swapaxes(1, 2).reshape(-1, 3)
     down, up = (np.full(points.shape, [0.0, 0.0, z]) for z in (-1.0, 1.0))
     stress = np.linspace(1, 2, len(triangles))
     corners = grid.vertices()[[0, 0, -1, -1], [0, -1, 0, -1]]
     shell = LoadedShell(
         points=points,
         triangles=triangles,
-        panels=np.repeat(np.arange(grid.panel_count), len(triangles) // grid.panel_count),
+        panels=mesh.panels,
         membrane=np.full(len(triangles), 1e7),
         bending=np.full(len(triangles), 1e3),
         poisson=0.25,

@@ -153,7 +153,7 @@ def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
             "z is up. Nodes at the corners of cells are those of orishell's analysis.",
             "This is not all that orishell analyses:",
             "- creases are rigid: panels share their rotations there;",
-            "- supports and ties hold both ways, flaps cannot part: look for the wrong signs;",
+            "- supports and ties hold both ways, and flaps are left out: look for wrong signs;",
             f"- a tie that does not stretch is a truss {STIFF:g} times as stiff as the shell;",
             "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
             "  are not those of the boards;",
