@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 FREE = 1e-9
-"""A motion that takes less than this of the springs' energy is one that nothing resists."""
+"""A motion that takes less than this share of the springs' energy is one that nothing resists."""
 SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
 
@@ -84,13 +84,22 @@ class Held:
         found = self._factors.solve(loads)
         return np.asarray(found + self._factors.solve(loads - self._inner @ found))
 
+    def quick_solve(self, loads: Array) -> Array:
+        """A^-1 f (n,), not refined."""
+        return np.asarray(self._factors.solve(loads))
+
+    def soft_stiffness(self, moved: Array, acting: Booleans) -> Array:
+        """Forces (n,) of panels, hinges and those rows that act and give."""
+        taken = np.where(acting & ~self._hard, 0.0, self.springs)
+        return np.asarray(self._inner @ moved - self.rows.T @ (taken * (self.rows @ moved)))
+
     def motions(self, acting: Booleans) -> Array:
         """What nothing resists (n, k) while some rows act (M,); orthonormal."""
         hard = acting & self._hard
         loose = ~acting
         root = np.sqrt(self.springs[loose])
         across = self.flexibility[np.ix_(hard, loose)]
-        release = np.linalg.lstsq(self.flexibility[np.ix_(hard, hard)], across, rcond=1e-12)[0]
+        release = np.linalg.lstsq(self.flexibility[np.ix_(hard, hard)], across, rcond=FREE)[0]
         flexible = self.flexibility[np.ix_(loose, loose)] - across.T @ release
         values, modes = np.linalg.eigh(np.eye(len(root)) - root[:, None] * flexible * root)
         forces = root[:, None] * modes[:, values < FREE]
@@ -122,32 +131,34 @@ class Held:
             Displacements (n,), gaps (M,) and forces (M,) of the rows.
         """
         direct = self.spring_solve(loads)
-        count = len(self.rows)
-        hard, spring = acting & self._hard, np.diag(self.springs)
-        # Unknowns g and p; lambda = S g - p.
-        law = np.zeros((count, 2 * count))
-        law[:, :count], law[:, count:] = -spring, np.eye(count)
-        law[:, :count] += slip @ spring
-        law[:, count:] -= slip
-        law[acting, :count] = 0.0
-        law[hard, count:] = 0.0
-        law[hard, :count] = np.diag(self.springs)[hard]
-        system = np.block([[np.eye(count), -self.flexibility], [law]])
-        known = np.concatenate([self.rows @ direct, np.zeros(count)])
-        found = _solve_scaled(system, known, self.springs)
-        gaps, p = found[:count], found[count:]
+        p = self.law(acting, slip) @ (self.rows @ direct)
+        gaps = self.rows @ direct + self.flexibility @ p
         forces = self.springs * gaps - p
         forces[~acting & ~slip.any(axis=1)] = 0.0
         return direct + self.spread @ p, gaps, forces
 
+    def law(self, acting: Booleans, slip: Array | None = None) -> Array:
+        """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
 
-def _solve_scaled(system: Array, known: Array, springs: Array) -> Array:
-    """The solution in which gaps by springs and forces count alike; of several, the smallest."""
-    scale = np.concatenate([1 / np.sqrt(springs), np.sqrt(springs)])
-    rows = np.concatenate([np.sqrt(springs), 1 / np.sqrt(springs)])
-    return np.asarray(
-        scale * np.linalg.lstsq(rows[:, None] * system * scale, rows * known, rcond=1e-12)[0]
-    )
+        Parameters
+        ----------
+        acting, slip
+            As for :meth:`respond`.
+        """
+        # g - C p = g_f; open rows: p - S g = 0, or less what friction gives; g = 0 in hard ones.
+        count = len(self.rows)
+        hard, spring = acting & self._hard, np.diag(self.springs)
+        by_gap, by_p = -spring, np.eye(count)
+        if slip is not None:
+            by_gap, by_p = by_gap + slip @ spring, by_p - slip
+        by_gap[acting], by_p[hard] = 0.0, 0.0
+        by_gap[hard] = spring[hard]
+        root = np.sqrt(self.springs)
+        # p = s q and g = h/s with s^2 = S: forces and gaps by springs count alike.
+        flexible = root[:, None] * self.flexibility * root
+        gap, force = (each / root[:, None] for each in (by_gap / root, by_p * root))
+        both = gap @ flexible + force
+        return np.asarray(-root[:, None] * (np.linalg.pinv(both, rcond=FREE) @ gap) * root)
 
 
 def hold(
