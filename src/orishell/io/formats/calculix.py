@@ -24,6 +24,9 @@ from orishell.numerics.arrays import Array, Integers
 
 MODES = 6
 """Natural frequencies that are asked for."""
+BUCKLING = "1,1e-4,20,1000"
+"""Buckling factors, accuracy, Lanczos vectors, rounds: as they are by default CalculiX may miss the
+lowest."""
 STIFF = 1e3
 """How many times as stiff as a strip of panel, as wide as the shell is large, is what does not
 stretch."""
@@ -66,7 +69,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
         lines += [*_begin(name), "*STATIC", *_loads(forces), *_answers(), "*END STEP"]
     lines += [*_begin("natural frequencies"), "*FREQUENCY", str(MODES), *_answers(), "*END STEP"]
     for name, forces in cases:
-        lines += [*_begin(f"buckling: {name}"), "*BUCKLE", "1", *_loads(forces), "*END STEP"]
+        lines += [*_begin(f"buckling: {name}"), "*BUCKLE", BUCKLING, *_loads(forces), "*END STEP"]
     path.write_text("".join(f"{line}\n" for line in lines), encoding="ascii", newline="\n")
 
 
