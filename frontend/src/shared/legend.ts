@@ -1,6 +1,6 @@
 // What the colours mean, in a corner of the view in space.
 
-import { ANGLE_MAP, DISTANCE_MAP, length, threeDigits, type Colouring } from "./colours.ts";
+import { AMOUNT_MAP, DISTANCE_MAP, length, threeDigits, type Colouring } from "./colours.ts";
 
 export interface LegendFacts {
   colouring: Colouring;
@@ -29,7 +29,7 @@ export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
       item.append(name);
     }
   } else if (facts.colouring === "angle") {
-    bar(container, "fold angle, largest of the panel's creases", ANGLE_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
+    bar(container, "fold angle, largest of the panel's creases", AMOUNT_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
   } else if (facts.colouring === "distance") {
     if (!facts.range) {
       container.append("distance to the target: not yet known");
