@@ -254,6 +254,8 @@ export interface Header {
   arrays: Record<string, ArrayPlace>;
   /** In the studio. */
   curves?: Curves;
+  /** Load cases, where the shell was analysed as a structure. */
+  cases?: NamedCase[];
 }
 
 /** What the page loads first: families, examples, formats, limits, the design to open. */
@@ -304,6 +306,12 @@ export interface MeetingReport {
   largest_play: number;
   /** By how much a flap could fold further at most until they meet. */
   largest_turn_deg: number;
+}
+
+/** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
+export interface NamedCase {
+  name: string;
+  stands: boolean;
 }
 
 /** The design file that the studio was started with. */
