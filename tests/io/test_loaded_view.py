@@ -112,6 +112,7 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
             for other in pictures[:k]:
                 assert differing(one, other) > 0.005
         page.evaluate("orishell.player.set(0.5)")
+        wait_until(page, "orishell.shell.quality.taps === 12")  # at rest, it is drawn finely again
         await_frames(page)
         # But for the tools, where one now has the focus.
         assert differing(pixels(page, ".stage canvas"), half) < 0.001
