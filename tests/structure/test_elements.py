@@ -12,7 +12,8 @@ from scipy.sparse.linalg import spsolve
 
 from orishell.design_file import read_design_file
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.facets import FREEDOMS, Facets, Section, assemble
+from orishell.structure.facets import FREEDOMS, Facets, assemble
+from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -120,7 +121,7 @@ def test_hinged_panels_have_one_motion_of_their_own(
     mesh = mesh_sheet(mechanism.positions(drive), mechanism.grid, 2)
     section = Section.solid(1.0, 0.05 * size, 0.3)
     elements = mesh.facets.element_stiffness(section)
-    stiffness = assemble(elements, mesh.freedoms, mesh.count).toarray()
+    stiffness = assemble(elements, mesh.freedoms(), mesh.count).toarray()
     scale = np.ones(mesh.count)
     scale[3 * len(mesh.facets.points) :] = 10 / size  # rotations as lengths
     values, modes = np.linalg.eigh(stiffness * scale[:, None] * scale)

@@ -11,6 +11,9 @@ from pydantic import ValidationError
 from orishell.conventions.faults import Location, first_fault
 from orishell.errors import InputError
 
+LISTS = ("load_case",)
+"""Tables of which there may be several."""
+
 
 def explain(
     path: Path,
@@ -24,13 +27,10 @@ def explain(
 
 
 def _spell(location: Location) -> str:
-    """("target", "f", "range", 0) as "[target.f] range[0]"."""
-    names = [part[:60] for part in location if isinstance(part, str)]
-    index = "".join(f"[{part}]" for part in location if isinstance(part, int))
-    if len(names) == 1:
-        return f"[{names[0]}]"
-    table = names[:2] if names[0] == "target" and len(names) > 2 else names[:1]
-    rest = names[len(table) :]
-    if names[0] == "target" and len(names) == 2:
-        return f"[{'.'.join(names)}]"
-    return f"[{'.'.join(table)}] {' '.join(rest)}{index}"
+    """("target", "f", "range", 0) as "[target.f] range[0]", of lists "[[table]][0] key"."""
+    names = [part[:60] if isinstance(part, str) else part for part in location]
+    table, *rest = names
+    if table == "target" and rest:
+        table, *rest = f"target.{rest[0]}", *rest[1:]
+    head = f"[[{table}]]" if table in LISTS else f"[{table}]"
+    return head + "".join(f"[{part}]" if isinstance(part, int) else f" {part}" for part in rest)

@@ -2,98 +2,33 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Any
 
-from pydantic import (
-    BaseModel,
-    Field,
-    ValidationError,
-    ValidationInfo,
-    field_validator,
-    model_validator,
-)
-from pydantic_core import PydanticCustomError
+from pydantic import ValidationError
 
 from orishell.conventions.arguments import path_of
-from orishell.conventions.faults import Location
 from orishell.conventions.formatting import in_one_line
-from orishell.conventions.table import Number, Table
 from orishell.conventions.toml_file import read_toml
-from orishell.conventions.units import Unit
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelBuild
-from orishell.design_file.deployment import DeploymentTable
 from orishell.design_file.faults import explain
 from orishell.design_file.limits import require_memory
-from orishell.design_file.panel import PanelTable, SetbackTable
-from orishell.design_file.target import Target, Targets
-from orishell.design_file.workshop import WorkshopTable
+from orishell.design_file.structure import structure_of
+from orishell.design_file.tables import FileTable, Ground, keys_of
 from orishell.errors import InputError
 from orishell.families.pattern import Pattern, Tolerance
 from orishell.families.registry import FAMILIES, require_family
-from orishell.locking import CONTACT_TOLERANCE
+from orishell.structure.settings import Structure
 from orishell.workshop import Workshop
-
-Ground = Literal["z0", "as-drawn"]
-"""Where a shell that can stand is put: its feet on z = 0, or g in the plane z = 0."""
 
 FROM_PACK = 3
 """Fewest states of a motion from the pack: it, the target and the flat sheet."""
 
 ANY_SIZE = {"rows": 1, "columns": 2}
 """Rows and columns of a pattern whose size is still to be chosen."""
-
-
-class _Shell(Table):
-    family: str
-    unit: Unit
-    ground: Ground = "z0"
-
-
-class _Motion(Table):
-    frames: Annotated[int, Field(ge=2, le=1000)] = 25
-    contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
-
-
-class _Tolerance(Table):
-    surface: Annotated[Number, Field(gt=0)]
-    panel_min: Annotated[Number, Field(ge=0)] = 0.0
-    panel_max: Annotated[float, Field(gt=0)] = math.inf
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        if not self.panel_min < self.panel_max:
-            raise PydanticCustomError(
-                "panel_sizes",
-                "a value above panel_min ({low})",
-                {"low": self.panel_min, "key": "panel_max", "got": self.panel_max},
-            )
-        return self
-
-
-class _File(Table):
-    shell: _Shell
-    target: Annotated[Targets | None, Field(validate_default=True)] = None
-    pattern: dict[str, Any] = Field(default_factory=dict)
-    tolerance: _Tolerance | None = None
-    motion: _Motion = _Motion()
-    deployment: DeploymentTable = DeploymentTable()
-    panel: PanelTable = PanelTable()
-    workshop: WorkshopTable = WorkshopTable()
-
-    @field_validator("target")
-    @classmethod
-    def _require_target(cls, target: Targets | None, info: ValidationInfo) -> Targets | None:
-        shell = info.data.get("shell")
-        family = FAMILIES.get(shell.family) if shell is not None else None
-        if target is None and (family is None or family.pattern.needs_target):
-            raise PydanticCustomError("missing", "Field required")
-        return target
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -126,6 +61,8 @@ class DesignFile:
         How it is deployed.
     panel
         What its panels are made of; None if they have no thickness.
+    structure
+        How it is analysed as a structure; None if that was not asked for.
     """
 
     path: Path
@@ -140,6 +77,7 @@ class DesignFile:
     ground: Ground = "z0"
     deployment: Deployment = FROM_FLAT
     panel: PanelBuild | None = None
+    structure: Structure | None = None
 
     __repr__ = in_one_line
 
@@ -206,9 +144,9 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         Naming the file, the key, what was found and what is expected.
     """
     try:
-        file = _File.model_validate(raw)
+        file = FileTable.model_validate(raw)
     except ValidationError as error:
-        raise explain(path, raw, error, _keys(Pattern)) from None
+        raise explain(path, raw, error, keys_of(Pattern)) from None
     family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
     table = file.pattern
     if file.tolerance is not None:
@@ -223,7 +161,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     try:
         pattern = family.pattern.model_validate(table)
     except ValidationError as error:
-        raise explain(path, raw, error, _keys(family.pattern), ("pattern",)) from None
+        raise explain(path, raw, error, keys_of(family.pattern), ("pattern",)) from None
     if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
         raise InputError(
             "too few states for a motion from the pack over the target to the flat sheet",
@@ -234,7 +172,9 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         )
     require_memory(path, pattern, file.motion.frames)
     directory = path.parent if files else None
+    panel = file.panel.settings()
     try:
+        structure = structure_of(file.structure, file.load_case, panel)
         workshop = file.workshop.settings(directory)
         target = None if file.target is None else file.target.curves(directory, file.shell.unit)
     except InputError as error:
@@ -251,7 +191,8 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         workshop,
         file.shell.ground,
         file.deployment.settings(),
-        file.panel.settings(),
+        panel,
+        structure,
     )
 
 
@@ -266,32 +207,3 @@ def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
                 remedy=f"remove {key}, or the table [tolerance]",
             )
     return table
-
-
-def _keys(model: type[BaseModel]) -> Callable[[Location], list[str]]:
-    """The keys that each table of the file may hold, given the family's pattern."""
-    tables: dict[str, type[BaseModel]] = {
-        "shell": _Shell,
-        "tolerance": _Tolerance,
-        "motion": _Motion,
-        "deployment": DeploymentTable,
-        "panel": PanelTable,
-        "pattern": model,
-        "workshop": WorkshopTable,
-    }
-
-    def keys(location: Location) -> list[str]:
-        match location:
-            case (_,):
-                table: type[BaseModel] = _File
-            case ("target", _):
-                table = Targets
-            case ("target", *_):
-                table = Target
-            case ("panel", "largest_setback", *_):
-                table = SetbackTable
-            case _:
-                table = tables[str(location[0])]
-        return [field.alias or name for name, field in table.model_fields.items()]
-
-    return keys

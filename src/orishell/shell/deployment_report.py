@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line, tidy_degrees
-from orishell.conventions.units import conversion
+from orishell.conventions.units import GRAVITY, conversion
 from orishell.deployment import (
     Attachment,
     Deployment,
@@ -28,8 +28,6 @@ from orishell.sheet.grid import VertexPair
 from orishell.shell.standing import Feet
 from orishell.solids import Built, largest_thickness
 
-GRAVITY = 9.81
-"""Metres per second squared."""
 PACKS = 9
 """States from the target on of which the one that packs smallest is taken."""
 

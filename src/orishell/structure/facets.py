@@ -14,6 +14,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.membrane import membrane_stiffness
 from orishell.structure.plate import plate_stiffness
+from orishell.structure.sections import Section
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -21,37 +22,6 @@ if TYPE_CHECKING:
 FREEDOMS = 6
 IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
 """Freedoms of a node in its facet's axes: u, v, rotation about z; w, rotations about x and y."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Section:
-    """Stiffness of a plate's section, isotropic.
-
-    Parameters
-    ----------
-    membrane
-        Force per length by strain, E t/(1 - nu^2) of a solid plate (force per length).
-    bending
-        Moment per length by curvature, E t^3/12/(1 - nu^2) of a solid plate (force times length).
-    poisson
-        Poisson's ratio.
-    """
-
-    membrane: float
-    bending: float
-    poisson: float
-
-    @classmethod
-    def solid(cls, modulus: float, thickness: float, poisson: float) -> Section:
-        """That of a solid plate (force per area, length)."""
-        plane = modulus / (1 - poisson**2)
-        return cls(plane * thickness, plane * thickness**3 / 12, poisson)
-
-    def matrix(self, stiffness: float) -> Array:
-        """The matrix (3, 3) of plane stress with one of the two stiffnesses."""
-        nu = self.poisson
-        plane = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
-        return np.asarray(stiffness * plane)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,6 +49,12 @@ class Facets:
         x, z = (each / np.linalg.norm(each, axis=1, keepdims=True) for each in (x, z))
         return np.stack([x, np.cross(z, x), z], axis=1)
 
+    def flat(self) -> Array:
+        """Corners (T, 3, 2) of every facet in its own axes, the first in the origin."""
+        corners = self.points[self.triangles]
+        away = corners - corners[:, :1]
+        return np.asarray(np.einsum("tij,tkj->tki", self.axes(), away)[..., :2])
+
     def areas(self) -> Array:
         """Area (T,) of every facet."""
         corners = self.points[self.triangles]
@@ -87,9 +63,7 @@ class Facets:
 
     def element_stiffness(self, section: Section) -> Array:
         """Stiffness (T, 18, 18) of every facet in the world's axes."""
-        axes = self.axes()
-        corners = self.points[self.triangles]
-        flat = np.einsum("tij,tkj->tki", axes, corners - corners[:, :1])[..., :2]
+        axes, flat = self.axes(), self.flat()
         local = np.zeros((len(flat), 18, 18))
         membrane = membrane_stiffness(flat, section.matrix(section.membrane), section.poisson)
         plate = plate_stiffness(flat, section.matrix(section.bending))

@@ -5,7 +5,7 @@ Applied Mechanics and Engineering 192 (2003). With x_ij = x_i - x_j and side len
 stiffness is a basic part, which alone passes the patch test, and a part of higher order from
 deviatoric corner rotations,
 
-    K = L E L^T / (A h) + 3/4 beta_0 T^T K_theta T,
+    K = L E L^T / A + 3/4 beta_0 T^T K_theta T,
 
 the last from strains along the three sides at their middles.
 """
@@ -40,6 +40,50 @@ def membrane_stiffness(corners: Array, elasticity: Array, poisson: float) -> Arr
     x21, x32, x13 = x[:, 1] - x[:, 0], x[:, 2] - x[:, 1], x[:, 0] - x[:, 2]
     y21, y32, y13 = y[:, 1] - y[:, 0], y[:, 2] - y[:, 1], y[:, 0] - y[:, 2]
     x12, x23, x31, y12, y23, y31 = -x21, -x32, -x13, -y21, -y32, -y13
+    zero = np.zeros_like(x21)
+    area = 0.5 * (x21 * -y13 - -x13 * y21)
+    mean = strains(corners)
+    basic = mean.swapaxes(1, 2) @ elasticity @ mean * area[:, None, None]
+
+    # Corner rotations less that of the triangle as a whole.
+    whole = np.stack([x32, y32, zero, x13, y13, zero, x21, y21, zero], axis=-1)
+    rotations = np.repeat(whole[:, None], 3, axis=1) / (4 * area[:, None, None])
+    rotations[:, [0, 1, 2], [2, 5, 8]] += 1.0
+
+    side = np.stack([x21**2 + y21**2, x32**2 + y32**2, x13**2 + y13**2], axis=-1)
+    sides = np.stack(
+        [
+            _rows(y23 * y13, y31 * y21, y12 * y32),
+            _rows(x23 * x13, x31 * x21, x12 * x32),
+            _rows(y23 * x31 + x32 * y13, y31 * x12 + x13 * y21, y12 * x23 + x21 * y32),
+        ],
+        axis=1,
+    ) * (side[:, None] / (4 * area[:, None, None] ** 2))
+    natural = sides.swapaxes(1, 2) @ elasticity @ sides
+    scale = (2 * area / 3)[:, None, None] / side[..., None]
+    turned = [np.roll(np.roll(BETAS, k, axis=0), k, axis=1) for k in range(3)]
+    corner = [scale * each for each in turned]
+    higher = np.zeros_like(natural)
+    for first, second in ((0, 1), (1, 2), (2, 0)):
+        middle = 0.5 * (corner[first] + corner[second])
+        higher += middle.swapaxes(1, 2) @ natural @ middle
+    beta = max(0.5 * (1 - 4 * poisson**2), LEAST)
+    higher *= 0.75 * beta * area[:, None, None]
+    return np.asarray(basic + rotations.swapaxes(1, 2) @ higher @ rotations)
+
+
+def strains(corners: Array) -> Array:
+    """Mean strains (T, 3, 9) xx, yy, xy by u, v and the rotation about z at every corner.
+
+    Parameters
+    ----------
+    corners
+        Corners (T, 3, 2), counter-clockwise (length).
+    """
+    x, y = corners[..., 0], corners[..., 1]
+    x21, x32, x13 = x[:, 1] - x[:, 0], x[:, 2] - x[:, 1], x[:, 0] - x[:, 2]
+    y21, y32, y13 = y[:, 1] - y[:, 0], y[:, 2] - y[:, 1], y[:, 0] - y[:, 2]
+    x12, x23, x31, y12, y23, y31 = -x21, -x32, -x13, -y21, -y32, -y13
     area = 0.5 * (x21 * -y13 - -x13 * y21)
     zero, a = np.zeros_like(area), LUMPING
     lumping = 0.5 * np.stack(
@@ -56,33 +100,7 @@ def membrane_stiffness(corners: Array, elasticity: Array, poisson: float) -> Arr
         ],
         axis=1,
     )
-    basic = lumping @ elasticity @ lumping.swapaxes(1, 2) / area[:, None, None]
-
-    # Corner rotations less that of the triangle as a whole.
-    whole = np.stack([x32, y32, zero, x13, y13, zero, x21, y21, zero], axis=-1)
-    rotations = np.repeat(whole[:, None], 3, axis=1) / (4 * area[:, None, None])
-    rotations[:, [0, 1, 2], [2, 5, 8]] += 1.0
-
-    side = np.stack([x21**2 + y21**2, x32**2 + y32**2, x13**2 + y13**2], axis=-1)
-    strains = np.stack(
-        [
-            _rows(y23 * y13, y31 * y21, y12 * y32),
-            _rows(x23 * x13, x31 * x21, x12 * x32),
-            _rows(y23 * x31 + x32 * y13, y31 * x12 + x13 * y21, y12 * x23 + x21 * y32),
-        ],
-        axis=1,
-    ) * (side[:, None] / (4 * area[:, None, None] ** 2))
-    natural = strains.swapaxes(1, 2) @ elasticity @ strains
-    scale = (2 * area / 3)[:, None, None] / side[..., None]
-    turned = [np.roll(np.roll(BETAS, k, axis=0), k, axis=1) for k in range(3)]
-    corner = [scale * each for each in turned]
-    higher = np.zeros_like(natural)
-    for first, second in ((0, 1), (1, 2), (2, 0)):
-        middle = 0.5 * (corner[first] + corner[second])
-        higher += middle.swapaxes(1, 2) @ natural @ middle
-    beta = max(0.5 * (1 - 4 * poisson**2), LEAST)
-    higher *= 0.75 * beta * area[:, None, None]
-    return np.asarray(basic + rotations.swapaxes(1, 2) @ higher @ rotations)
+    return np.asarray(lumping.swapaxes(1, 2) / area[:, None, None])
 
 
 def _rows(*parts: Array) -> Array:

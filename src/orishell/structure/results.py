@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from orishell.conventions.formatting import in_one_line
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid, Vertex, VertexPair
+from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
 
 
@@ -76,9 +77,9 @@ class CaseResult:
         Forces on supported vertices (S, 3), in the order of :attr:`Analysis.supported` (N).
     tie_forces
         Of ties (K,), 0 where they are slack (N).
-    flap_moments
-        With which flaps press on each other (C,), in the order of :attr:`Analysis.flap_creases`; 0
-        where they part (N times length).
+    flap_forces
+        With which two neighbouring flaps keep the vertices at their outer corners apart (C,), in
+        the order of :attr:`Analysis.flaps`; 0 where they part (N).
     crease_moments
         Largest moment per length (E,) about every edge, 0 at the border (N).
     stresses
@@ -102,7 +103,7 @@ class CaseResult:
     displacements: Array
     reactions: Array
     tie_forces: Array
-    flap_moments: Array
+    flap_forces: Array
     crease_moments: Array
     stresses: Array
     principal: Array
@@ -120,19 +121,20 @@ class Analysis:
     Parameters
     ----------
     grid
-        The grid of the sheet with its flaps, also clipped ones.
+        The grid of the sheet between its flaps.
     before
-        Number of columns of clipped flaps before the first column of the folding sheet.
+        Number of columns of folded flaps before its first column: the column of a vertex of the
+        folding sheet is that of this grid and these.
     mesh
         Nodes, in the design's frame, and triangles; the vertices of the grid come first.
-    panels
-        The panel (T,) of every triangle, as the grid counts it.
+    section
+        Sections of the triangles.
     supported
         Supported vertices, rows and columns of the folding sheet.
     ties
         Its ties, rows and columns of the folding sheet.
-    flap_creases
-        Edges (C,) of the grid about which panels of flaps press on each other.
+    flaps
+        What two neighbouring panels of a flap keep apart: vertices of the folding sheet.
     mass
         Of all panels (kg).
     cases
@@ -145,10 +147,10 @@ class Analysis:
     grid: Grid
     before: int
     mesh: SheetMesh
-    panels: Integers
+    section: Section
     supported: tuple[Vertex, ...]
     ties: tuple[VertexPair, ...]
-    flap_creases: Integers
+    flaps: tuple[VertexPair, ...]
     mass: float
     cases: tuple[CaseResult, ...]
     change: float | None

@@ -6,7 +6,9 @@ Lengths are in the design's unit, forces in newtons, wind speeds in metres per s
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
+
+import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.sheet.grid import Vertex
@@ -17,6 +19,9 @@ Place = Literal["feet", "ends"]
 """The rows that are the shell's feet, or its first and last columns between flaps."""
 Terrain = Literal["0", "I", "II", "III", "IV"]
 """Categories of EN 1991-1-4: sea, open, low vegetation, suburb, town."""
+NO_CODE: Final = ((0.0, 0.8), (float(np.pi / 2), -1.0), (float(np.pi), -0.4))
+"""Pressure coefficients of wind where none are given, of no code: push on what faces the wind, pull
+at the crown and in the lee, as about a long arch (angles in radians)."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,7 @@
 """The shell as facets: every panel meshed, panels tied along their creases.
 
-Panels that share a crease have its translations in common; rotations are every panel's own, so that
-creases are free hinges until springs are put on them.
+Panels that share a crease have its translations in common. Rotations are every panel's own, so
+that creases are free hinges until springs are put on them; or the node's, where they are rigid.
 """
 
 from __future__ import annotations
@@ -29,27 +29,56 @@ class SheetMesh:
         Its nodes (N) and triangles.
     nodes
         Nodes (F, cells+1, cells+1) of every panel, downwards and to the right.
-    freedoms
-        Freedoms (T, 18) of the corners of every triangle: translations of its nodes, then the
-        rotations that its panel has there.
-    count
-        Number of freedoms.
+    places
+        Corners (T, 3) of every triangle, as places among all nodes of all panels one after the
+        other.
+    rigid
+        Whether creases are rigid.
     """
 
     facets: Facets
     nodes: Integers
-    freedoms: Integers
-    count: int
+    places: Integers
+    rigid: bool = False
 
     __repr__ = in_one_line
 
+    @property
+    def count(self) -> int:
+        """Number of freedoms: translations of all nodes, then rotations."""
+        return 3 * len(self.facets.points) + 3 * (
+            len(self.facets.points) if self.rigid else self.nodes.size
+        )
+
+    @property
+    def panels(self) -> Integers:
+        """The panel (T,) of every triangle."""
+        return np.repeat(np.arange(len(self.nodes)), len(self.places) // len(self.nodes))
+
+    def cells(self) -> Integers:
+        """Nodes (T/2, 4) around every cell; its triangles are numbers 2 k and 2 k + 1."""
+        size = self.nodes.shape[1] - 1
+        return np.asarray(self.nodes.reshape(len(self.nodes), -1)[:, _cells(size)].reshape(-1, 4))
+
+    def translations(self) -> Integers:
+        """Freedoms (N, 3) of the displacements of nodes."""
+        return np.arange(3 * len(self.facets.points)).reshape(-1, 3)
+
     def rotations(self) -> Integers:
         """Freedoms (F, cells+1, cells+1, 3) of the panels' rotations at their nodes."""
-        first = 3 * len(self.facets.points)
-        return np.asarray(first + np.arange(3 * self.nodes.size).reshape(*self.nodes.shape, 3))
+        own = self.nodes if self.rigid else np.arange(self.nodes.size).reshape(self.nodes.shape)
+        return np.asarray(3 * len(self.facets.points) + 3 * own[..., None] + np.arange(3))
+
+    def freedoms(self) -> Integers:
+        """Freedoms (T, 18) of the corners of every triangle: translations, then rotations."""
+        translations = self.translations()[self.facets.triangles]
+        rotations = self.rotations().reshape(-1, 3)[self.places]
+        return np.concatenate([translations, rotations], axis=-1).reshape(-1, 18)
 
 
-def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
+def mesh_sheet(
+    positions: Array, grid: Grid, cells: int = CELLS, *, rigid: bool = False
+) -> SheetMesh:
     """Mesh the panels of a folded state.
 
     Parameters
@@ -60,6 +89,8 @@ def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
         Its grid.
     cells
         Cells along every side of a panel, at least 1.
+    rigid
+        Whether creases are rigid.
     """
     faces, edges = grid.faces_vertices(), grid.faces_edges()
     nodes = _nodes(grid, faces, edges, cells)
@@ -73,25 +104,32 @@ def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
     points = np.empty((int(nodes.max()) + 1, 3))
     points[nodes.reshape(len(faces), -1)] = top * (1 - down) + bottom * down
 
-    local = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
-    a, b, c, d = (
-        local[rows, columns].ravel()
-        for rows, columns in (
-            (np.s_[:-1], np.s_[:-1]),
-            (np.s_[1:], np.s_[:-1]),
-            (np.s_[1:], np.s_[1:]),
-            (np.s_[:-1], np.s_[1:]),
-        )
-    )
-    pattern = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    pattern = _triangles(cells)
     flat = nodes.reshape(len(faces), -1)
     triangles = flat[:, pattern].reshape(-1, 3)
-    own = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
-    translations = 3 * triangles[..., None] + np.arange(3)
-    rotations = 3 * len(points) + 3 * own[..., None] + np.arange(3)
-    freedoms = np.concatenate([translations, rotations], axis=-1).reshape(-1, 18)
-    count = 3 * len(points) + 3 * flat.size
-    return SheetMesh(Facets(points, triangles), nodes, freedoms, count)
+    places = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
+    return SheetMesh(Facets(points, triangles), nodes, places, rigid)
+
+
+def _cells(cells: int) -> Integers:
+    """Corners (cells^2, 4) of the cells of a panel, downwards and to the right."""
+    node = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    around = (node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:])
+    return np.stack([each.ravel() for each in around], axis=1)
+
+
+def _triangles(cells: int) -> Integers:
+    """Corners (2 cells^2, 3) of the triangles of a panel: two of each cell, one after the other.
+
+    Cells are cut from the side of the panel's corners towards its middle, so that an even number of
+    them is as symmetric as the panel.
+    """
+    a, b, c, d = _cells(cells).T
+    late = np.arange(cells) >= cells / 2
+    outwards = (late[:, None] == late).ravel()[:, None]
+    first = np.where(outwards, np.stack([a, b, c], axis=1), np.stack([a, b, d], axis=1))
+    second = np.where(outwards, np.stack([a, c, d], axis=1), np.stack([b, c, d], axis=1))
+    return np.stack([first, second], axis=1).reshape(-1, 3)
 
 
 def _nodes(grid: Grid, faces: Integers, edges: Integers, cells: int) -> Integers:

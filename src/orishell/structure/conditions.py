@@ -1,0 +1,102 @@
+"""What holds in one direction only: ties, flaps and the ground.
+
+A condition is a row b of the freedoms and a gap g = b u that it keeps from growing, with a force
+that is never negative: lambda = g/c for a compliance c, or g = 0 for none. A tie keeps its two ends
+from parting, two flaps folded onto each other keep their outer corners from approaching, the ground
+keeps a foot from sinking. The force on the structure is -b lambda.
+
+Flaps are no part of the mesh. Folded flat they cannot turn to first order, so that a mesh would
+hold them by the stiffness of their planes in both directions; but they give way as soon as the
+shell opens, for the distance of their outer corners is smallest where they are folded flat.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Booleans, Integers
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Conditions:
+    """Rows between displacements of nodes, and what they ask.
+
+    Parameters
+    ----------
+    nodes
+        Nodes (m, 2) of every row; the same twice where the ground is the other.
+    directions
+        Unit vectors (m, 3): g is their product with the displacement of the second node, less that
+        of the first; only of the first where both are the same.
+    compliance
+        Gap by force (m,); 0 for none.
+    friction
+        Coefficient of friction (m,) of feet on the ground; not a number elsewhere.
+    """
+
+    nodes: Integers
+    directions: Array
+    compliance: Array
+    friction: Array
+
+    __repr__ = in_one_line
+
+    def __len__(self) -> int:
+        return len(self.nodes)
+
+    @property
+    def grounded(self) -> Booleans:
+        """Which of them (m,) are feet on the ground."""
+        return ~np.isnan(self.friction)
+
+    def rows(self, count: int) -> Array:
+        """The rows (m, count), for freedoms that begin with the displacements of nodes."""
+        rows = np.zeros((len(self), count))
+        return put_rows(rows, self.nodes, self.directions)
+
+
+def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
+    """Fill rows (m, D) with directions (m, 3) at nodes (m, 2), and return them."""
+    number = np.arange(len(nodes))[:, None]
+    apart = (nodes[:, 0] != nodes[:, 1])[:, None]
+    rows[number, 3 * nodes[:, :1] + np.arange(3)] = np.where(apart, -directions, directions)
+    second = apart[:, 0]
+    rows[number[second], 3 * nodes[second, 1:] + np.arange(3)] = directions[second]
+    return rows
+
+
+def between(points: Array, pairs: Integers, stiffness: Array, *, approach: bool) -> Conditions:
+    """Conditions on the distances of pairs of nodes.
+
+    Parameters
+    ----------
+    points
+        Nodes (N, 3).
+    pairs
+        Their pairs (m, 2).
+    stiffness
+        Force by strain (m,); infinite for none (N).
+    approach
+        Whether they are kept from approaching; from parting otherwise.
+    """
+    apart = points[pairs[:, 1]] - points[pairs[:, 0]]
+    length = np.linalg.norm(apart, axis=1)
+    sign = -1.0 if approach else 1.0
+    none = np.full(len(pairs), np.nan)
+    return Conditions(pairs, sign * apart / length[:, None], length / stiffness, none)
+
+
+def on_ground(nodes: Integers, friction: Array) -> Conditions:
+    """Conditions that keep nodes (m,) from sinking, with their coefficients of friction (m,)."""
+    down = np.tile([0.0, 0.0, -1.0], (len(nodes), 1))
+    pairs = np.stack([nodes, nodes], axis=1)
+    return Conditions(pairs, down, np.zeros(len(nodes)), friction)
+
+
+def joined(parts: list[Conditions]) -> Conditions:
+    """All conditions one after the other."""
+    fields = ("nodes", "directions", "compliance", "friction")
+    return Conditions(*(np.concatenate([getattr(part, name) for part in parts]) for name in fields))

@@ -1,0 +1,222 @@
+"""A structure factorised once, whatever its one-sided conditions turn out to do.
+
+The matrix K of panels and hinges alone may be singular: a shell is a mechanism until something
+holds it. So springs S are put on all conditions B, and on a few vertices more, and
+
+    A = K + B^T S B
+
+is factorised. With p = S g - lambda, where g = B u and the conditions' forces lambda act as
+-B^T lambda,
+
+    u = A^-1 (f + B^T p),        g = g_f + C p,        C = B A^-1 B^T,
+
+which leaves as many equations as there are conditions: p = S g where one is open, g = 0 or
+p = (S - 1/c) g where it acts. With the open rows O, of which those that act without compliance are
+eliminated from C, the shell is free to move where
+
+    1 - S^1/2 C_OO S^1/2
+
+is singular.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.structure.conditions import Conditions, put_rows
+from orishell.structure.sheet import SheetMesh
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+FREE = 1e-9
+"""A motion that takes less than this share of the springs' energy is one that nothing resists."""
+SPRING = 1e-4
+"""Springs at vertices, by the mean stiffness of nodes."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Held:
+    """A supported structure, factorised.
+
+    Rows are those of the conditions, then two of friction for each foot on the ground (along x, and
+    along y), then those of vertices that nothing holds in truth.
+
+    Parameters
+    ----------
+    stiffness
+        The matrix K (D, D) of panels and hinges.
+    free
+        Freedoms (n,) that are not supported.
+    conditions
+        The one-sided conditions (m).
+    rows
+        All rows (M, n).
+    springs
+        Their springs (M,).
+    spread
+        A^-1 B^T (n, M).
+    flexibility
+        C (M, M).
+    """
+
+    stiffness: csr_array
+    free: Integers
+    conditions: Conditions
+    rows: Array
+    springs: Array
+    spread: Array
+    flexibility: Array
+    _inner: csr_array
+    _factors: Any
+
+    @property
+    def sliding(self) -> Integers:
+        """The foot on the ground that every row of friction belongs to (2 G,)."""
+        return np.repeat(np.flatnonzero(self.conditions.grounded), 2)
+
+    def spring_solve(self, loads: Array) -> Array:
+        """A^-1 f (n, ...) of loads (n, ...), refined once."""
+        found = self._factors.solve(loads)
+        return np.asarray(found + self._factors.solve(loads - self._inner @ found))
+
+    def quick_solve(self, loads: Array) -> Array:
+        """A^-1 f (n,), not refined."""
+        return np.asarray(self._factors.solve(loads))
+
+    def soft_stiffness(self, moved: Array, acting: Booleans) -> Array:
+        """Forces (n,) of panels, hinges and those rows that act and give."""
+        taken = np.where(acting & ~self._hard, 0.0, self.springs)
+        return np.asarray(self._inner @ moved - self.rows.T @ (taken * (self.rows @ moved)))
+
+    def motions(self, acting: Booleans) -> Array:
+        """What nothing resists (n, k) while some rows act (M,); orthonormal."""
+        hard = acting & self._hard
+        loose = ~acting
+        root = np.sqrt(self.springs[loose])
+        across = self.flexibility[np.ix_(hard, loose)]
+        release = np.linalg.lstsq(self.flexibility[np.ix_(hard, hard)], across, rcond=FREE)[0]
+        flexible = self.flexibility[np.ix_(loose, loose)] - across.T @ release
+        values, modes = np.linalg.eigh(np.eye(len(root)) - root[:, None] * flexible * root)
+        forces = root[:, None] * modes[:, values < FREE]
+        moved = self.spread[:, loose] @ forces - self.spread[:, hard] @ (release @ forces)
+        return np.linalg.qr(moved)[0]
+
+    @property
+    def _hard(self) -> Booleans:
+        """Rows (M,) that do not give while they act; the others' springs are their own."""
+        hard = np.ones(len(self.rows), dtype=bool)
+        hard[: len(self.conditions)] = self.conditions.compliance == 0
+        return hard
+
+    def respond(self, loads: Array, acting: Booleans, slip: Array) -> tuple[Array, Array, Array]:
+        """What loads do while some rows act.
+
+        Parameters
+        ----------
+        loads
+            Loads on free freedoms (n,).
+        acting
+            Which rows act (M,).
+        slip
+            Force (M, M) of rows that slip, by the force of the row that presses on them.
+
+        Returns
+        -------
+        tuple
+            Displacements (n,), gaps (M,) and forces (M,) of the rows.
+        """
+        direct = self.spring_solve(loads)
+        p = self.law(acting, slip) @ (self.rows @ direct)
+        gaps = self.rows @ direct + self.flexibility @ p
+        forces = self.springs * gaps - p
+        forces[~acting & ~slip.any(axis=1)] = 0.0
+        return direct + self.spread @ p, gaps, forces
+
+    def law(self, acting: Booleans, slip: Array | None = None) -> Array:
+        """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
+
+        Parameters
+        ----------
+        acting, slip
+            As for :meth:`respond`.
+        """
+        # g - C p = g_f; open rows: p - S g = 0, or less what friction gives; g = 0 in hard ones.
+        count = len(self.rows)
+        hard, spring = acting & self._hard, np.diag(self.springs)
+        by_gap, by_p = -spring, np.eye(count)
+        if slip is not None:
+            by_gap, by_p = by_gap + slip @ spring, by_p - slip
+        by_gap[acting], by_p[hard] = 0.0, 0.0
+        by_gap[hard] = spring[hard]
+        root = np.sqrt(self.springs)
+        # p = s q and g = h/s with s^2 = S: forces and gaps by springs count alike.
+        flexible = root[:, None] * self.flexibility * root
+        gap, force = (each / root[:, None] for each in (by_gap / root, by_p * root))
+        both = gap @ flexible + force
+        return np.asarray(-root[:, None] * (np.linalg.pinv(both, rcond=FREE) @ gap) * root)
+
+
+def hold(
+    stiffness: csr_array,
+    mesh: SheetMesh,
+    supported: Integers,
+    conditions: Conditions,
+    corners: Integers,
+) -> Held:
+    """Factorise a structure.
+
+    Parameters
+    ----------
+    stiffness
+        The matrix (D, D) of panels and hinges.
+    mesh
+        Its mesh.
+    supported
+        Freedoms that are supported.
+    conditions
+        The one-sided conditions.
+    corners
+        Nodes, at least three of them, whose springs hold what nothing else does while the matrix
+        is factorised.
+    """
+    from scipy.sparse import csr_array
+    from scipy.sparse.linalg import splu
+
+    free = np.setdiff1d(np.arange(mesh.count), supported)
+    ground = conditions.nodes[conditions.grounded]
+    axes = np.eye(3)
+    parts = [
+        (conditions.nodes, conditions.directions),
+        (np.repeat(ground, 2, axis=0), np.tile(axes[:2], (len(ground), 1))),
+        (np.repeat(corners, 3)[:, None].repeat(2, axis=1), np.tile(axes, (len(corners), 1))),
+    ]
+    nodes, directions = (np.concatenate(each) for each in zip(*parts, strict=True))
+    rows = put_rows(np.zeros((len(nodes), mesh.count)), nodes, directions)[:, free]
+    springs = np.full(len(rows), SPRING * stiffness.diagonal()[: mesh.translations().size].mean())
+    own = np.flatnonzero(conditions.compliance)
+    springs[own] = 1 / conditions.compliance[own]
+    inner = stiffness[free][:, free]
+    sparse = csr_array(rows)
+    sprung = (inner + sparse.T @ (sparse * springs[:, None])).tocsc()
+    factors = splu(
+        sprung, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+    )
+    spread = factors.solve(np.ascontiguousarray(rows.T))
+    spread += factors.solve(rows.T - sprung @ spread)
+    flexibility = rows @ spread
+    return Held(
+        stiffness,
+        free,
+        conditions,
+        rows,
+        springs,
+        spread,
+        0.5 * (flexibility + flexibility.T),
+        sprung,
+        factors,
+    )

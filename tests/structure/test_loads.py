@@ -1,0 +1,201 @@
+"""Loads against hand calculations on a tent, their totals, and what they must not depend on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from orishell.errors import InputError
+from orishell.numerics.arrays import Array
+from orishell.sheet.grid import Grid
+from orishell.structure.loads import Exposure, case_forces, peak_pressure
+from orishell.structure.settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone
+from orishell.structure.sheet import mesh_sheet
+
+SLOPE = np.deg2rad(40)
+SPAN, LENGTH = 4.0, 3.0
+RISE = 0.5 * SPAN * np.tan(SLOPE)
+PLAN = SPAN * LENGTH
+AREA = PLAN / np.cos(SLOPE)
+BREEZE = Wind(26, "II", 0.0, ((0.0, 1.0), (np.pi, 1.0)))
+
+
+def tent(slope: float = SLOPE, unit: float = 1.0, *, turned: bool = False) -> Exposure:
+    """Two panels of 4 x 3 m in plan, the ridge along y; rows run against x where it is turned."""
+    x = unit * SPAN * np.array([-0.5, 0, 0.5])
+    y = unit * np.array([0, LENGTH])
+    positions = np.empty((3, 2, 3))
+    positions[..., 0], positions[..., 1] = np.meshgrid(x, y, indexing="ij")
+    positions[..., 2] = (0.5 * unit * SPAN - np.abs(positions[..., 0])) * np.tan(slope)
+    if turned:
+        positions = positions[::-1]
+    grid = Grid(3, 2)
+    mesh = mesh_sheet(positions, grid, 3)
+    panels = np.repeat(np.arange(2), len(mesh.facets.triangles) // 2)
+    mass = np.full(len(panels), 1.9 / unit**2)
+    return Exposure(mesh.facets, panels, grid, 0, mass, "m", 0.0, unit * SPAN)
+
+
+def total(exposure: Exposure, case: LoadCase) -> Array:
+    """Sum (3,) of all forces."""
+    return np.asarray(case_forces(exposure, case, [case]).sum(axis=0))
+
+
+@pytest.mark.parametrize(
+    ("terrain", "height", "pressure"),
+    [
+        # II: k_r = 0.19, ln(10/0.05) = 5.29832; c_r = 1.00668, v_m = 26.1737 m/s,
+        # I_v = 0.188739, q = 2.321173 * 0.625 * 685.0626 = 993.83.
+        ("II", 10.0, 993.83),
+        # Below z_min = 2 m: ln 40 = 3.688879; v_m = 18.22306, q = 2.897598 * 0.625 * 332.0799.
+        ("II", 1.2, 601.39),
+        # IV at 20 m: k_r = 0.19 * 20^0.07 = 0.2343288, ln 20 = 2.995732; v_m = 18.25165,
+        # q = 3.336658 * 0.625 * 333.1225 = 694.70.
+        ("IV", 20.0, 694.70),
+    ],
+)
+def test_peak_pressure_by_hand(terrain: Terrain, height: float, pressure: float) -> None:
+    assert peak_pressure(26, terrain, height) == pytest.approx(pressure, rel=2e-5)
+
+
+def test_own_weight_is_mass_times_gravity() -> None:
+    weight = 9.81 * 1.9 * AREA
+    np.testing.assert_allclose(total(tent(), LoadCase("g", self_weight=True)), [0, 0, -weight])
+
+
+def test_pressure_on_the_outer_face_presses_on_the_plan() -> None:
+    # The sum of area vectors is the plan's, whatever stands on it.
+    np.testing.assert_allclose(
+        total(tent(), LoadCase("p", pressure=100.0)), [0, 0, -100 * PLAN], atol=1e-9
+    )
+
+
+@pytest.mark.parametrize(
+    ("degrees", "share"),
+    # mu_1 of EN 1991-1-3: 0.8 to 30 degrees, 0.8 (60 - 40) / 30 at 40, none from 60 on.
+    [(10, 0.8), (30, 0.8), (40, 0.8 * 20 / 30), (59.99, 0.8 * 0.01 / 30), (60.01, 0), (75, 0)],
+)
+def test_snow_by_slope_by_hand(degrees: float, share: float) -> None:
+    found = total(tent(np.deg2rad(degrees)), LoadCase("snow", snow=Snow(500)))
+    np.testing.assert_allclose(found, [0, 0, -500 * share * PLAN], rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "share"),
+    # mu_3 = 0.2 + 10 h/b with h/b = tan(slope)/2: 0.6366 at 5 degrees, more than 2 beyond 19.8.
+    [(5, 0.2 + 5 * np.tan(np.deg2rad(5))), (40, 2.0), (61, 0.0)],
+)
+def test_snow_on_a_cylinder_by_hand(degrees: float, share: float) -> None:
+    found = total(tent(np.deg2rad(degrees)), LoadCase("snow", snow=Snow(500, "cylinder")))
+    np.testing.assert_allclose(found, [0, 0, -500 * share * PLAN], rtol=1e-9)
+
+
+def test_wind_by_hand() -> None:
+    """From -x on a tent of 40 degrees: outer normals at 50 and 130 degrees to where it comes from.
+
+    Coefficients 0.8 - 1.6 * 50/90 = -0.08889 and -0.8 + 0.4 * 40/90 = -0.62222; q at the ridge,
+    1.678 m, is that of z_min = 2 m (see above). A face of 7.832 m2 is 6 m2 in plan, 5.0346 m2 from
+    the side: suction -0.08889 pulls to -x and up, -0.62222 to +x and up.
+    """
+    coefficients = ((0.0, 0.8), (0.5 * np.pi, -0.8), (np.pi, -0.4))
+    found = total(tent(), LoadCase("wind", wind=Wind(26, "II", 0.0, coefficients)))
+    sideways = 601.39 * 5.0346 * (0.62222 - 0.08889)
+    up = 601.39 * 6 * (0.62222 + 0.08889)
+    np.testing.assert_allclose(found, [sideways, 0, up], rtol=1e-4, atol=1e-9)
+
+
+def test_a_coefficient_of_one_all_round_is_pressure() -> None:
+    pressure = LoadCase("p", pressure=peak_pressure(26, "II", RISE))
+    wind = LoadCase("w", wind=BREEZE)
+    np.testing.assert_allclose(
+        case_forces(tent(), wind, [wind]), case_forces(tent(), pressure, [pressure])
+    )
+
+
+def test_zones_are_rows_of_panels() -> None:
+    zones = (Zone((0, 0), 1.0), Zone((1, 1), -1.0))
+    found = total(tent(), LoadCase("w", wind=replace(BREEZE, coefficients=zones, height=10.0)))
+    np.testing.assert_allclose(found, [2 * 993.83 * 5.0346, 0, 0], rtol=1e-4, atol=1e-9)
+
+
+def test_wind_from_the_other_side_is_the_mirror_image() -> None:
+    there, back = (
+        total(tent(), LoadCase("w", wind=replace(BREEZE, direction=way, coefficients=NO_CODE)))
+        for way in (0.0, np.pi)
+    )
+    np.testing.assert_allclose(there, back * [-1, 1, 1], atol=1e-9)
+    assert there[0] > 0  # NO_CODE blows it the way that the wind goes
+
+
+EVERYTHING = LoadCase(
+    "all",
+    self_weight=True,
+    pressure=30.0,
+    snow=Snow(500),
+    wind=replace(BREEZE, coefficients=NO_CODE),
+    points=(PointLoad((1, 1), (10.0, 20.0, -30.0)),),
+)
+
+
+def test_forces_are_the_same_whichever_way_rows_run() -> None:
+    # The panels' normals point down instead of up: the outer face is still the upper one.
+    np.testing.assert_allclose(
+        total(tent(), EVERYTHING), total(tent(turned=True), EVERYTHING), rtol=1e-12
+    )
+
+
+def test_forces_are_the_same_in_any_unit() -> None:
+    """Newtons stay: loads per area are given per square of the unit."""
+    per = 1e-6
+    small = replace(EVERYTHING, pressure=30.0 * per, snow=Snow(500 * per))
+    metres = case_forces(tent(), EVERYTHING, [EVERYTHING])
+    millimetres = case_forces(replace(tent(unit=1e3), unit="mm"), small, [small])
+    np.testing.assert_allclose(millimetres, metres, rtol=1e-12, atol=1e-9)
+
+
+def test_a_combination_is_the_sum_of_its_cases() -> None:
+    dead, snow = LoadCase("dead", self_weight=True), LoadCase("snow", snow=Snow(500))
+    both = LoadCase("both", combine=(("dead", 1.35), ("snow", 1.5)))
+    cases = (both, dead, snow)
+    parts = [case_forces(tent(), case, cases) for case in (dead, snow)]
+    np.testing.assert_allclose(
+        case_forces(tent(), both, cases), 1.35 * parts[0] + 1.5 * parts[1], rtol=1e-12
+    )
+
+
+def test_a_point_load_is_at_its_vertex_beside_clipped_flaps() -> None:
+    # Without the columns of clipped flaps the folding sheet has columns 0 and 1.
+    positions = np.stack(np.meshgrid([0.0, 1, 2], [0.0, 1, 2, 3], [0.0], indexing="ij"), axis=-1)
+    grid = Grid(3, 4)
+    mesh = mesh_sheet(positions.reshape(3, 4, 3), grid, 2)
+    panels = np.repeat(np.arange(6), 8)
+    exposure = Exposure(mesh.facets, panels, grid, 1, np.zeros(48), "m", 0.0, None)
+    case = LoadCase("p", points=(PointLoad((2, 1), (1.0, 2.0, 3.0)),))
+    found = case_forces(exposure, case, [case])
+    place = np.flatnonzero(found.any(axis=1))
+    np.testing.assert_array_equal(mesh.facets.points[place], [[2, 2, 0]])
+    np.testing.assert_array_equal(found[place], [[1, 2, 3]])
+
+
+@pytest.mark.parametrize(
+    ("case", "says"),
+    [
+        (LoadCase("a", points=(PointLoad((3, 0), (0, 0, 1)),)), "a row from 0 to 2"),
+        (LoadCase("a", points=(PointLoad((0, 2), (0, 0, 1)),)), "a column from 0 to 1"),
+        (LoadCase("a", wind=replace(BREEZE, coefficients=(Zone((0, 0), 1.0),))), "rows 0 to 1"),
+        (LoadCase("a", wind=replace(BREEZE, coefficients=(Zone((0, 2), 1.0),))), "rows 0 to 1"),
+        (
+            LoadCase(
+                "a", wind=replace(BREEZE, coefficients=(Zone((0, 1), 1.0), Zone((1, 1), 1.0)))
+            ),
+            "got 0 to 1, 1 to 1",
+        ),
+        (LoadCase("a", snow=Snow(500, "cylinder")), 'shape = "slope"'),
+    ],
+)
+def test_what_is_not_there_is_named(case: LoadCase, says: str) -> None:
+    with pytest.raises(InputError, match=r'^\[\[load_case\]\] "a": ') as caught:
+        case_forces(replace(tent(), span=None), case, [case])
+    assert says in str(caught.value)
