@@ -10,7 +10,7 @@ import pytest
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid
-from orishell.structure.loads import Exposure, case_forces, peak_pressure
+from orishell.structure.loads import Exposure, case_forces, case_loads, peak_pressure
 from orishell.structure.settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone
 from orishell.structure.sheet import mesh_sheet
 
@@ -35,7 +35,8 @@ def tent(slope: float = SLOPE, unit: float = 1.0, *, turned: bool = False) -> Ex
     mesh = mesh_sheet(positions, grid, 3)
     panels = np.repeat(np.arange(2), len(mesh.facets.triangles) // 2)
     mass = np.full(len(panels), 1.9 / unit**2)
-    return Exposure(mesh.facets, panels, grid, 0, mass, "m", 0.0, unit * SPAN)
+    hung = np.zeros(len(mesh.facets.points))
+    return Exposure(mesh.facets, panels, grid, 0, mass, hung, "m", 0.0, unit * SPAN)
 
 
 def total(exposure: Exposure, case: LoadCase) -> Array:
@@ -63,6 +64,14 @@ def test_peak_pressure_by_hand(terrain: Terrain, height: float, pressure: float)
 def test_own_weight_is_mass_times_gravity() -> None:
     weight = 9.81 * 1.9 * AREA
     np.testing.assert_allclose(total(tent(), LoadCase("g", self_weight=True)), [0, 0, -weight])
+
+
+def test_flaps_hang_on_their_vertices() -> None:
+    flaps = replace(tent(), hung=np.bincount([0, 3], [2.0, 5.0], len(tent().mesh.points)))
+    case = LoadCase("g", self_weight=True)
+    more = case_forces(flaps, case, [case]) - case_forces(tent(), case, [case])
+    np.testing.assert_allclose(more[[0, 3]], [[0, 0, -2 * 9.81], [0, 0, -5 * 9.81]])
+    np.testing.assert_allclose(more.sum(axis=0), [0, 0, -7 * 9.81])
 
 
 def test_pressure_on_the_outer_face_presses_on_the_plan() -> None:
@@ -165,18 +174,28 @@ def test_a_combination_is_the_sum_of_its_cases() -> None:
     )
 
 
-def test_a_point_load_is_at_its_vertex_beside_clipped_flaps() -> None:
-    # Without the columns of clipped flaps the folding sheet has columns 0 and 1.
-    positions = np.stack(np.meshgrid([0.0, 1, 2], [0.0, 1, 2, 3], [0.0], indexing="ij"), axis=-1)
-    grid = Grid(3, 4)
-    mesh = mesh_sheet(positions.reshape(3, 4, 3), grid, 2)
-    panels = np.repeat(np.arange(6), 8)
-    exposure = Exposure(mesh.facets, panels, grid, 1, np.zeros(48), "m", 0.0, None)
-    case = LoadCase("p", points=(PointLoad((2, 1), (1.0, 2.0, 3.0)),))
-    found = case_forces(exposure, case, [case])
+def test_a_point_load_is_at_its_vertex_beside_folded_flaps() -> None:
+    # The folding sheet has a column more on either side: its column 2 is column 1 of the mesh.
+    case = LoadCase("p", points=(PointLoad((2, 2), (1.0, 2.0, 3.0)),))
+    found = case_forces(replace(tent(), before=1), case, [case])
     place = np.flatnonzero(found.any(axis=1))
-    np.testing.assert_array_equal(mesh.facets.points[place], [[2, 2, 0]])
+    np.testing.assert_allclose(tent().mesh.points[place], [[2, LENGTH, 0]], atol=1e-15)
     np.testing.assert_array_equal(found[place], [[1, 2, 3]])
+
+
+def test_loads_of_a_combination_are_told_apart() -> None:
+    dead, all_ = LoadCase("dead", self_weight=True), replace(EVERYTHING, self_weight=False)
+    both = LoadCase("both", combine=(("dead", 1.35), ("all", 1.5)))
+    loads = case_loads(tent(), both, (dead, all_, both))
+    assert [(load.case.name, load.factor, load.kind) for load in loads] == [
+        ("dead", 1.35, "self_weight"),
+        ("all", 1.5, "pressure"),
+        ("all", 1.5, "snow"),
+        ("all", 1.5, "wind"),
+        ("all", 1.5, "points"),
+    ]
+    np.testing.assert_allclose(loads[1].forces.sum(axis=0), [0, 0, -45 * PLAN], atol=1e-9)
+    np.testing.assert_allclose(loads[4].forces.sum(axis=0), [15, 30, -45])
 
 
 @pytest.mark.parametrize(

@@ -58,6 +58,22 @@ export interface BoxReport {
   height: number;
 }
 
+/** A load case with one stiffness of creases. */
+export interface CaseReport {
+  /** The case. */
+  name: string;
+  /** Their stiffness. */
+  creases: number | "free" | "rigid";
+  /** What loads it, kind by kind. */
+  loads: LoadReport[];
+  /** Sum of all loads. */
+  load: [number, number, number];
+  /** How it moves, where nothing resists; None if it stands. */
+  moves: string | null;
+  /** How it stands; None if it does not. */
+  stands: StandingReport | null;
+}
+
 /** How rows and columns were chosen. */
 export interface ChosenReport {
   /** What was asked for; ``panel_max`` is None if edges may have any length. */
@@ -118,6 +134,14 @@ export interface CreaseLength {
   unfolded: number;
 }
 
+/** The crease with the largest moment. */
+export interface CreaseReport {
+  /** Per length. */
+  moment: number;
+  /** The two panels beside it. */
+  panels: [[number, number], [number, number]];
+}
+
 /** The target's curves. */
 export interface Curves {
   f: [number, number][];
@@ -160,6 +184,18 @@ export interface DeviationReport {
   surface: SurfaceReport | null;
   /** What the family approaches instead, if it does. */
   approached: ApproachReport | null;
+}
+
+/** The largest displacement. */
+export interface DisplacementReport {
+  /** How large it is. */
+  size: number;
+  /** Along x, y and z. */
+  vector: [number, number, number];
+  /** A panel that has the place. */
+  panel: [number, number];
+  /** Of the shell's height. */
+  share: number;
 }
 
 /** Distances from all of one surface to the nearest points of another (length). */
@@ -235,6 +271,18 @@ export interface FirstContact {
   panels: [number, number];
 }
 
+/** What is nearest to the end of what it bears, of all cases. */
+export interface GoverningReport {
+  /** What it is. */
+  part: "panels" | "creases" | "ties" | "buckling";
+  /** The load case, and the stiffness of its creases. */
+  case: string;
+  /** The load case, and the stiffness of its creases. */
+  creases: number | "free" | "rigid";
+  /** The share of what it bears. */
+  utilisation: number;
+}
+
 /** The header of a view: what the shell is, and where its arrays are. */
 export interface Header {
   version: number;
@@ -276,6 +324,22 @@ export interface Largest {
   seconds: number;
 }
 
+/** A load of a case. */
+export interface LoadReport {
+  /** The case that has it: another one where that is combined. */
+  case: string;
+  /** By which it is combined. */
+  factor: number;
+  /** What it is. */
+  kind: "self_weight" | "pressure" | "snow" | "wind" | "points";
+  /** What it comes from: the pressure, snow on the ground, wind's peak velocity pressure; None for own weight and forces at points. */
+  pressure: number | null;
+  /** How it comes from that, in words. */
+  rule: string;
+  /** Sum of its forces, times the factor. */
+  force: [number, number, number];
+}
+
 /** How the motion ends. */
 export interface LockReport {
   /** Where it ends; None if nothing ends it. */
@@ -308,6 +372,46 @@ export interface MeetingReport {
   largest_turn_deg: number;
 }
 
+/** What is analysed. */
+export interface ModelReport {
+  /** Size of the mesh. */
+  nodes: number;
+  /** Size of the mesh. */
+  triangles: number;
+  /** Size of the mesh. */
+  freedoms: number;
+  /** By what share the largest displacement changed when cells were halved for the last time; None if they were not. */
+  change: number | null;
+  /** Of all panels (kg). */
+  mass: number;
+  /** Of the shell between its flaps. */
+  height: number;
+  /** Of panels. */
+  thickness: number;
+  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  modulus: number;
+  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  poisson: number;
+  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  membrane_modulus: number;
+  /** Of the sections of panels, the least and the largest: force per length by strain, and moment per length by curvature. */
+  membrane_stiffness: [number, number];
+  /** Of the sections of panels, the least and the largest: force per length by strain, and moment per length by curvature. */
+  bending_stiffness: [number, number];
+  /** The least and the largest with which all is analysed. */
+  crease_stiffness: [number | "free" | "rigid", number | "free" | "rigid"];
+  /** Force by strain; None if ties do not stretch. */
+  tie_stiffness: number | null;
+  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  strength: number | null;
+  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  crease_strength: number | null;
+  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  tie_strength: number | null;
+  /** What holds the shell. */
+  supports: SupportReport[];
+}
+
 /** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
 export interface NamedCase {
   name: string;
@@ -332,6 +436,14 @@ export interface PackedReport {
   height: number;
   /** How many panels lie on top of each other: boards make it that many times as thick. */
   layers: number;
+}
+
+/** The force between two vertices: of a tie, or of two panels of a flap on each other. */
+export interface PairReport {
+  /** The vertices. */
+  ends: [[number, number], [number, number]];
+  /** How much a tie pulls, or flaps push. */
+  force: number;
 }
 
 /** What panels with a thickness are made of; lengths and areas in the document's unit. */
@@ -470,6 +582,14 @@ export interface Ranges {
   ranges: Record<string, Range>;
 }
 
+/** The force of a support on the shell. */
+export interface ReactionReport {
+  /** The supported vertex. */
+  at: [number, number];
+  /** Along x, y and z. */
+  force: [number, number, number];
+}
+
 /** The answer to a request that failed; of a design, with the curves that can be drawn. */
 export interface Refusal {
   error: Fault;
@@ -521,6 +641,8 @@ export interface Report {
   deployment: DeploymentReport;
   /** Panels as they are built; None if they have no thickness. */
   panel: PanelReport | null;
+  /** The shell as a structure; None if it was not analysed. */
+  structure: StructureReport | null;
   /** Bill of quantities. */
   quantities: Quantities;
 }
@@ -552,6 +674,32 @@ export interface SheetReport {
   area: number;
 }
 
+/** A shell that stands under its loads. */
+export interface StandingReport {
+  /** Sum of all reactions. */
+  reaction: [number, number, number];
+  /** What is missing between loads and reactions, of forces and moments the larger, relative to the loads. */
+  residual: number;
+  /** The largest. */
+  displacement: DisplacementReport;
+  /** Of all supported vertices. */
+  reactions: ReactionReport[];
+  /** Forces in ties, the largest first. */
+  ties: PairReport[];
+  /** Forces of flaps that press on each other, the largest first. */
+  flaps: PairReport[];
+  /** The largest moment about a crease; None where there are no creases. */
+  crease: CreaseReport | null;
+  /** The largest. */
+  stress: StressReport;
+  /** Of panels, creases and ties. */
+  utilisation: UtilisationReport;
+  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
+  buckling: number | null;
+  /** The lowest natural frequencies (Hz). */
+  frequencies: number[];
+}
+
 /** What the shell stands on. */
 export interface StandsReport {
   /** The rows of vertices that are its feet. */
@@ -562,6 +710,44 @@ export interface StandsReport {
   uneven: number;
   /** Whether all are at one height. */
   level: boolean;
+}
+
+/** The largest stress in panels. */
+export interface StressReport {
+  /** Von Mises' stress. */
+  size: number;
+  /** Where. */
+  panel: [number, number];
+  /** On which face of the panel, upper as seen from +z on the flat sheet. */
+  face: "lower" | "upper";
+  /** The largest and the least principal stress of all panels: pull and pressure. */
+  largest: number;
+  /** The largest and the least principal stress of all panels: pull and pressure. */
+  least: number;
+}
+
+/** The shell as a structure. */
+export interface StructureReport {
+  /** What is analysed. */
+  model: ModelReport;
+  /** All load cases, those with the least stiffness of creases first. */
+  cases: CaseReport[];
+  /** What is nearest to the end of what it bears; None if that of nothing is known. */
+  governs: GoverningReport | null;
+  /** Sentences an engineer should read. */
+  warnings: string[];
+  /** What the analysis says nothing of. */
+  not_covered: string[];
+}
+
+/** What holds some vertices. */
+export interface SupportReport {
+  /** The rows that are feet, the first and last columns, or vertices. */
+  at: "feet" | "ends" | [number, number][];
+  /** How they are held. */
+  kind: "pinned" | "fixed" | "sliding" | "friction";
+  /** Coefficient of friction of the ground. */
+  friction: number;
 }
 
 /** Distances between the shell and the surface asked for, both ways. */
@@ -614,6 +800,20 @@ export interface Trial {
   shortest: number;
   /** Edges of its panels (length). */
   longest: number;
+}
+
+/** Shares of what is borne, by what can be borne. */
+export interface UtilisationReport {
+  /** Of their strength; None where that is not known. */
+  panels: number | null;
+  /** Of their strength; None where that is not known. */
+  creases: number | null;
+  /** Of their strength; None where that is not known. */
+  ties: number | null;
+  /** Of the load at which the shell buckles; None if it does not. */
+  buckling: number | null;
+  /** The largest of these; None if there is none. */
+  governs: "panels" | "creases" | "ties" | "buckling" | null;
 }
 
 /** A shell that has been verified: its report, contact and distances. */

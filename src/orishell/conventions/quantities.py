@@ -13,9 +13,7 @@ NARROW = "\u202f"
 """The space between thousands, which does not break."""
 SPACE = "\N{NO-BREAK SPACE}"
 """The space before a unit, which does not break either."""
-RAISED = str.maketrans(
-    "-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹"
-)
+RAISED = str.maketrans("-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def figure(value: float, digits: int = DIGITS) -> str:

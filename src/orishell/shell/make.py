@@ -199,6 +199,7 @@ def make_shell(
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
         panel=describe_panels(design, lock),
+        structure=None,
         quantities=quantities,
     )
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))

@@ -21,6 +21,7 @@ from orishell.shell.deviation_report import DeviationReport
 from orishell.shell.lock_report import LockReport
 from orishell.shell.panel_report import PanelReport
 from orishell.shell.standing import Feet
+from orishell.shell.structure_report import StructureReport
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
 
@@ -161,6 +162,8 @@ class Report:
         How it is deployed and held, and how small it packs.
     panel
         Panels as they are built; None if they have no thickness.
+    structure
+        The shell as a structure; None if it was not analysed.
     quantities
         Bill of quantities.
     """
@@ -183,6 +186,7 @@ class Report:
     deployed: BoxReport
     deployment: DeploymentReport
     panel: PanelReport | None
+    structure: StructureReport | None
     quantities: Quantities
 
     def __repr__(self) -> str:

@@ -82,9 +82,9 @@ def _sections_in_words(model: ModelReport, said: Quantities) -> str:
         return text
     return text + (
         " Of two boards with a membrane between them each, of thickness b and its middle d away "
-        "from that of the panel, adds E b and E (b³/12 + b d²), over 1 \u2212 \u03bd²; the membrane "
-        "adds what it has by itself. Beside creases, where one board or none is left, sections are less "
-        "stiff: triangles take the mean of what covers them."
+        "from that of the panel, adds E b and E (b³/12 + b d²), over 1 \u2212 \u03bd²; the "
+        "membrane adds what it has by itself. Beside creases, where one board or none is left, "
+        "sections are less stiff: triangles take the mean of what covers them."
     )
 
 

@@ -5,8 +5,9 @@ The load on a triangle goes to its corners in equal shares, so that nothing of i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -18,6 +19,8 @@ from orishell.sheet.grid import Grid
 from orishell.structure.facets import Facets
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Terrain, Wind, Zone
 
+LoadKind = Literal["self_weight", "pressure", "snow", "wind", "points"]
+"""The keys of a case that are loads."""
 TERRAINS: dict[Terrain, tuple[float, float]] = {
     "0": (0.003, 1.0),
     "I": (0.01, 1.0),
@@ -28,6 +31,7 @@ TERRAINS: dict[Terrain, tuple[float, float]] = {
 """Roughness z_0 and least height z_min of EN 1991-1-4, table 4.1 (metres)."""
 AIR = 1.25
 """Density of air (kg/m^3)."""
+UP = np.array([0.0, 0.0, 1.0])
 FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 """Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
 
@@ -43,12 +47,13 @@ class Exposure:
     panels
         The panel (T,) of every triangle, as the grid counts it.
     grid
-        The grid of the sheet with its flaps, also clipped ones; its vertices are the first nodes.
+        The grid of the sheet between its flaps; its vertices are the first nodes.
     before
-        Number of columns of clipped flaps before the first column of the folding sheet, and behind
-        the last.
+        Number of columns of folded flaps before its first column, which points are counted with.
     areal_mass
         Mass (T,) per area of every triangle (kg per square of the unit).
+    hung
+        Mass (N,) of flaps that hang on nodes (kg).
     unit
         The design's unit of length.
     ground
@@ -62,6 +67,7 @@ class Exposure:
     grid: Grid
     before: int
     areal_mass: Array
+    hung: Array
     unit: str
     ground: float
     span: float | None
@@ -80,11 +86,37 @@ class Exposure:
         return -normals if up < 0 else normals
 
 
-def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
-    """Forces (N, 3) on the nodes in one load case (N).
+@dataclass(frozen=True, slots=True, eq=False)
+class Load:
+    """What one kind of load adds to a case.
 
     Parameters
     ----------
+    case
+        The case that has it: another one where that is combined.
+    factor
+        By which it is combined.
+    kind
+        What it is.
+    forces
+        On nodes (N, 3), times the factor (N).
+    """
+
+    case: LoadCase
+    factor: float
+    kind: LoadKind
+    forces: Array
+
+    __repr__ = in_one_line
+
+
+def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
+    """All loads of a case, also of those that it combines.
+
+    Parameters
+    ----------
+    case
+        The case.
     cases
         All cases, for those that it combines.
 
@@ -96,31 +128,37 @@ def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -
     """
     if case.combine:
         named = {each.name: each for each in cases}
-        parts = [
-            factor * case_forces(exposure, named[name], cases) for name, factor in case.combine
-        ]
-        return np.asarray(np.sum(parts, axis=0))
-    where = f'[[load_case]] "{case.name}":'
-    areas = exposure.mesh.areas()[:, None]
-    per_area = np.zeros((len(areas), 3))  # on every triangle
-    if case.self_weight:
-        per_area[:, 2] -= GRAVITY * exposure.areal_mass
-    if case.pressure:
-        per_area -= case.pressure * exposure.outer()
+        return tuple(
+            replace(load, factor=factor, forces=factor * load.forces)
+            for name, factor in case.combine
+            for load in case_loads(exposure, named[name], cases)
+        )
     try:
-        if case.snow is not None:
-            per_area[:, 2] -= _snow(exposure, case.snow)
-        if case.wind is not None:
-            pressure = wind_pressure(exposure, case.wind)
-            per_area -= (pressure * _coefficients(exposure, case.wind))[:, None] * exposure.outer()
-        points = _at_points(exposure, case.points)
+        return tuple(Load(case, 1.0, *part) for part in _parts(exposure, case))
     except InputError as error:
-        raise error.located(where) from None
-    return points + _on_corners(exposure.mesh, per_area * areas)
+        raise error.located(f'[[load_case]] "{case.name}":') from None
 
 
-def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
-    """Peak velocity pressure of EN 1991-1-4, 4.3 to 4.5, over flat ground (N/m^2).
+def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
+    """Forces (N, 3) on the nodes in one load case (N).
+
+    Parameters
+    ----------
+    case
+        The case.
+    cases
+        All cases, for those that it combines.
+
+    Raises
+    ------
+    InputError
+        As :func:`case_loads` does.
+    """
+    return np.asarray(sum(load.forces for load in case_loads(exposure, case, cases)))
+
+
+def gusts(speed: float, terrain: Terrain, height: float) -> tuple[float, float]:
+    """Mean wind (m/s) and its turbulence over flat ground, EN 1991-1-4, 4.3 and 4.4.
 
     Parameters
     ----------
@@ -133,15 +171,76 @@ def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
     """
     roughness, least = TERRAINS[terrain]
     logarithm = float(np.log(max(height, least) / roughness))
-    mean = 0.19 * (roughness / TERRAINS["II"][0]) ** 0.07 * logarithm * speed
-    return float((1 + 7 / logarithm) * 0.5 * AIR * mean**2)
+    rough = (roughness / TERRAINS["II"][0]) ** 0.07
+    return float(0.19 * rough * logarithm * speed), 1 / logarithm
+
+
+def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
+    """Peak velocity pressure over flat ground, EN 1991-1-4, 4.5 (N/m^2).
+
+    Parameters
+    ----------
+    speed
+        Basic wind speed (m/s).
+    terrain
+        The category of the terrain.
+    height
+        Over the ground (metres).
+    """
+    mean, turbulence = gusts(speed, terrain, height)
+    return (1 + 7 * turbulence) * 0.5 * AIR * mean**2
+
+
+def wind_height(exposure: Exposure, wind: Wind) -> float:
+    """The height over the ground that wind is given for (length)."""
+    return exposure.rise if wind.height is None else wind.height
 
 
 def wind_pressure(exposure: Exposure, wind: Wind) -> float:
     """Peak velocity pressure at the height that wind is given for (force per area)."""
     metres = conversion(exposure.unit, "m")
-    height = exposure.rise if wind.height is None else wind.height
-    return peak_pressure(wind.speed, wind.terrain, height * metres) * metres**2
+    height = wind_height(exposure, wind) * metres
+    return peak_pressure(wind.speed, wind.terrain, height) * metres**2
+
+
+def cylinder_coefficient(exposure: Exposure) -> float:
+    """The coefficient mu_3 of snow on a cylinder, by rise and span, EN 1991-1-3, 5.3.5.
+
+    Raises
+    ------
+    InputError
+        If there is no span.
+    """
+    if exposure.span is None:
+        raise InputError(
+            "there are no feet, so there is no span",
+            where="snow shape",
+            got='"cylinder"',
+            expected="a shell that stands on the two ends of f",
+            remedy='shape = "slope"',
+        )
+    return min(0.2 + 10 * exposure.rise / exposure.span, 2.0)
+
+
+def _parts(exposure: Exposure, case: LoadCase) -> Iterator[tuple[LoadKind, Array]]:
+    """The loads that a case has itself: their kinds, and forces (N, 3) on the nodes."""
+    if case.self_weight:
+        panels = _on_corners(exposure, exposure.areal_mass[:, None] * UP)
+        yield "self_weight", -GRAVITY * (panels + exposure.hung[:, None] * UP)
+    if case.pressure:
+        yield "pressure", _on_corners(exposure, -case.pressure * exposure.outer())
+    if case.snow is not None:
+        yield "snow", _on_corners(exposure, -_snow(exposure, case.snow)[:, None] * UP)
+    if case.wind is not None:
+        yield "wind", _on_corners(exposure, _wind(exposure, case.wind))
+    if case.points:
+        yield "points", _at_points(exposure, case.points)
+
+
+def _wind(exposure: Exposure, wind: Wind) -> Array:
+    """Wind (T, 3) on every triangle (force per area)."""
+    pressure = wind_pressure(exposure, wind) * _coefficients(exposure, wind)
+    return np.asarray(-pressure[:, None] * exposure.outer())
 
 
 def _snow(exposure: Exposure, snow: Snow) -> Array:
@@ -150,16 +249,8 @@ def _snow(exposure: Exposure, snow: Snow) -> Array:
     slope = np.arccos(level)
     if snow.shape == "slope":
         share = 0.8 * np.clip((NONE - slope) / (NONE - FULL), 0, 1)
-    elif exposure.span is None:
-        raise InputError(
-            "there are no feet, so there is no span",
-            where="snow shape",
-            got='"cylinder"',
-            expected="a shell that stands on the two ends of f",
-            remedy='shape = "slope"',
-        )
     else:
-        share = np.where(slope < NONE, min(0.2 + 10 * exposure.rise / exposure.span, 2.0), 0.0)
+        share = np.where(slope < NONE, cylinder_coefficient(exposure), 0.0)
     return np.asarray(snow.ground * share * level)
 
 
@@ -191,22 +282,24 @@ def _coefficients(exposure: Exposure, wind: Wind) -> Array:
 def _at_points(exposure: Exposure, points: Sequence[PointLoad]) -> Array:
     """Forces (N, 3) at single vertices."""
     forces = np.zeros_like(exposure.mesh.points)
-    rows, columns = exposure.grid.rows, exposure.grid.columns - 2 * exposure.before
+    grid, first = exposure.grid, exposure.before
     for number, each in enumerate(points):
         row, column = each.at
-        if not (row < rows and column < columns):
+        if not (row < grid.rows and first <= column < first + grid.columns):
             raise InputError(
-                "there is no such vertex",
+                "there is no such vertex between the flaps",
                 where=f"points[{number}] at",
                 got=f"[{row}, {column}]",
-                expected=f"a row from 0 to {rows - 1}, a column from 0 to {columns - 1}",
+                expected=f"a row from 0 to {grid.rows - 1}, "
+                f"a column from {first} to {first + grid.columns - 1}",
             )
-        forces[row * exposure.grid.columns + column + exposure.before] += each.force
+        forces[row * grid.columns + column - first] += each.force
     return forces
 
 
-def _on_corners(mesh: Facets, forces: Array) -> Array:
-    """Forces (T, 3) of triangles shared out to the nodes (N, 3)."""
+def _on_corners(exposure: Exposure, per_area: Array) -> Array:
+    """Loads (T, 3) per area of triangles as forces (N, 3) on nodes."""
+    mesh = exposure.mesh
     shared = np.zeros_like(mesh.points)
-    np.add.at(shared, mesh.triangles, forces[:, None] / 3)
+    np.add.at(shared, mesh.triangles, (mesh.areas()[:, None] * per_area)[:, None] / 3)
     return shared

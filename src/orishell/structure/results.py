@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid, Vertex, VertexPair
+from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
 
@@ -139,6 +140,8 @@ class Analysis:
         Of all panels (kg).
     cases
         All load cases, those with the least stiffness of creases first.
+    exposure
+        What was loaded, and how it stands.
     change
         By what share the largest displacement changed when cells were halved for the last time;
         None if they were not.
@@ -153,6 +156,7 @@ class Analysis:
     flaps: tuple[VertexPair, ...]
     mass: float
     cases: tuple[CaseResult, ...]
+    exposure: Exposure
     change: float | None
 
     __repr__ = in_one_line

@@ -1,0 +1,182 @@
+"""What the report says of an analysis: of results that are made up (``analysed``)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict, replace
+
+import numpy as np
+import pytest
+
+from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
+from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.results import CaseResult, FreeMotion
+from orishell.structure.settings import NO_CODE, LoadCase
+
+ROOT = np.sqrt(2)
+AREA = SPAN * LENGTH * ROOT
+
+
+@pytest.fixture(scope="module")
+def report() -> StructureReport:
+    return describe_structure(STRUCTURE, analysed(), None)
+
+
+def warnings(change: Callable[[CaseResult], CaseResult]) -> str:
+    """Warnings of results that are changed, a line each."""
+    found = analysed()
+    changed = replace(found, cases=tuple(map(change, found.cases)))
+    return "\n".join(describe_structure(STRUCTURE, changed, None).warnings)
+
+
+def test_the_model(report: StructureReport) -> None:
+    model = report.model
+    assert (model.nodes, model.triangles, model.freedoms) == (15, 16, 3 * 15 + 3 * 18)
+    assert (model.mass, model.change, model.height, model.thickness) == (32.2, 0.02, RISE, 0.01)
+    # E t/(1 - nu^2) = 270e6 * 0.01 / 0.91, and t^2/12 of it.
+    assert model.membrane_stiffness == pytest.approx([2.967033e6] * 2, rel=1e-6)
+    assert model.bending_stiffness == pytest.approx([24.725275] * 2, rel=1e-6)
+    assert model.crease_stiffness == ("free", "rigid")
+    assert model.tie_stiffness == 1.2e6
+    assert [(each.at, each.kind, each.friction) for each in model.supports] == [
+        ("feet", "sliding", 0),
+        (((0, 1), (2, 1)), "friction", 0.5),
+    ]
+
+
+def test_loads_add_up_kind_by_kind(report: StructureReport) -> None:
+    case = report.cases[0]
+    assert [(load.case, load.factor, load.kind) for load in case.loads] == [
+        ("dead", 1.35, "self_weight"),
+        ("snow", 1.5, "snow"),
+        ("snow", 1.5, "points"),
+    ]
+    # mu_3 = min(0.2 + 10 * 2/4, 2) = 2 on a plan of 12 m2.
+    forces = [-1.35 * 1.9 * 9.81 * AREA, -1.5 * 500 * 2 * 12, -1.5 * 80]
+    assert [load.force[2] for load in case.loads] == pytest.approx(forces)
+    assert case.load == pytest.approx([0, 0, sum(forces)])
+    assert [load.pressure for load in case.loads] == [None, 500, None]
+    assert "mu_3 = 2 by a rise of 2 and a span of 4 m" in case.loads[1].rule
+
+
+def test_wind_says_what_it_comes_from(report: StructureReport) -> None:
+    pressure, wind = report.cases[1].loads
+    assert (pressure.pressure, pressure.rule) == (10, "square on the outer face")
+    # At z_min = 2 m in terrain II, see tests/structure/test_loads.py.
+    assert wind.pressure == pytest.approx(601.39, rel=2e-5)
+    assert "26 m/s towards 90 degrees from x, terrain II, 2 m over the ground" in wind.rule
+    assert "mean wind 18.22 m/s, turbulence 0.271" in wind.rule
+    assert wind.rule.endswith("by the angle between each panel and the wind")
+
+
+def test_what_is_largest_and_where(report: StructureReport) -> None:
+    """Panels are those of the folding sheet, whose column 0 are flaps here."""
+    stands = report.cases[2].stands
+    assert stands is not None
+    assert stands.displacement.size == 0.15
+    assert stands.displacement.vector == (0, 0, -0.15)
+    assert stands.displacement.panel == (0, 1)
+    assert stands.displacement.share == 0.075
+    assert [(tie.ends, tie.force) for tie in stands.ties] == [
+        (((0, 2), (2, 2)), 4000),
+        (((0, 1), (2, 1)), 1000),
+        (((1, 1), (2, 1)), 0),
+    ]
+    assert [(flap.ends[0], flap.force) for flap in stands.flaps] == [((1, 0), 30), ((0, 0), 0)]
+    assert stands.crease is not None
+    assert (stands.crease.moment, stands.crease.panels) == (5, ((0, 1), (1, 1)))
+    assert (stands.stress.size, stands.stress.panel, stands.stress.face) == (2e6, (1, 1), "upper")
+    assert (stands.stress.largest, stands.stress.least) == (2e6, -1e5)
+    assert [each.at for each in stands.reactions] == [(0, 1), (2, 1)]
+    assert np.sum([each.force for each in stands.reactions], axis=0) == pytest.approx(
+        stands.reaction
+    )
+    assert stands.frequencies == (3, 4, 7)
+
+
+def test_what_governs(report: StructureReport) -> None:
+    stands = report.cases[2].stands
+    assert stands is not None
+    used = stands.utilisation
+    # 2 of 5.5 MPa, 5 of 20 N, 4 of 5 kN, and 1/2.5.
+    assert used.panels == pytest.approx(2 / 5.5)
+    assert (used.creases, used.ties, used.buckling, used.governs) == (0.25, 0.8, 0.4, "ties")
+    assert report.governs is not None
+    assert (report.governs.part, report.governs.utilisation) == ("ties", 0.8)
+
+
+def test_a_strength_that_is_not_known_governs_nothing() -> None:
+    bare = replace(STRUCTURE, strength=None, crease_strength=None, tie_strength=None)
+    found = describe_structure(bare, analysed(), None)
+    assert found.governs is not None
+    assert found.governs.part == "buckling"
+    cases = tuple(replace(case, buckling=None) for case in analysed().cases)
+    found = describe_structure(bare, replace(analysed(), cases=cases), None)
+    assert found.governs is None
+
+
+def test_what_moves_is_an_answer(report: StructureReport) -> None:
+    case = report.cases[0]
+    assert case.stands is None
+    assert case.moves is not None
+    assert case.moves.startswith("opens under its loads: nothing holds the feet together")
+    assert f"load case both, free creases: the shell {case.moves}" in report.warnings
+
+
+@pytest.mark.parametrize(
+    ("motion", "says"),
+    [
+        ((True, False), "closes under its loads: nothing holds the feet apart"),
+        ((False, None), "slides or tips as a whole under its loads"),
+    ],
+)
+def test_every_motion_has_its_words(motion: tuple[bool, bool | None], says: str) -> None:
+    folding, opens = motion
+    moving = FreeMotion(np.zeros((15, 3)), folding=folding, opens=opens)
+    assert says in warnings(lambda case: replace(case, motion=moving))
+
+
+def test_warnings(report: StructureReport) -> None:
+    told = "\n".join(report.warnings)
+    assert "case wind, free creases: the shell is displaced by 7.5 % of its height" in told
+    assert "buckles under 2.5 times its loads" in told
+    assert "load case wind: own weight is left out" in told
+    assert "load case both: own weight" not in told
+    assert "bear" not in told
+    assert "of no code" not in told
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda case: replace(case, stresses=3.025 * case.stresses), "panels bear 1.1 times"),
+        (lambda case: replace(case, tie_forces=1.5 * case.tie_forces), "ties bear 1.2 times"),
+        (lambda case: replace(case, crease_moments=6 * case.crease_moments), "creases bear 1.5"),
+    ],
+)
+def test_what_bears_too_much(change: Callable[[CaseResult], CaseResult], says: str) -> None:
+    assert f"load case wind, rigid creases: {says}" in warnings(change)
+
+
+def test_coefficients_of_no_code_are_named() -> None:
+    wind = STRUCTURE.cases[3].wind
+    assert wind is not None
+    gusts = replace(wind, coefficients=NO_CODE)
+    cases = (*STRUCTURE.cases[:3], LoadCase("wind", wind=gusts))
+    asked = replace(STRUCTURE, cases=cases)
+    found = describe_structure(asked, analysed(), None)
+    assert found.cases[1].loads[0].rule.endswith("of no code")
+    assert any("wind are of no code" in text for text in found.warnings)
+
+
+def test_a_sound_structure_is_warned_of_nothing() -> None:
+    found = analysed()
+    dead = replace(STRUCTURE, cases=STRUCTURE.cases[:1])
+    small = 0.1 * found.cases[2].displacements
+    case = replace(found.cases[2], name="dead", displacements=small, buckling=(4.0, small))
+    assert not describe_structure(dead, replace(found, cases=(case,)), None).warnings
+
+
+def test_it_is_json(report: StructureReport) -> None:
+    assert json.loads(json.dumps(asdict(report), allow_nan=False))["cases"][0]["stands"] is None
