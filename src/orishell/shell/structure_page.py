@@ -105,7 +105,7 @@ def _loads(report: StructureReport, said: Quantities) -> Iterator[str]:
         same = [case for case in report.cases if case.name == name]
         rows = [
             (
-                KINDS[load.kind] + ("" if load.case == name else f" of {load.case}"),
+                ("" if load.case == name else f"{load.case}: ") + KINDS[load.kind],
                 NOTHING if load.pressure is None else said.pressure(load.pressure),
                 load.rule,
                 figure(load.factor),
