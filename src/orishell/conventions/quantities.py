@@ -67,33 +67,75 @@ class Quantities:
     unit: str
 
     def length(self, value: float) -> str:
-        """A length in the design's unit (length)."""
+        """A length in the design's unit.
+
+        Parameters
+        ----------
+        value
+            The quantity (length).
+        """
         return quantity(value, self.unit)
 
     def displacement(self, value: float) -> str:
-        """A small length: in millimetres, where the design's unit is metric (length)."""
+        """A small length: in millimetres, where the design's unit is metric.
+
+        Parameters
+        ----------
+        value
+            The quantity (length).
+        """
         if self.unit in ("in", "ft"):
             return self.length(value)
         return quantity(value * MILLIMETRES[self.unit], "mm")
 
     def pressure(self, value: float) -> str:
-        """A load by area (force per area)."""
+        """A load by area.
+
+        Parameters
+        ----------
+        value
+            The quantity (force per area).
+        """
         return quantity(value / self._metres**2 / 1e3, "kN/m\u00b2")
 
     def stress(self, value: float) -> str:
-        """A stress, a strength or a modulus (force per area)."""
+        """A stress, a strength or a modulus.
+
+        Parameters
+        ----------
+        value
+            The quantity (force per area).
+        """
         return quantity(value / MILLIMETRES[self.unit] ** 2, "MPa")
 
     def per_length(self, value: float) -> str:
-        """A force by length, as stiffness against strain (force per length)."""
+        """A force by length, as stiffness against strain.
+
+        Parameters
+        ----------
+        value
+            The quantity (force per length).
+        """
         return quantity(value / self._metres / 1e3, "kN/m")
 
     def bending(self, value: float) -> str:
-        """A moment by length and curvature (force times length)."""
+        """A moment by length and curvature.
+
+        Parameters
+        ----------
+        value
+            The quantity (force times length).
+        """
         return quantity(value * self._metres, "N m")
 
     def moment(self, value: float) -> str:
-        """A moment by length (force)."""
+        """A moment by length.
+
+        Parameters
+        ----------
+        value
+            The quantity (force).
+        """
         return quantity(value, "N m/m")
 
     @property
