@@ -55,7 +55,9 @@ def test_help_imports_nothing_heavy() -> None:
     assert not modules & HEAVY
 
 
-@pytest.mark.parametrize("command", ["new", "design", "solve", "check", "convert", "studio"])
+@pytest.mark.parametrize(
+    "command", ["new", "design", "structure", "solve", "check", "convert", "studio"]
+)
 def test_help_of_a_command_imports_nothing_heavy(command: str) -> None:
     found = imported(RUN, command, "--help") & HEAVY
     assert found <= {"pydantic"}  # typer looks at types with it where it is installed

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from command_line import orishell
-from orishell.design_file import read_design_file
+from orishell.design_file import read_design_file, starter_file
+from orishell.design_file.load_case import LoadCaseTable
+from orishell.design_file.structure import StructureTable
 from orishell.structure.settings import (
     NO_CODE,
     LoadCase,
@@ -165,6 +168,27 @@ def test_pressure_of_wind_by_zones_or_of_no_code(tmp_path: Path) -> None:
     assert first.wind.coefficients == (Zone((0, 2), 0.6), Zone((3, 5), -0.4))
     assert second.wind is not None
     assert second.wind.coefficients == NO_CODE
+
+
+def commented(table: str) -> str:
+    """What the comments of a starter say of a table."""
+    lines = starter_file("parallel-repeating").partition(f"# {table} ")[2].partition("\n\n")[0]
+    return "\n".join([table, *(line.removeprefix("# ") for line in lines.splitlines()[1:])])
+
+
+def test_the_starter_explains_every_key(tmp_path: Path) -> None:
+    """What its comments say are tables with all keys; but for examples they are the defaults."""
+    structure, case = commented("[structure]"), commented("[[load_case]]")
+    loads, _, factors = case.partition("combine")
+    asked = tomllib.loads(structure)["structure"]
+    assert set(asked) == set(StructureTable.model_fields)
+    assert set(tomllib.loads(case)["load_case"][0]) == set(LoadCaseTable.model_fields)
+    found = read(tmp_path, f"{structure}\n{loads}")
+    assert found.crease_stiffness == (0, math.inf)
+    for key in ("poisson", "cells", "refine", "membrane_modulus"):
+        assert getattr(found, key) == StructureTable.model_fields[key].default
+    others = [CASE, CASE.replace("dead", "snow"), '[[load_case]]\nname = "all"']
+    assert len(read(tmp_path, "\n".join([structure, *others, f"combine{factors}"])).cases) == 3
 
 
 def with_case(lines: str) -> str:

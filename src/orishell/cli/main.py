@@ -16,6 +16,7 @@ from orishell.cli.design import design
 from orishell.cli.new import new
 from orishell.cli.printing import say
 from orishell.cli.solve import solve
+from orishell.cli.structure import structure
 from orishell.cli.studio import studio
 from orishell.conventions.version import __version__
 from orishell.errors import OrishellError
@@ -27,6 +28,7 @@ app = typer.Typer(
 )
 app.command()(new)
 app.command()(design)
+app.command()(structure)
 app.command()(solve)
 app.command()(check)
 app.command()(convert)

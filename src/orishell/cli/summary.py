@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.cli.files import shortened
+from orishell.cli.structure_summary import brief_structure
 
 if TYPE_CHECKING:
     from orishell.shell.deployment_report import DeploymentReport
@@ -42,6 +43,8 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
         f"{residuals.fold_angle_rad:.1e} rad over {len(shell.motion)} states"
     )
     yield from _held(shell)
+    if report.structure is not None:
+        yield from brief_structure(report.structure, unit)
     yield from (f"wrote     {text}" for text in shortened(written))
     yield from (f"removed   {text}, from an earlier run" for text in shortened(removed))
 

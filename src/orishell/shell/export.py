@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from orishell.conventions.arguments import path_of
@@ -70,6 +70,34 @@ def write_shell(
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
     shell.seconds.update(clock.seconds)
+    return [directory / name for name in names]
+
+
+def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
+    """Write ``structure.json``, the report on a shell as a structure: all files or none.
+
+    Parameters
+    ----------
+    directory
+        Where to; made if needed.
+
+    Raises
+    ------
+    InputError
+        If the shell was not analysed, or the directory cannot be written to.
+    """
+    _require_shell(shell)
+    if shell.report.structure is None:
+        raise InputError(
+            "the shell was not analysed",
+            where=f"{shell.file.path}: [structure]",
+            remedy="add the table [structure]",
+        )
+    directory = path_of(directory, "write_structure: directory")
+    with OutputDirectory(directory).adding() as draft:
+        text = json.dumps(asdict(shell.report.structure), indent=2, allow_nan=False)
+        (draft / "structure.json").write_text(text + "\n")
+        names = sorted(file.name for file in draft.iterdir())
     return [directory / name for name in names]
 
 

@@ -195,7 +195,7 @@ def _origin(exposure: Exposure, load: Load) -> tuple[float | None, str]:
     if load.kind == "pressure":
         return case.pressure, "square on the outer face"
     if load.kind == "points":
-        return None, f"at {len(case.points)} vertices"
+        return None, "at vertices {}".format(", ".join(str(list(each.at)) for each in case.points))
     return None, f"mass of panels times {GRAVITY:g} m/s2"
 
 

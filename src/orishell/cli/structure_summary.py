@@ -1,0 +1,140 @@
+"""The summary that ``orishell structure`` prints, and the lines of it in that of a design."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from orishell.cli.files import shortened
+
+if TYPE_CHECKING:
+    from orishell.shell.case_report import CaseReport, StandingReport, Vector
+    from orishell.shell.structure_report import ModelReport, StructureReport
+
+GOVERNING = {
+    "panels": "the stress in panels, {share:.3g} of what they bear",
+    "creases": "the moment of creases, {share:.3g} of what they bear",
+    "ties": "the force in ties, {share:.3g} of what they bear",
+    "buckling": "buckling, under {factor:.3g} times the loads",
+}
+"""Words for what governs."""
+
+
+def summarize_structure(report: StructureReport, unit: str, written: list[Path]) -> Iterator[str]:
+    """Lines that say what was analysed and found, and which files were written."""
+    from orishell.shell.structure_caveats import name_of
+
+    yield from _model(report.model, unit)
+    for each in {case.name: case for case in report.cases}.values():
+        yield from _loads(each)
+    for case in report.cases:
+        yield f"case      {name_of(case, report.cases)}"
+        yield from _case(case, unit)
+    yield from _governing(report)
+    yield from (f"not covered: {text}" for text in report.not_covered)
+    yield from (f"wrote     {text}" for text in shortened(written))
+
+
+def brief_structure(report: StructureReport, unit: str) -> Iterator[str]:
+    """A line for every load case, and what governs."""
+    from orishell.shell.structure_caveats import name_of
+
+    for case in report.cases:
+        found = case.moves or f"stands, {_displacement(case.stands, unit)}"
+        yield f"loaded    {name_of(case, report.cases)}: {found}"
+    yield from _governing(report)
+
+
+def _model(model: ModelReport, unit: str) -> Iterator[str]:
+    yield (
+        f"model     {model.triangles} triangles, {model.freedoms} freedoms; {model.mass:.4g} kg; "
+        f"panels {model.thickness:.4g} {unit} thick, E = {model.modulus:.4g} N/{unit}2"
+    )
+    low, high = model.crease_stiffness
+    stiffness = f"{low}" if low == high else f"{low} to {high}"
+    stretch = "that do not stretch" if model.tie_stiffness is None else f"{model.tie_stiffness:.4g}"
+    yield f"stiffness of creases {stiffness} (N), of ties {stretch} (N)"
+    for each in model.supports:
+        at = each.at if isinstance(each.at, str) else ", ".join(str(list(v)) for v in each.at)
+        friction = f" {each.friction:g}" if each.friction else ""
+        yield f"held      {at}: {each.kind}{friction}"
+
+
+def _loads(case: CaseReport) -> Iterator[str]:
+    """The loads of a case, which are the same for every stiffness of creases."""
+    yield f"load      {case.name}: {_vector(case.load)} in all"
+    for load in case.loads:
+        of = "" if load.case == case.name else f"{load.factor:g} x {load.case}: "
+        yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
+
+
+def _case(case: CaseReport, unit: str) -> Iterator[str]:
+    if case.stands is None:
+        yield f"  moves     it {case.moves}"
+        return
+    found = case.stands
+    yield f"  stands    {_displacement(found, unit)}"
+    yield from _forces(found, unit)
+    factor, frequencies = found.buckling, found.frequencies
+    buckling = "not" if factor is None else f"under {factor:.4g} times the loads"
+    yield f"  buckles   {buckling}"
+    if frequencies:
+        yield f"  frequency {', '.join(f'{each:.4g}' for each in frequencies)} Hz"
+    missing = f"{found.residual:.1g} of the loads"
+    yield f"  balance   reactions {_vector(found.reaction)}, missing {missing}"
+
+
+def _forces(found: StandingReport, unit: str) -> Iterator[str]:
+    used = found.utilisation
+    if found.ties:
+        tie, pulling = found.ties[0], sum(each.force > 0 for each in found.ties)
+        first, second = (list(end) for end in tie.ends)
+        yield (
+            f"  ties      {pulling} of {len(found.ties)} pull, {tie.force:.4g} N at most, from "
+            f"{first} to {second}{_used(used.ties)}"
+        )
+    pressing = [each for each in found.flaps if each.force > 0]
+    if pressing:
+        pairs = f"{len(pressing)} of {len(found.flaps)} pairs"
+        yield f"  flaps     {pairs} press, {pressing[0].force:.4g} N at most"
+    if found.crease is not None:
+        first, second = (list(panel) for panel in found.crease.panels)
+        yield (
+            f"  creases   {found.crease.moment:.4g} N {unit}/{unit} at most, between panels "
+            f"{first} and {second}{_used(used.creases)}"
+        )
+    yield (
+        f"  panels    {found.stress.size:.4g} N/{unit}2 at most, on the {found.stress.face} face "
+        f"of {list(found.stress.panel)}{_used(used.panels)}"
+    )
+
+
+def _displacement(found: StandingReport | None, unit: str) -> str:
+    assert found is not None
+    most = found.displacement
+    along = ", ".join(f"{each:.3g}" for each in most.vector)
+    return (
+        f"displaced by {most.size:.4g} {unit}, {100 * most.share:.3g} % of its height, at panel "
+        f"{list(most.panel)} along ({along})"
+    )
+
+
+def _governing(report: StructureReport) -> Iterator[str]:
+    governs = report.governs
+    if governs is None:
+        return
+    share = governs.utilisation
+    words = GOVERNING[governs.part].format(share=share, factor=1 / share)
+    creases = governs.creases
+    stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
+    yield f"governs   {words}: {governs.case}, {stiffness}"
+
+
+def _used(share: float | None) -> str:
+    return "" if share is None else f": {share:.3g} of what they bear"
+
+
+def _vector(force: Vector) -> str:
+    unit, size = ("kN", 1e3) if max(map(abs, force)) >= 1e4 else ("N", 1.0)
+    return "({}) {}".format(", ".join(f"{each / size + 0.0:.4g}" for each in force), unit)

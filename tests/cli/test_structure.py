@@ -1,0 +1,88 @@
+"""``orishell structure``: what it refuses, prints and writes."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import pytest
+
+from analysed import STRUCTURE, analysed
+from command_line import orishell
+from design_tables import formula, made, tables
+from orishell.cli.structure_summary import brief_structure, summarize_structure
+from orishell.errors import InputError
+from orishell.shell.export import write_structure
+from orishell.shell.make import Shell
+from orishell.shell.structure_report import StructureReport, describe_structure
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture(scope="module")
+def report() -> StructureReport:
+    return describe_structure(STRUCTURE, analysed(), None)
+
+
+@pytest.fixture(scope="module")
+def bare() -> Shell:
+    """A shell that was not analysed."""
+    f, g = formula("-x**2", -1, 1), formula("5*sin(pi*x/10)", 0, 10)
+    return made(tables("parallel-repeating", f, g, rows=3, columns=5, flap=0, xi_deg=50))
+
+
+def test_a_file_without_the_table_is_refused(tmp_path: Path) -> None:
+    done = orishell("structure", EXAMPLES / "figure1.toml", "--out", "out", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "figure1.toml: [structure]: there is no structure to analyse" in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_summary(report: StructureReport) -> None:
+    lines = list(summarize_structure(report, "m", [Path("a/structure.json")]))
+    for line in (
+        "model     16 triangles, 99 freedoms; 32.2 kg; panels 0.01 m thick, E = 2.7e+08 N/m2",
+        "held      [0, 1], [2, 1]: friction 0.5",
+        "load      both: (0, 0, -18.55) kN in all",
+        "  1.35 x dead: self weight (0, 0, -427) N, mass of panels times 9.81 m/s2",
+        "case      wind, rigid creases",
+        "  ties      2 of 3 pull, 4000 N at most, from [0, 2] to [2, 2]: 0.8 of what they bear",
+        "  buckles   under 2.5 times the loads",
+        "  frequency 3, 4, 7 Hz",
+        "governs   the force in ties, 0.8 of what they bear: wind, free creases",
+        "wrote     a/structure.json",
+    ):
+        assert line in lines
+    # Loads are said once, cases with every stiffness of creases.
+    assert sum(line.startswith("load ") for line in lines) == 2
+    assert sum(line.startswith("case ") for line in lines) == 4
+    moves = lines[lines.index("case      both, free creases") + 1]
+    assert moves.startswith("  moves     it opens under its loads: nothing holds the feet together")
+    assert [line for line in lines if line.startswith("not covered: ")] == [
+        f"not covered: {text}" for text in report.not_covered
+    ]
+
+
+def test_the_lines_in_the_summary_of_a_design(report: StructureReport) -> None:
+    first, second, *_, last = brief_structure(report, "m")
+    assert first.startswith("loaded    both, free creases: opens under its loads")
+    assert second.startswith("loaded    wind, free creases: stands, displaced by 0.15 m")
+    assert last.startswith("governs ")
+
+
+def test_what_is_written_is_the_report(
+    tmp_path: Path, bare: Shell, report: StructureReport
+) -> None:
+    shell = replace(bare, report=replace(bare.report, structure=report))
+    assert write_structure(shell, tmp_path / "a") == [tmp_path / "a" / "structure.json"]
+    text = (tmp_path / "a" / "structure.json").read_text()
+    assert json.loads(text) == json.loads(json.dumps(asdict(report)))
+    write_structure(shell, tmp_path / "b")
+    assert (tmp_path / "b" / "structure.json").read_text() == text
+
+
+def test_a_shell_that_was_not_analysed_is_not_written(tmp_path: Path, bare: Shell) -> None:
+    with pytest.raises(InputError, match="not analysed"):
+        write_structure(bare, tmp_path / "a")
+    assert not (tmp_path / "a").exists()
