@@ -53,7 +53,7 @@ function explainLoaded(container: HTMLElement, { deflection, measure, scale, mos
   const { name, stands } = deflection;
   const what = stands ? measure : "moves: nothing resists this";
   const end = !stands ? "most" : measure === "stress" ? `${threeDigits(most)} MPa` : length(most, unit);
-  const drawn = stands ? `, drawn ${threeDigits(scale)} times as large` : "";
+  const drawn = !stands ? "" : scale === 1 ? ", drawn as it is" : `, drawn ${threeDigits(scale)} times as large`;
   bar(container, `${name}: ${what}${measure === "stress" ? "; displacement" : ""}${drawn}`, AMOUNT_MAP, ["0", end]);
 }
 

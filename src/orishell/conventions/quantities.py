@@ -77,16 +77,17 @@ class Quantities:
         return quantity(value, self.unit)
 
     def displacement(self, value: float) -> str:
-        """A small length: in millimetres, where the design's unit is metric.
+        """A small length: in millimetres, where the design's unit is metric, below a metre.
 
         Parameters
         ----------
         value
             The quantity (length).
         """
-        if self.unit in ("in", "ft"):
+        millimetres = value * MILLIMETRES[self.unit]
+        if self.unit in ("in", "ft") or abs(millimetres) >= 1000:
             return self.length(value)
-        return quantity(value * MILLIMETRES[self.unit], "mm")
+        return quantity(millimetres, "mm")
 
     def pressure(self, value: float) -> str:
         """A load by area.

@@ -251,7 +251,9 @@ def _mark(fill: str) -> dict[str, Any]:
 
 def _say(axes: Axes, drawn: DrawnCase, scale: float) -> None:
     """Name of a load case, and a line on how it is drawn, above its part."""
-    how = f"drawn {scale:g} times as large" if drawn.case.stands else "moves: nothing resists this"
+    how = "drawn as it is" if scale == 1 else f"drawn {scale:g} times as large"
+    if not drawn.case.stands:
+        how = "moves: nothing resists this"
     note = ", ".join(filter(None, (drawn.note, how)))
     axes.set_title(f"{drawn.case.name}\n", y=1.0, fontsize=12, fontweight="bold")
     axes.text(0.5, 1.012, note, transform=axes.transAxes, ha="center", va="bottom", fontsize=10)
