@@ -20,6 +20,7 @@ from orishell.shell.structure_caveats import name_of
 from orishell.shell.structure_files import write_structure
 from orishell.shell.structure_page import structure_page
 from orishell.shell.structure_report import StructureReport, describe_structure
+from viewer_pages import running_browser
 
 HOSTILE = "</title><script>alert(1)</script> \"'& α"
 PNG = b"\x89PNG, not really"
@@ -111,6 +112,10 @@ def test_loads_add_up_to_what_the_supports_bear() -> None:
     assert last(named["reactions, rigid creases"]) == -total
     assert named["reactions, rigid creases"][1] == "missing: 1·10⁻¹² of the loads"
     assert named["reactions, free creases"][1] == "none: it moves"
+    # Those of the last case, wind, two vertices in every row.
+    _, *reactions = tables(page())["Reactions of supports; their sum is above, under the loads"]
+    borne = sum(float(row[k]) for row in reactions for k in (3, 7))
+    assert borne == pytest.approx(float(tables(page())["wind"][-1][-1]), rel=1e-3)
 
 
 def test_lengths_are_read_in_the_design_s_unit_and_stresses_in_megapascals() -> None:
@@ -118,6 +123,22 @@ def test_lengths_are_read_in_the_design_s_unit_and_stresses_in_megapascals() -> 
     in_mm = words(page(unit="mm"))
     assert "The largest displacement is 0.15 mm" in in_mm
     assert "|2.7·10⁸ MPa|" in in_mm
+
+
+def test_it_is_as_wide_as_a4_and_dark_where_pages_are(tmp_path: Path) -> None:
+    """186 mm between the margins, 96 pixels to an inch; on paper it is never dark."""
+    (tmp_path / "structure.html").write_text(page(), encoding="utf-8")
+    width = int(186 / 25.4 * 96)
+    with running_browser() as browser:
+        shown = browser.new_page(viewport={"width": width, "height": 800}, color_scheme="dark")
+        shown.goto((tmp_path / "structure.html").as_uri())
+        light = []
+        for media in ("screen", "print"):
+            shown.emulate_media(media=media)
+            assert shown.evaluate("document.documentElement.scrollWidth") <= width
+            colour = shown.evaluate("getComputedStyle(document.body).backgroundColor")
+            light.append(sum(map(int, re.findall(r"\d+", colour)[:3])) > 3 * 128)
+        assert light == [False, True]
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:

@@ -141,7 +141,7 @@ def _results(report: StructureReport, said: Quantities) -> Iterator[str]:
     """All cases beside each other; those of one name, with little and much stiffness, in turn."""
     order = {name: k for k, name in enumerate(dict.fromkeys(each.name for each in report.cases))}
     cases = sorted(report.cases, key=lambda each: order[each.name])
-    rows = [(name_of(case, cases), *_figures(case.stands, said)) for case in cases]
+    rows = [(name_of(case, cases), *_figures(case, said)) for case in cases]
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
@@ -151,7 +151,8 @@ def _results(report: StructureReport, said: Quantities) -> Iterator[str]:
     )
 
 
-def _figures(found: StandingReport | None, said: Quantities) -> Sequence[str]:
+def _figures(case: CaseReport, said: Quantities) -> Sequence[str]:
+    found = case.stands
     if found is None:
         return ("moves", *7 * [NOTHING])
     used = found.utilisation
@@ -161,8 +162,10 @@ def _figures(found: StandingReport | None, said: Quantities) -> Sequence[str]:
         said.displacement(found.displacement.size),
         _share(found.displacement.share),
         said.stress(found.stress.size),
-        NOTHING if found.crease is None else said.moment(found.crease.moment),
-        quantity(found.ties[0].force, "N") if found.ties else NOTHING,
+        NOTHING
+        if found.crease is None or case.creases == "free"
+        else said.moment(found.crease.moment),
+        quantity(found.ties[0].force, "N") if found.ties and found.ties[0].force else NOTHING,
         NOTHING if found.buckling is None else figure(found.buckling),
         quantity(found.frequencies[0], "Hz") if found.frequencies else NOTHING,
         _share(max(known)) if known else NOTHING,
@@ -175,15 +178,23 @@ def _case(case: CaseReport, cases: Sequence[CaseReport], said: Quantities) -> It
     if found is None:
         yield paragraph(f"The shell {case.moves}. There is nothing more to say of it.", "warning")
         return
-    yield table((), _details(found, said))
+    yield table((), _details(case, found, said))
     reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
-    reactions.append(("all", *_vector(found.reaction, case.load)))
-    yield table(("vertex", *AXES), reactions, caption="Reactions of supports", numbers=3, totals=1)
-    yield _pairs("Ties: the force with which they pull; 0 where they are slack", found.ties)
-    yield _pairs("Flaps: the force with which they press on each other", found.flaps)
+    half = -(-len(reactions) // 2)
+    reactions += [4 * ("",)] * (2 * half - len(reactions))
+    yield table(
+        2 * ("vertex", *AXES),
+        [one + other for one, other in zip(reactions[:half], reactions[half:], strict=True)],
+        caption="Reactions of supports; their sum is above, under the loads",
+        numbers=7,
+    )
+    yield _pairs("Ties: the force with which they pull", found.ties, "slack")
+    yield _pairs("Flaps: the force with which they press on each other", found.flaps, "apart")
 
 
-def _details(found: StandingReport, said: Quantities) -> Iterator[tuple[str, str]]:
+def _details(
+    case: CaseReport, found: StandingReport, said: Quantities
+) -> Iterator[tuple[str, str]]:
     """Names and values of what was found."""
     moved, stress, used = found.displacement, found.stress, found.utilisation
     x, y, z = (said.displacement(each) for each in moved.vector)
@@ -198,7 +209,7 @@ def _details(found: StandingReport, said: Quantities) -> Iterator[tuple[str, str
         f"{stress.face} face; principal stresses from {said.stress(stress.least)} to "
         f"{said.stress(stress.largest)}",
     )
-    if found.crease is not None:
+    if found.crease is not None and case.creases != "free":
         one, other = (_vertex(panel) for panel in found.crease.panels)
         yield (
             "Largest moment of a crease",
@@ -223,16 +234,16 @@ def _details(found: StandingReport, said: Quantities) -> Iterator[tuple[str, str
     yield "Share used", "; ".join(words)
 
 
-def _pairs(caption: str, pairs: Sequence[PairReport]) -> str:
-    """Forces between two vertices; those of none are counted."""
+def _pairs(caption: str, pairs: Sequence[PairReport], idle: str) -> str:
+    """Forces between two vertices; those without any are counted, and called by a word."""
     rows = [
         (f"{_vertex(each.ends[0])} to {_vertex(each.ends[1])}", figure(each.force))
         for each in pairs
         if each.force
     ]
-    idle = len(pairs) - len(rows)
-    if idle:
-        rows.append((f"{idle} more", "0"))
+    rest = len(pairs) - len(rows)
+    if rest:
+        rows.append((f"{rest} more" if rows else f"all {rest}", idle))
     return table(("vertices", "force (N)"), rows, caption=caption, numbers=1)
 
 
