@@ -13,7 +13,15 @@ import pytest
 import rhino3dm
 
 from documents import demo_document
-from orishell.conventions.colours import DARK, DISTANCE_MAP, LIGHT, linear_rgb, rgb, style_sheet
+from orishell.conventions.colours import (
+    AMOUNT_MAP,
+    DARK,
+    DISTANCE_MAP,
+    LIGHT,
+    linear_rgb,
+    rgb,
+    style_sheet,
+)
 from orishell.io import Settings
 from orishell.io.all_formats import find_formats
 from orishell.workshop.palettes import load_palette
@@ -44,8 +52,9 @@ def test_pages_have_the_same_colours() -> None:
     assert all(f"--{name}: {colour};" in style_sheet() for name, colour in LIGHT.items())
     theme = (SHARED / "theme.css").read_text()
     assert not [name for name in LIGHT if f"--{name}:" in theme]
-    (ramp,) = re.findall(r"DISTANCE_MAP = \[(.*?)\]", (SHARED / "colours.ts").read_text())
-    assert tuple(re.findall(r"#[0-9a-f]{6}", ramp)) == DISTANCE_MAP
+    for name, colours in (("DISTANCE_MAP", DISTANCE_MAP), ("AMOUNT_MAP", AMOUNT_MAP)):
+        (ramp,) = re.findall(rf"{name} = \[(.*?)\]", (SHARED / "colours.ts").read_text())
+        assert tuple(re.findall(r"#[0-9a-f]{6}", ramp)) == colours
 
 
 def test_the_palette_to_look_at_and_its_drawings(tmp_path: Path) -> None:

@@ -302,6 +302,8 @@ export interface Header {
   arrays: Record<string, ArrayPlace>;
   /** In the studio. */
   curves?: Curves;
+  /** Load cases, where the shell was analysed as a structure. */
+  cases?: NamedCase[];
 }
 
 /** What the page loads first: families, examples, formats, limits, the design to open. */
@@ -408,6 +410,12 @@ export interface ModelReport {
   tie_strength: number | null;
   /** What holds the shell. */
   supports: SupportReport[];
+}
+
+/** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
+export interface NamedCase {
+  name: string;
+  stands: boolean;
 }
 
 /** The design file that the studio was started with. */

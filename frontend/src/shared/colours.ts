@@ -3,8 +3,9 @@
 export type Rgb = [number, number, number];
 export type Colouring = "plain" | "signs" | "angle" | "distance";
 
-/** Fold angle, none to 180 degrees: light and calm to deep, in even steps of lightness. */
-export const ANGLE_MAP = ["#f7f1dc", "#f3d9a4", "#e9b06f", "#d6815a", "#b4565b", "#803a63", "#45285a"];
+/** None to the most, light and calm to deep, in even steps of lightness: fold angles to 180 degrees,
+ * displacements, stresses. */
+export const AMOUNT_MAP = ["#f7f1dc", "#f3d9a4", "#e9b06f", "#d6815a", "#b4565b", "#803a63", "#45285a"];
 
 /** Below the target to above it, the target itself in the middle. */
 export const DISTANCE_MAP = ["#0b4f6c", "#2f7f9a", "#7db3c0", "#c9dde0", "#f6f1e6", "#ecd0a6", "#d79a55", "#ad6320", "#6d370c"];

@@ -1,6 +1,7 @@
 // The figures of a shell, from its report; what a report does not say is measured on the view.
 
 import { length, threeDigits } from "./colours.ts";
+import { structureFigures } from "./structure-figures.ts";
 import { panelCount, targetPoints, type Known, type View } from "./view.ts";
 
 interface Size { width: number; height: number; depth?: number; area?: number }
@@ -54,9 +55,10 @@ export function renderFigures(container: HTMLElement, view: View): void {
       const slack = ties.filter((tie) => tie.slack).length;
       add(list, "Ties", String(ties.length), `${slack === ties.length ? "all" : slack} proved slack until the target`);
     }
+    for (const { name, value, note } of structureFigures(report.structure ?? null, unit)) add(list, name, value, note);
   }
   container.replaceChildren(list);
-  for (const warning of report.warnings ?? []) {
+  for (const warning of new Set([...(report.warnings ?? []), ...(report.structure?.warnings ?? [])])) {
     const line = document.createElement("p");
     line.className = "orishell-warning";
     line.textContent = warning;

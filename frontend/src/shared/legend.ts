@@ -1,6 +1,7 @@
 // What the colours mean, in a corner of the view in space.
 
-import { ANGLE_MAP, DISTANCE_MAP, length, threeDigits, type Colouring } from "./colours.ts";
+import type { Drawn } from "./loaded3d.ts";
+import { AMOUNT_MAP, DISTANCE_MAP, length, threeDigits, type Colouring } from "./colours.ts";
 
 export interface LegendFacts {
   colouring: Colouring;
@@ -9,6 +10,8 @@ export interface LegendFacts {
   range: number;
   /** Numbers of edges by assignment. */
   counts: number[];
+  /** The load case drawn, if there is one. */
+  loaded: Drawn | null;
 }
 
 const SIGNS: [string, string, number][] = [
@@ -20,7 +23,11 @@ const SIGNS: [string, string, number][] = [
 
 export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
   container.replaceChildren();
-  container.hidden = facts.colouring === "plain";
+  container.hidden = facts.colouring === "plain" && !facts.loaded;
+  if (facts.loaded) {
+    explainLoaded(container, facts.loaded, facts.unit);
+    return;
+  }
   if (facts.colouring === "signs") {
     for (const [name, colour, code] of SIGNS) {
       if (!facts.counts[code]) continue;
@@ -29,7 +36,7 @@ export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
       item.append(name);
     }
   } else if (facts.colouring === "angle") {
-    bar(container, "fold angle, largest of the panel's creases", ANGLE_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
+    bar(container, "fold angle, largest of the panel's creases", AMOUNT_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
   } else if (facts.colouring === "distance") {
     if (!facts.range) {
       container.append("distance to the target: not yet known");
@@ -40,6 +47,14 @@ export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
       `\u2212${length(facts.range, facts.unit)}`, "0", `+${end}`,
     ]);
   }
+}
+
+function explainLoaded(container: HTMLElement, { deflection, measure, scale, most }: Drawn, unit: string): void {
+  const { name, stands } = deflection;
+  const what = stands ? measure : "moves: nothing resists this";
+  const end = !stands ? "most" : measure === "stress" ? `${threeDigits(most)} MPa` : length(most, unit);
+  const drawn = !stands ? "" : scale === 1 ? ", drawn as it is" : `, drawn ${threeDigits(scale)} times as large`;
+  bar(container, `${name}: ${what}${measure === "stress" ? "; displacement" : ""}${drawn}`, AMOUNT_MAP, ["0", end]);
 }
 
 function bar(container: HTMLElement, title: string, map: string[], ticks: string[]): void {

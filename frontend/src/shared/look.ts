@@ -1,7 +1,7 @@
 // What the shaders are told about colours: theme, colouring, marks.
 
 import { Vector2 } from "three";
-import { ANGLE_MAP, DISTANCE_MAP, mapTexels, type Colouring, type Theme } from "./colours.ts";
+import { AMOUNT_MAP, DISTANCE_MAP, mapTexels, type Colouring, type Theme } from "./colours.ts";
 import { mapTexture } from "./maps.ts";
 
 const MODES: Colouring[] = ["plain", "signs", "angle", "distance"];
@@ -11,7 +11,7 @@ const SIGNS = { inks: ["--border-crease", "--mountain", "--valley", "--unfolded"
 
 export class Look {
   colouring: Colouring = "plain";
-  private readonly maps = { angle: mapTexture(mapTexels(ANGLE_MAP)), distance: mapTexture(mapTexels(DISTANCE_MAP)) };
+  private readonly maps = { angle: mapTexture(mapTexels(AMOUNT_MAP)), distance: mapTexture(mapTexels(DISTANCE_MAP)) };
   readonly uniforms = {
     front: { value: [1, 1, 1] },
     back: { value: [1, 1, 1] },

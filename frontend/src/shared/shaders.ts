@@ -206,6 +206,44 @@ uniform float width;
 out vec3 tint;
 void main() { tint = ink; widen(from, to, width, 1e6); }`;
 
+/** What a load case displaces is drawn `times` as far. */
+const MOVED = /* glsl */ `
+uniform float times;
+`;
+
+export const loadedVertex = /* glsl */ `${COMMON}${MOVED}
+in vec3 position, moved;
+in float amount;
+uniform mat4 viewMatrix, projectionMatrix;
+out vec3 place;
+out float value;
+void main() {
+  place = position + times * moved;
+  value = amount;
+  gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
+}`;
+
+export const loadedFragment = /* glsl */ `${COMMON}
+in vec3 place;
+in float value;
+uniform vec3 cameraPosition, light, front, sky, earth;
+uniform sampler2D amounts;
+out vec4 colour;
+void main() {
+  vec3 n = normalize(cross(dFdx(place), dFdy(place))), eye = normalize(cameraPosition - place);
+  vec3 mapped = pow(texture(amounts, vec2(clamp(value, 0.002, 0.998), 0.5)).rgb, vec3(2.2));
+  vec3 base = value < 1e20 ? mapped : front * 0.8;
+  vec3 ambient = mix(earth, sky, 0.5 + 0.5 * n.z);
+  colour = vec4(encode(base * (0.55 * ambient + 0.35 * max(dot(n, light), 0.0) + 0.15 * max(dot(n, eye), 0.0))), 1.0);
+}`;
+
+export const loadedLineVertex = /* glsl */ `${COMMON}${WIDE}${MOVED}
+in vec3 from, to, fromMoved, toMoved;
+uniform vec3 ink;
+uniform float width;
+out vec3 tint;
+void main() { tint = ink; widen(from + times * fromMoved, to + times * toMoved, width, 0.5); }`;
+
 export const lineFragment = /* glsl */ `${COMMON}
 in vec3 tint;
 in float across, reach, strength;

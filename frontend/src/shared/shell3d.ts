@@ -1,12 +1,13 @@
 // The shell in space: orbit, fold, colours, overlays, hover. Drawn only when something changed.
 
-import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { extentOf, goodDirection, placeCamera, type Extent } from "./camera.ts";
 import { Clipped3D } from "./clipped3d.ts";
 import { largest, length, themeOf, type Colouring } from "./colours.ts";
 import { armAfter } from "./keys.ts";
 import { renderLegend } from "./legend.ts";
+import { Loaded3D, type Shown } from "./loaded3d.ts";
 import { Look } from "./look.ts";
 import { Overlays, type Overlay } from "./overlays.ts";
 import { Pace, type Quality } from "./pace.ts";
@@ -43,6 +44,9 @@ export class Shell3D {
   };
   private readonly sheet = new Sheet3D(this.u);
   private readonly clipped = new Clipped3D(this.u);
+  /** The shell without loads; hidden while it is shown with them. */
+  private readonly unloaded = new Group();
+  private readonly loaded = new Loaded3D(this.u);
   private readonly overlays: Overlays;
   private readonly pace: Pace;
 
@@ -85,7 +89,8 @@ export class Shell3D {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", this.invalidate);
 
-    this.scene.add(...this.sheet.drawn, this.clipped.solids);
+    this.unloaded.add(...this.sheet.drawn, this.clipped.solids);
+    this.scene.add(this.unloaded, this.loaded.drawn);
     for (const depth of [this.sheet.depth, this.clipped.depths]) this.sun.add(depth);
     this.overlays = new Overlays(this.scene, this.u);
     this.pace = new Pace((quality) => this.setQuality(quality), () => this.draw());
@@ -122,6 +127,8 @@ export class Shell3D {
     this.clipped.show(view.clipped);
     this.extent = extentOf(this.allPoints());
     this.overlays.show(view);
+    this.loaded.show(view.loaded ?? null);
+    this.setLoaded(null);
     this.setDistance(view.distance ?? null);
     const { contact, report } = view.header;
     const early = contact && isEarly(contact, report.lock) ? contact : null;
@@ -186,6 +193,15 @@ export class Shell3D {
     this.invalidate();
   }
 
+  /** Under a load case, which belongs to the target; null: without loads. */
+  setLoaded(shown: Shown | null): void {
+    this.loaded.set(shown);
+    this.unloaded.visible = !this.loaded.shown;
+    this.hover(null);
+    this.explain();
+    this.invalidate();
+  }
+
   highlight(panel: number | null): void {
     if ((panel ?? -1) === this.u.hovered.value) return;
     this.u.hovered.value = panel ?? -1;
@@ -219,6 +235,7 @@ export class Shell3D {
     this.controls.dispose();
     this.sheet.dispose();
     this.clipped.dispose();
+    this.loaded.dispose();
     this.overlays.dispose();
     this.sun.dispose();
     this.look.dispose();
@@ -275,6 +292,7 @@ export class Shell3D {
     const theme = themeOf(this.container);
     this.look.paint(theme);
     this.overlays.paint(theme);
+    this.loaded.paint(theme);
     this.invalidate();
   };
 
@@ -285,6 +303,7 @@ export class Shell3D {
       unit: this.view.header.unit,
       range: this.distances ? largest(this.distances) : 0,
       counts: assignmentCounts(this.view),
+      loaded: this.loaded.shown,
     });
   }
 
@@ -354,7 +373,7 @@ export class Shell3D {
 
   private pick(): void {
     const at = this.pointing.take();
-    if (!at) return;
+    if (!at || this.loaded.shown) return;
     this.ray.setFromCamera(at, this.camera);
     this.pose();
     const { origin: o, direction: d } = this.ray.ray;

@@ -25,6 +25,23 @@ export interface Boards {
   outlines: Float32Array;
 }
 
+/** The shell as it was meshed, and what every load case does to it. */
+export interface Loaded {
+  cases: Api.NamedCase[];
+  /** (N, 3) without loads */
+  points: Float32Array;
+  /** (T, 3) */
+  triangles: Uint32Array;
+  /** (T,) the panel of each triangle */
+  panels: Uint32Array;
+  /** (K, 2) ends of ties */
+  ties: Uint32Array;
+  /** (C, N, 3) */
+  displacements: Float32Array;
+  /** (C, T) in MPa, NaN where it is not known */
+  stresses: Float32Array;
+}
+
 export interface View {
   header: Header;
   /** (V, 2); empty if only folded states are known. */
@@ -47,6 +64,8 @@ export interface View {
   surface?: Lattice;
   /** Where panels have a thickness. */
   boards?: Boards;
+  /** Where it was analysed as a structure. */
+  loaded?: Loaded;
   /** Strips of flaps that are clipped on at the target, about the same origin. */
   clipped: View[];
 }
@@ -102,6 +121,18 @@ export function decodeView(buffer: ArrayBuffer, from = 0): View {
   if (outlines) {
     const [, heights = 0, corners = 0] = header.arrays["boards"]!.shape;
     view.boards = { panels: array("board_panels"), heights, corners, outlines };
+  }
+  const nodes = find<Float32Array>("loaded_points");
+  if (nodes && header.cases) {
+    view.loaded = {
+      cases: header.cases,
+      points: nodes,
+      triangles: array("loaded_triangles"),
+      panels: array("loaded_panels"),
+      ties: array("loaded_ties"),
+      displacements: array("displacements"),
+      stresses: array("stresses"),
+    };
   }
   for (let place; (place = header.arrays[`clipped_${view.clipped.length}`]); ) {
     view.clipped.push(decodeView(buffer, first + place.offset));

@@ -84,7 +84,17 @@ export class FoldBar {
     return frameAt(this.stops, this.share.value, frames);
   }
 
+  /** Stay at the target, or move again. */
+  hold(on: boolean): void {
+    if (on) {
+      this.stop();
+      this.share.set(targetShare(this.stops));
+    }
+    this.element.inert = on;
+  }
+
   toggle(): void {
+    if (this.element.inert) return;
     if (this.playing) this.stop();
     else this.start();
   }

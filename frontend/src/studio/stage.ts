@@ -1,5 +1,6 @@
 // The middle: the shell in space, its colours and overlays, the fold.
 
+import { LoadedControls } from "../shared/loaded-controls.ts";
 import { type Colouring, Shell3D } from "../shared/shell3d.ts";
 import { button, segmented } from "./controls.ts";
 import { h } from "./dom.ts";
@@ -23,6 +24,7 @@ export class Stage {
   readonly fold: FoldBar;
   readonly shell: Shell3D;
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
+  private readonly loads: LoadedControls;
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
   private keepCamera = false;
 
@@ -43,6 +45,8 @@ export class Stage {
       ...OVERLAYS.map(({ name, text }) => this.overlay(name, text)),
       this.thickness(),
     );
+    this.shell = new Shell3D(this.scene, { label: "Shell in space" });
+    this.loads = new LoadedControls(this.shell, (on) => this.fold.hold(on));
     this.element = h(
       "section",
       { class: "stage", "aria-label": "Shell in space" },
@@ -51,12 +55,12 @@ export class Stage {
         { class: "stage-tools" },
         colours.element,
         overlays,
+        this.loads.element,
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
       h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner),
       this.fold.element,
     );
-    this.shell = new Shell3D(this.scene, { label: "Shell in space" });
     this.fold.share.bind((share) => this.shell.setFold(share));
     store.freshness.bind(() => this.showState());
     store.view.bind(() => this.showState());
@@ -71,6 +75,7 @@ export class Stage {
     if (!view) return;
     this.shell.show(view, this.keepCamera);
     this.shell.setFold(this.fold.share.value);
+    this.loads.show(view);
     this.keepCamera = true;
   }
 

@@ -38,6 +38,8 @@ export interface Design {
   panel?: Record<string, Value>;
   motion?: Record<string, Value>;
   workshop?: Record<string, Value>;
+  structure?: Record<string, Value>;
+  load_case?: Record<string, Value>[];
 }
 
 /** The report of the shell on the screen: while it changes, without what only the proof can say. */

@@ -1,5 +1,6 @@
 // The viewer's page: view in space, fold slider, colouring, overlays, pattern, figures, theme.
 
+import { LoadedControls } from "../shared/loaded-controls.ts";
 import { Pattern2D } from "../shared/pattern2d.ts";
 import { renderFigures } from "../shared/figures.ts";
 import { Shell3D, type Colouring, type Overlay } from "../shared/shell3d.ts";
@@ -27,6 +28,7 @@ export class Viewer {
   readonly shell: Shell3D | null;
   readonly pattern: Pattern2D;
   readonly player: Player;
+  private readonly loads: LoadedControls | null;
 
   /** `host` bears the theme: the page's root, or the widget's. */
   constructor(root: HTMLElement, buffer: ArrayBuffer, private readonly host: HTMLElement) {
@@ -50,6 +52,7 @@ export class Viewer {
     this.shell = startShell(stage, title);
     this.pattern = new Pattern2D(drawing, { label: "Crease pattern" });
     this.player = new Player(stopsOf(this.view), (share) => this.fold(share));
+    this.loads = this.shell && new LoadedControls(this.shell, (on) => this.player.hold(on));
     scene.append(this.toolbar(), this.player.bar);
 
     const point = (panel: number | null): void => {
@@ -67,6 +70,7 @@ export class Viewer {
         point(panel);
       };
     }
+    this.loads?.show(this.view);
     point(null);
     renderFigures(figures, this.view);
     this.player.bar.hidden = stateCount(this.view) < 2;
@@ -140,6 +144,7 @@ export class Viewer {
     fit.addEventListener("click", () => this.shell?.fit(true));
     bar.append(choice);
     if (shown.children.length > 1) bar.append(shown);
+    if (this.loads && this.view.loaded) bar.append(this.loads.element);
     bar.append(fit);
     return bar;
   }

@@ -57,7 +57,17 @@ export class Player {
     this.slider.setAttribute("aria-valuetext", text);
   }
 
+  /** Stay at the target, or move again. */
+  hold(on: boolean): void {
+    if (on) {
+      this.stop();
+      this.rest();
+    }
+    this.bar.inert = on;
+  }
+
   toggle(): void {
+    if (this.bar.inert) return;
     if (this.request) {
       this.stop();
       return;

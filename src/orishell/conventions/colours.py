@@ -50,6 +50,9 @@ DISTANCE_MAP = (
 )
 """Distances from the surface: below it, the surface itself in the middle, above it."""
 
+AMOUNT_MAP = ("#f7f1dc", "#f3d9a4", "#e9b06f", "#d6815a", "#b4565b", "#803a63", "#45285a")
+"""None to the most, light and calm to deep: fold angles, displacements, stresses."""
+
 MEANINGS = {
     "M": "mountain",
     "V": "valley",

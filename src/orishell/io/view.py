@@ -4,19 +4,22 @@ Little endian: the length N of the header (uint32), the header (JSON in UTF-8, f
 to N bytes, N a multiple of four), then the arrays, each beginning at a multiple of four. The header
 says where each array is. Coordinates are single precision, about ``origin``. Boards are given as
 they lie in the flat sheet, and carried by their panels. Strips of flaps that are clipped on are
-views within the view, about the same ``origin``.
+views within the view, about the same ``origin``. A shell that was analysed as a structure is given
+as it was meshed, with displacements and stresses (in MPa) of every load case.
 """
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, NotRequired, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document, DocumentState, FirstContact
+from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
 
 VERSION = 1
@@ -35,6 +38,13 @@ class Curves(TypedDict):
 
     f: Drawn
     g: Drawn
+
+
+class NamedCase(TypedDict):
+    """A load case: its name, and whether it is in balance; else the shell moves as it is shown."""
+
+    name: str
+    stands: bool
 
 
 class ArrayPlace(TypedDict):
@@ -62,6 +72,8 @@ class Header(TypedDict):
         The fields of ``report.json``; empty if there is none.
     curves
         In the studio.
+    cases
+        Load cases, where the shell was analysed as a structure.
     """
 
     version: int
@@ -75,6 +87,7 @@ class Header(TypedDict):
     contact: FirstContact | None
     arrays: dict[str, ArrayPlace]
     curves: NotRequired[Curves]
+    cases: NotRequired[list[NamedCase]]
 
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
@@ -121,6 +134,10 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
     }
     if curves is not None:
         header["curves"] = curves
+    if document.loaded is not None:
+        header["cases"] = [
+            {"name": case.name, "stands": case.stands} for case in document.loaded.cases
+        ]
     text = orjson.dumps(header)
     text += b" " * (-len(text) % 4)
     blocks = [array.tobytes() + b"\0" * (-array.nbytes % 4) for array in arrays.values()]
@@ -163,6 +180,23 @@ def _arrays(
         arrays["surface"] = placed(document.surface)
     if document.distances is not None:
         arrays["distance"] = document.distances.astype("<f4")
+    if document.loaded is not None:
+        arrays |= _loaded_arrays(document.loaded, placed, MILLIMETRES[document.require_unit()])
     for number, strip in enumerate(document.clipped):
         arrays[f"clipped_{number}"] = np.frombuffer(_dump_about(origin, strip, None), "u1")
     return arrays
+
+
+def _loaded_arrays(
+    loaded: LoadedShell, placed: Callable[[Array], NDArray[np.float32]], millimetres: float
+) -> dict[str, NDArray[Any]]:
+    displacements = np.stack([case.displacements for case in loaded.cases])
+    stresses = np.stack([case.stresses for case in loaded.cases])
+    return {
+        "loaded_points": placed(loaded.points),
+        "loaded_triangles": loaded.triangles.astype("<u4"),
+        "loaded_panels": loaded.panels.astype("<u4"),
+        "loaded_ties": loaded.ties.reshape(-1, 2).astype("<u4"),
+        "displacements": displacements.astype("<f4"),
+        "stresses": (stresses / millimetres**2).astype("<f4"),
+    }

@@ -3,10 +3,12 @@
 from orishell.plot.deviation import plot_deviation
 from orishell.plot.hinge_section import HingeSection, Profile, find_hinge_section
 from orishell.plot.overview import DrawnContact, plot_overview
+from orishell.plot.structure import DrawnCase, plot_structure
 from orishell.plot.tradeoff import plot_tradeoff
 from orishell.plot.weight import DrawnWeight, draw_weight, plot_weight
 
 __all__ = [
+    "DrawnCase",
     "DrawnContact",
     "DrawnWeight",
     "HingeSection",
@@ -15,6 +17,7 @@ __all__ = [
     "find_hinge_section",
     "plot_deviation",
     "plot_overview",
+    "plot_structure",
     "plot_tradeoff",
     "plot_weight",
 ]

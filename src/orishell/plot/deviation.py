@@ -19,6 +19,7 @@ from orishell.plot.scene import (
     WIDTH,
     Camera,
     add_part,
+    brightness,
     choose_camera,
     draw_targets,
     frame,
@@ -36,11 +37,8 @@ if TYPE_CHECKING:
 
 
 CREASE = (0.15, 0.15, 0.18)
-LIGHT = np.array([-0.45, -0.55, 0.70])
 SHARE = 0.9
 """The part of the picture's width that the shell is drawn in, beside the bar of colours."""
-SHADE = 0.12
-"""Panels that turn away from the light are darker by this share."""
 
 
 def plot_deviation(
@@ -99,8 +97,9 @@ def _draw_cells(
     """Panels from the farthest to the nearest, coloured smoothly within each."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import LinearSegmentedColormap, Normalize
+    from matplotlib.path import Path as Outline
 
-    from orishell.plot.shading import ShadedPanels
+    from orishell.plot.shading import ShadedPanels, quad_triangles
 
     limit = float(np.abs(distances).max()) or 1.0
     scale = ScalarMappable(
@@ -115,7 +114,7 @@ def _draw_cells(
     of_column = np.searchsorted(columns, np.arange(points.shape[1] - 1), side="right") - 1
     panel = np.add.outer(of_row * (len(columns) - 1), of_column).ravel()
     colours = grid_corners(np.asarray(scale.to_rgba(distances))).reshape(-1, 4, 4)
-    colours[..., :3] *= _brightness(panels, camera).ravel()[panel, None, None]
+    colours[..., :3] *= brightness(panel_normals(panels), camera).ravel()[panel, None, None]
 
     place = np.empty_like(order)
     place[order] = np.arange(len(order))
@@ -123,20 +122,12 @@ def _draw_cells(
     outlines = np.take(picture, [0, 1, 2, 3, 0], axis=-2).reshape(-1, 5, 2)
     axes.add_artist(
         ShadedPanels(
-            camera.project(grid_corners(points))[0].reshape(-1, 4, 2)[behind],
-            colours[behind],
-            np.cumsum(np.bincount(place[panel])),
-            outlines[order],
+            quad_triangles(camera.project(grid_corners(points))[0].reshape(-1, 4, 2)[behind]),
+            quad_triangles(colours[behind]),
+            2 * np.cumsum(np.bincount(place[panel])),
+            [Outline(outline) for outline in outlines[order]],
             edge=(*CREASE, 0.8),
             width=line_width(camera.project(panels)[0], SHARE * WIDTH, 0.6, 0.12),
         )
     )
     return scale
-
-
-def _brightness(positions: Array, camera: Camera) -> Array:
-    """Brightness of every panel, lit from the upper left."""
-    right, up, towards = camera.axes()
-    lamp = LIGHT[0] * right + LIGHT[2] * up + 0.75 * towards
-    facing = np.abs(panel_normals(positions) @ (lamp / np.linalg.norm(lamp)))
-    return np.asarray(1 - SHADE + SHADE * facing)

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 
 from orishell.conventions.colours import LIGHT
 
+LAMP = (-0.45, 0.75, 0.70)
+"""Where light comes from: to the right, towards the viewer, up."""
+SHADE = 0.12
+"""Panels that turn away from the light are darker by this share."""
 DPI = 200
 WIDTH = 13.0
 """Of every picture, in inches."""
@@ -55,6 +59,14 @@ def choose_camera(positions: Array) -> Camera:
     along = along if along[0] >= 0 else -along
     azimuth = np.arctan2(along[1], along[0]) - np.deg2rad(58)
     return Camera(float(azimuth), float(np.deg2rad(40)))
+
+
+def brightness(normals: Array, camera: Camera) -> Array:
+    """Brightness (...) of faces with unit normals (..., 3), lit from the upper left."""
+    right, up, towards = camera.axes()
+    lamp = LAMP[0] * right + LAMP[1] * towards + LAMP[2] * up
+    facing = np.abs(normals @ (lamp / np.linalg.norm(lamp)))
+    return np.asarray(1 - SHADE + SHADE * facing)
 
 
 def row_height(width: float, pictures: list[Array]) -> float:

@@ -1,7 +1,8 @@
-"""Quads coloured smoothly between their corners, drawn one behind the other."""
+"""Panels coloured smoothly between the corners of their triangles, drawn one behind the other."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.artist import Artist
@@ -13,23 +14,24 @@ if TYPE_CHECKING:
     from matplotlib.backend_bases import RendererBase
 
 
-TRIANGLES = [0, 1, 2, 0, 2, 3]
-"""Corners of the two triangles of a quad."""
+def quad_triangles(values: Array) -> Array:
+    """Values (2 C, 3, ...) at the corners of the two triangles of quads (C, 4, ...)."""
+    return values[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3, *values.shape[2:])
 
 
 class ShadedPanels(Artist):
-    """Panels, each its cells and then its outline, so that a nearer one covers a farther one.
+    """Panels, each its triangles and then its outline, so that a nearer one covers a farther one.
 
     Parameters
     ----------
-    cells
-        Corners (C, 4, 2) of the cells of all panels.
+    triangles
+        Corners (T, 3, 2) of the triangles of all panels.
     colours
-        Colours (C, 4, 4) at these corners.
+        Colours (T, 3, 4) at these corners.
     ends
-        Where the cells of each panel (P,) end.
+        Where the triangles of each panel (P,) end.
     outlines
-        Closed outlines (P, 5, 2) of the panels, from the farthest to the nearest.
+        Outlines of the panels, from the farthest to the nearest.
     edge
         Colour of the outlines.
     width
@@ -38,18 +40,17 @@ class ShadedPanels(Artist):
 
     def __init__(
         self,
-        cells: Array,
+        triangles: Array,
         colours: Array,
         ends: Integers,
-        outlines: Array,
+        outlines: Sequence[Path],
         *,
         edge: tuple[float, ...],
         width: float,
     ) -> None:
         super().__init__()
-        self.triangles = cells[:, TRIANGLES].reshape(-1, 3, 2)
-        self.colours = colours[:, TRIANGLES].reshape(-1, 3, 4)
-        self.ends, self.outlines, self.edge, self.width = 2 * ends, outlines, edge, width
+        self.triangles, self.colours = triangles, colours
+        self.ends, self.outlines, self.edge, self.width = ends, outlines, edge, width
 
     def draw(self, renderer: RendererBase) -> None:
         """Draw all panels."""
@@ -65,6 +66,6 @@ class ShadedPanels(Artist):
             agg.draw_gouraud_triangles(
                 pen, self.triangles[begin:end], self.colours[begin:end], transform
             )
-            agg.draw_path(pen, Path(outline), transform)
+            agg.draw_path(pen, outline, transform)
             begin = end
         pen.restore()

@@ -105,9 +105,11 @@ class Task:
         document = lay_surface(shell.document, shell.design)
         assert document.distances is not None
         # Flaps of a width that the program chooses may be narrower now than the view had them, a
-        # pack, where panels meet, less closed, and boards cut off where they would meet.
+        # pack, where panels meet, less closed, and boards cut off where they would meet. What loads
+        # do to the shell is found here only.
         met = file.deployment.start == "pack" and shell.lock.cause == "clash"
-        other = file.pattern.flap == "auto" or met or document.boards is not None
+        built = document.boards is not None or document.loaded is not None
+        other = file.pattern.flap == "auto" or met or built
         return {
             "report": shell.report,
             "contact": document.contact,

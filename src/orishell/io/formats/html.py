@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import hashlib
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -12,6 +11,7 @@ from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.format import Format
 from orishell.io.settings import Settings
+from orishell.io.static_page import content_digest
 from orishell.io.view import dump_view
 
 VIEWER = files("orishell.io").joinpath("pages", "viewer.js")
@@ -62,8 +62,8 @@ def write_html(path: Path, document: Document, settings: Settings) -> None:
     script = _inside_script(read_viewer())
     # Only this script and this style run, and nothing is loaded: the page cannot send anything.
     policy = (
-        f"default-src 'none'; script-src '{_digest(script)}'; style-src '{_digest(_STYLE)}'; "
-        "base-uri 'none'; form-action 'none'"
+        f"default-src 'none'; script-src '{content_digest(script)}'; "
+        f"style-src '{content_digest(_STYLE)}'; base-uri 'none'; form-action 'none'"
     )
     page = _PAGE.format(
         policy=policy,
@@ -99,12 +99,6 @@ def read_viewer() -> str:
 def _inside_script(program: str) -> str:
     r"""A program as it may stand in a page: ``</`` and ``<!--`` occur in its strings only."""
     return program.replace("</", "<\\/").replace("<!--", "<\\!--")
-
-
-def _digest(text: str) -> str:
-    """The hash by which a content security policy allows a script or style."""
-    digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
-    return f"sha256-{digest.decode('ascii')}"
 
 
 FORMAT = Format(

@@ -1,0 +1,77 @@
+// The choice of a load case, of what colours mean, and of how large displacements are drawn.
+
+import { threeDigits } from "./colours.ts";
+import { deflectionOf, scalesOf, type Deflection, type Measure } from "./loaded.ts";
+import type { Shell3D } from "./shell3d.ts";
+import type { Loaded, View } from "./view.ts";
+
+const NONE = "";
+
+export class LoadedControls {
+  /** Hidden where the shell was not analysed. */
+  readonly element = document.createElement("div");
+  private readonly cases = document.createElement("select");
+  private readonly measures = document.createElement("select");
+  private readonly slider = document.createElement("input");
+  private readonly reading = document.createElement("output");
+  private loaded: Loaded | null = null;
+  private deflection: Deflection | null = null;
+  private scales: number[] = [1];
+
+  /** `hold`: a case belongs to the target, so the fold is to stay there while one is shown. */
+  constructor(private readonly shell: Shell3D, private readonly hold: (on: boolean) => void) {
+    const { element, cases, measures, slider, reading } = this;
+    element.className = "orishell-loads";
+    element.setAttribute("role", "group");
+    element.setAttribute("aria-label", "Loads");
+    cases.setAttribute("aria-label", "Load case");
+    cases.dataset["testid"] = "load-case";
+    measures.setAttribute("aria-label", "Colours of the loaded shell");
+    measures.dataset["testid"] = "load-measure";
+    for (const measure of ["displacement", "stress"] as const) measures.append(new Option(measure, measure));
+    Object.assign(slider, { type: "range", min: "0", step: "1", title: "How many times as large displacements are drawn" });
+    slider.setAttribute("aria-label", "Displacements drawn larger");
+    slider.dataset["testid"] = "load-scale";
+    cases.addEventListener("change", () => this.choose());
+    measures.addEventListener("change", () => this.draw());
+    slider.addEventListener("input", () => this.draw());
+    element.append(cases, measures, slider, reading);
+    element.hidden = true;
+  }
+
+  /** The shell of another view: the same case, if it has one of that name. */
+  show(view: View): void {
+    const wanted = this.cases.value;
+    this.loaded = view.loaded ?? null;
+    const names = this.loaded?.cases.map(({ name }) => name) ?? [];
+    this.cases.replaceChildren(new Option("Without loads", NONE), ...names.map((name) => new Option(name, name)));
+    this.cases.value = names.includes(wanted) ? wanted : NONE;
+    this.element.hidden = !this.loaded;
+    this.choose();
+  }
+
+  private choose(): void {
+    const { loaded, cases } = this;
+    const number = loaded && cases.value !== NONE ? cases.selectedIndex - 1 : -1;
+    this.deflection = number < 0 ? null : deflectionOf(loaded!, number);
+    if (this.deflection) {
+      this.scales = scalesOf(this.deflection.scale);
+      this.slider.max = String(this.scales.length - 1);
+      this.slider.value = String(this.scales.indexOf(this.deflection.scale));
+      if (!this.deflection.stands) this.measures.value = "displacement";
+    }
+    this.hold(this.deflection !== null);
+    this.draw();
+  }
+
+  private draw(): void {
+    const { deflection, measures, slider, reading } = this;
+    for (const each of [measures, slider]) each.hidden = !deflection;
+    // What moves freely has no stresses, and goes as far as one likes.
+    measures.disabled = reading.hidden = !deflection?.stands;
+    const scale = this.scales[slider.valueAsNumber] ?? 1;
+    reading.textContent = `\u00d7 ${threeDigits(scale)}`;
+    slider.setAttribute("aria-valuetext", `${threeDigits(scale)} times`);
+    this.shell.setLoaded(deflection && { deflection, measure: measures.value as Measure, scale });
+  }
+}

@@ -1,0 +1,47 @@
+// The structure's answer in a few lines: what moves, how far the shell is displaced, and what governs.
+
+import type { CaseReport, GoverningReport, StructureReport } from "./api-types.ts";
+import { length, threeDigits } from "./colours.ts";
+
+export interface Figure {
+  name: string;
+  value: string;
+  note: string;
+}
+
+const PARTS: Record<GoverningReport["part"], string> = {
+  panels: "stress in panels",
+  creases: "moment of creases",
+  ties: "force in a tie",
+  buckling: "buckling",
+};
+
+export function structureFigures(report: StructureReport | null, unit: string): Figure[] {
+  if (!report) return [];
+  const { cases, governs } = report;
+  const figures: Figure[] = [];
+  const moving = cases.filter(({ moves }) => moves !== null);
+  if (moving.length) figures.push({ name: "Moves", value: namesOf(moving, cases), note: `the shell ${moving[0]!.moves}` });
+  const standing = cases.filter(({ stands }) => stands !== null);
+  if (standing.length) {
+    const size = (each: CaseReport): number => each.stands!.displacement.size;
+    const worst = standing.reduce((most, each) => (size(each) > size(most) ? each : most));
+    figures.push({ name: "Displaced", value: length(size(worst), unit), note: `at most, under ${namesOf([worst], cases)}` });
+  }
+  if (governs) {
+    const found = cases.filter(({ name, creases }) => name === governs.case && creases === governs.creases);
+    figures.push({
+      name: "Used", value: `${threeDigits(100 * governs.utilisation)} %`,
+      note: `${PARTS[governs.part]} governs, under ${namesOf(found, cases)}`,
+    });
+  }
+  return figures;
+}
+
+/** Names of cases, the stiffness of creases said where there are several. */
+function namesOf(some: CaseReport[], all: CaseReport[]): string {
+  const several = new Set(all.map(({ creases }) => creases)).size > 1;
+  const stiffness = ({ creases }: CaseReport): string =>
+    typeof creases === "string" ? `${creases} creases` : `creases of ${threeDigits(creases)} N`;
+  return some.map((each) => (several ? `${each.name}, ${stiffness(each)}` : each.name)).join("; ");
+}

@@ -1,0 +1,56 @@
+import { expect, test } from "vitest";
+
+import { amountsOf, deflectionOf, DRAWN, exaggeration, rimsOf, scalesOf } from "../src/shared/loaded.ts";
+import type { Loaded } from "../src/shared/view.ts";
+
+/** Two unit squares side by side, of two triangles each. */
+const points = Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0]);
+const loaded: Loaded = {
+  cases: [{ name: "snow", stands: true }, { name: "own weight", stands: false }],
+  points,
+  triangles: Uint32Array.from([0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4]),
+  panels: Uint32Array.from([0, 0, 1, 1]),
+  ties: Uint32Array.from([0, 5]),
+  displacements: Float32Array.from([...points.map((_, i) => (i === 5 ? -0.03 : i === 3 ? 0.04 : 0)), ...points.map((_, i) => (i === 17 ? -1 : 0))]),
+  stresses: Float32Array.from([1, 2, 4, 3, NaN, NaN, NaN, NaN]),
+};
+
+test("panels are outlined, and the sheet; what lies inside a panel is not", () => {
+  const { rims, border } = rimsOf(loaded);
+  const lines = (ends: Uint32Array) =>
+    Array.from({ length: ends.length / 2 }, (_, k) => `${ends[2 * k]}-${ends[2 * k + 1]}`).sort();
+  expect(lines(border)).toEqual(["0-1", "0-3", "1-2", "2-5", "3-4", "4-5"]);
+  expect(lines(rims)).toEqual([...lines(border), "1-4"].sort());
+});
+
+test("displacements are drawn by a round number, as large as they may be", () => {
+  for (const most of [1e-7, 3e-4, 0.02, 1, 30]) {
+    const scale = exaggeration(10, most);
+    expect(scale * most).toBeLessThanOrEqual(DRAWN * 10 * (1 + 1e-9));
+    expect(scale * most).toBeGreaterThanOrEqual((DRAWN * 10) / 2.5);
+    expect("125").toContain(scale.toExponential(0)[0]);
+    expect(scalesOf(scale)).toContain(scale);
+  }
+  expect(exaggeration(10, 0)).toBe(1);
+});
+
+test("the numbers to choose from go from what is to a few times what is proposed", () => {
+  expect(scalesOf(20)).toEqual([1, 2, 5, 10, 20, 50, 100]);
+  expect(scalesOf(1)).toEqual([1, 2, 5]);
+  expect(scalesOf(0.02)[0]).toBe(0.02);
+  expect(scalesOf(0.02).at(-1)).toBe(1);
+});
+
+test("colours are shares of the most, at corners or for whole triangles", () => {
+  const snow = deflectionOf(loaded, 0);
+  expect(snow.most).toBeCloseTo(0.05, 7);  // 3, 4, 5
+  const sizes = amountsOf(loaded, snow, "displacement");
+  expect(sizes.most).toBe(snow.most);
+  expect([...sizes.shares]).toEqual([0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
+  const stresses = amountsOf(loaded, snow, "stress");
+  expect(stresses.most).toBe(4);
+  expect([...stresses.shares]).toEqual([1, 1, 1, 2, 2, 2, 4, 4, 4, 3, 3, 3].map((each) => each / 4));
+  const moves = deflectionOf(loaded, 1);
+  expect(moves.stands).toBe(false);
+  expect(amountsOf(loaded, moves, "stress").shares.every(Number.isNaN)).toBe(true);
+});

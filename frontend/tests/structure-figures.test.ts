@@ -1,0 +1,33 @@
+import { expect, test } from "vitest";
+
+import type { CaseReport, StructureReport } from "../src/shared/api-types.ts";
+import { structureFigures } from "../src/shared/structure-figures.ts";
+
+function caseOf(name: string, creases: CaseReport["creases"], displaced: number | null): CaseReport {
+  const moves = displaced === null ? "opens under its loads" : null;
+  const stands = displaced === null ? null : { displacement: { size: displaced } };
+  return { name, creases, loads: [], load: [0, 0, 0], moves, stands } as unknown as CaseReport;
+}
+
+const reportOf = (cases: CaseReport[], governs: StructureReport["governs"] = null): StructureReport =>
+  ({ cases, governs, warnings: [], not_covered: [] }) as unknown as StructureReport;
+
+test("a shell that was not analysed has no figures", () => {
+  expect(structureFigures(null, "m")).toEqual([]);
+});
+
+test("what moves, the largest displacement and what governs are named with their cases", () => {
+  const cases = [caseOf("snow", "free", null), caseOf("wind", "free", 0.02), caseOf("snow", 150, 0.05), caseOf("wind", 150, 0.01)];
+  const governs = { part: "ties", case: "wind", creases: "free", utilisation: 0.803 } as const;
+  expect(structureFigures(reportOf(cases, governs), "m")).toEqual([
+    { name: "Moves", value: "snow, free creases", note: "the shell opens under its loads" },
+    { name: "Displaced", value: "0.05 m", note: "at most, under snow, creases of 150 N" },
+    { name: "Used", value: "80.3 %", note: "force in a tie governs, under wind, free creases" },
+  ]);
+});
+
+test("with one stiffness of creases it is not said", () => {
+  expect(structureFigures(reportOf([caseOf("snow", "rigid", 2)]), "mm")).toEqual([
+    { name: "Displaced", value: "2 mm", note: "at most, under snow" },
+  ]);
+});

@@ -1,0 +1,144 @@
+"""Numbers with their units, as engineers read them: newtons, megapascals, kilonewtons per metre."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from orishell.conventions.units import MILLIMETRES, conversion
+
+DIGITS = 4
+LARGE, SMALL = 1e7, 1e-4
+"""Numbers beyond these are written with a power of ten."""
+NARROW = "\u202f"
+"""The space between thousands, which does not break."""
+SPACE = "\N{NO-BREAK SPACE}"
+"""The space before a unit, which does not break either."""
+RAISED = str.maketrans("-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def figure(value: float, digits: int = DIGITS) -> str:
+    """A number in so many significant digits, thousands apart, zeros behind the point left out.
+
+    Parameters
+    ----------
+    value
+        The number.
+    digits
+        Significant digits.
+    """
+    rounded = float(f"{value:.{digits}g}")
+    size = abs(rounded)
+    if size and not SMALL <= size < LARGE:
+        mantissa, power = f"{size:.{digits - 1}e}".split("e")
+        raised = str(int(power)).translate(RAISED)
+        text = f"{mantissa.rstrip('0').rstrip('.')}\u00b710{raised}"
+    else:
+        whole, _, part = f"{size:.{digits + 4}f}".partition(".")
+        grouped = f"{int(whole):,}".replace(",", NARROW) if size >= 1e4 else whole
+        text = f"{grouped}.{part}".rstrip("0").rstrip(".")
+    return f"\u2212{text}" if rounded < 0 else text
+
+
+def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
+    """A number with its unit.
+
+    Parameters
+    ----------
+    value
+        The number.
+    unit
+        Its unit, as it is written.
+    digits
+        Significant digits.
+    """
+    return f"{figure(value, digits)}{SPACE}{unit}"
+
+
+@dataclass(frozen=True, slots=True)
+class Quantities:
+    """Quantities of a design in newtons and its unit of length.
+
+    Parameters
+    ----------
+    unit
+        The design's unit of length.
+    """
+
+    unit: str
+
+    def length(self, value: float) -> str:
+        """A length in the design's unit.
+
+        Parameters
+        ----------
+        value
+            The quantity (length).
+        """
+        return quantity(value, self.unit)
+
+    def displacement(self, value: float) -> str:
+        """A small length: in millimetres, where the design's unit is metric, below a metre.
+
+        Parameters
+        ----------
+        value
+            The quantity (length).
+        """
+        millimetres = value * MILLIMETRES[self.unit]
+        if self.unit in ("in", "ft") or abs(millimetres) >= 1000:
+            return self.length(value)
+        return quantity(millimetres, "mm")
+
+    def pressure(self, value: float) -> str:
+        """A load by area.
+
+        Parameters
+        ----------
+        value
+            The quantity (force per area).
+        """
+        return quantity(value / self._metres**2 / 1e3, "kN/m\u00b2")
+
+    def stress(self, value: float) -> str:
+        """A stress, a strength or a modulus.
+
+        Parameters
+        ----------
+        value
+            The quantity (force per area).
+        """
+        return quantity(value / MILLIMETRES[self.unit] ** 2, "MPa")
+
+    def per_length(self, value: float) -> str:
+        """A force by length, as stiffness against strain.
+
+        Parameters
+        ----------
+        value
+            The quantity (force per length).
+        """
+        return quantity(value / self._metres / 1e3, "kN/m")
+
+    def bending(self, value: float) -> str:
+        """A moment by length and curvature.
+
+        Parameters
+        ----------
+        value
+            The quantity (force times length).
+        """
+        return quantity(value * self._metres, "N m")
+
+    def moment(self, value: float) -> str:
+        """A moment by length.
+
+        Parameters
+        ----------
+        value
+            The quantity (force).
+        """
+        return quantity(value, "N m/m")
+
+    @property
+    def _metres(self) -> float:
+        return conversion(self.unit, "m")

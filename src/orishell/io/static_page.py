@@ -1,0 +1,170 @@
+"""Pages without a program: one file to read and to print, light and dark."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from collections.abc import Iterable, Sequence
+from html import escape
+
+_STYLE = """
+:root { color-scheme: light; --bg: #fff; --text: #1d2126; --soft: #5a5f67; --line: #d5d1c8;
+  --head: #f1eee7; --warn: #8a5a00; --good: #14656d; }
+@media screen and (prefers-color-scheme: dark) {
+  :root { color-scheme: dark; --bg: #14171b; --text: #e6e3dc; --soft: #a9afb8; --line: #343a43;
+    --head: #22272e; --warn: #f2c063; --good: #6fc7c3; }
+}
+body { margin: 0 auto; padding: 12mm 6mm; max-width: 190mm; background: var(--bg);
+  color: var(--text); font: 10.5pt/1.45 system-ui, sans-serif; }
+h1 { font-size: 18pt; line-height: 1.2; margin: 0 0 2mm; }
+h2 { font-size: 13pt; margin: 9mm 0 2mm; border-bottom: 1px solid var(--line); }
+h3 { font-size: 11pt; margin: 6mm 0 1mm; }
+h1, h2, h3, caption { break-after: avoid; }
+p, ul { margin: 1.5mm 0; }
+ul { padding-left: 5mm; }
+.lead { font-size: 12pt; }
+.soft, caption { color: var(--soft); }
+.warning { border-left: 3px solid var(--warn); padding-left: 3mm; }
+.answer { border-left: 3px solid var(--good); padding-left: 3mm; }
+figure { margin: 4mm 0; break-inside: avoid; }
+figure img { display: block; width: 100%; background: #fff; border-radius: 2mm; }
+table { border-collapse: collapse; width: 100%; margin: 2mm 0 4mm; font-size: 9.5pt;
+  font-variant-numeric: tabular-nums; }
+caption { text-align: left; padding-bottom: 1mm; }
+th, td { text-align: left; vertical-align: top; padding: 0.8mm 2mm; border-bottom: 1px solid
+  var(--line); }
+thead th { background: var(--head); font-weight: 600; }
+tbody th { font-weight: 400; }
+.total td, .total th { font-weight: 600; border-top: 1.5px solid var(--soft); }
+.number { text-align: right; }
+td.number { white-space: nowrap; }
+tbody th { min-width: 24mm; }
+tr { break-inside: avoid; }
+thead { display: table-header-group; }
+@page { size: A4; margin: 15mm 12mm; }
+@media print { body { padding: 0; max-width: none; font-size: 9.5pt; } table { font-size: 8.5pt; } }
+"""
+
+_PAGE = """\
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta http-equiv="Content-Security-Policy" content="{policy}"/>
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+{body}
+</body>
+</html>
+"""
+
+
+def static_page(title: str, parts: Iterable[str]) -> str:
+    """A whole page, which is also well-formed XML.
+
+    Parameters
+    ----------
+    title
+        Its title, not escaped yet.
+    parts
+        What stands in it, made by the functions beside this one.
+    """
+    body = "\n".join(part for part in parts if part)
+    policy = (
+        f"default-src 'none'; style-src '{content_digest(_STYLE)}'; img-src data:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    return _PAGE.format(policy=policy, title=escape(title), style=_STYLE, body=body)
+
+
+def content_digest(text: str) -> str:
+    """The hash by which a content security policy allows a script or a style.
+
+    Parameters
+    ----------
+    text
+        What stands between its tags.
+    """
+    digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
+    return f"sha256-{digest.decode('ascii')}"
+
+
+def heading(level: int, text: str) -> str:
+    """A heading, 1 the highest."""
+    return f"<h{level}>{escape(text)}</h{level}>"
+
+
+def paragraph(text: str, kind: str = "") -> str:
+    """A paragraph; ``kind`` is one of the style's classes."""
+    return f"<p{_of(kind)}>{escape(text)}</p>"
+
+
+def bullets(texts: Iterable[str], kind: str = "") -> str:
+    """A list; nothing where there are no texts."""
+    items = "".join(f"<li{_of(kind)}>{escape(text)}</li>" for text in texts)
+    return f"<ul>{items}</ul>" if items else ""
+
+
+def picture(png: bytes, text: str) -> str:
+    """A picture inside the page, and what it shows.
+
+    Parameters
+    ----------
+    png
+        The picture's file.
+    text
+        What it shows.
+    """
+    source = base64.b64encode(png).decode("ascii")
+    image = f'<img src="data:image/png;base64,{source}" alt="{escape(text)}"/>'
+    return f'<figure>{image}<figcaption class="soft">{escape(text)}</figcaption></figure>'
+
+
+def table(
+    head: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    caption: str = "",
+    numbers: int = 0,
+    totals: int = 0,
+) -> str:
+    """A table; nothing where there are no rows.
+
+    Parameters
+    ----------
+    head
+        Headings of its columns; none for a list of names and values.
+    rows
+        Its cells, the first of each row its name.
+    caption
+        What it is.
+    numbers
+        So many of the last columns are numbers, set to the right.
+    totals
+        So many of the last rows are totals.
+    """
+    lines = list(rows)
+    if not lines:
+        return ""
+
+    def row(cells: Sequence[str], tag: str, kind: str = "") -> str:
+        text = len(cells) - numbers
+        made = "".join(
+            f"<{name}{_of('number' if k >= text else '')}>{escape(cell)}</{name}>"
+            for k, cell in enumerate(cells)
+            for name in ("th" if tag == "th" or k == 0 else "td",)
+        )
+        return f"<tr{_of(kind)}>{made}</tr>"
+
+    title = f"<caption>{escape(caption)}</caption>" if caption else ""
+    above = f"<thead>{row(head, 'th')}</thead>" if head else ""
+    first = len(lines) - totals
+    body = "\n".join(row(line, "td", "total" if k >= first else "") for k, line in enumerate(lines))
+    return f"<table>{title}{above}<tbody>{body}</tbody></table>"
+
+
+def _of(kind: str) -> str:
+    return f' class="{kind}"' if kind else ""

@@ -1,0 +1,279 @@
+"""The picture of the loaded shell: how it deflects under every load case."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from orishell.conventions.colours import AMOUNT_MAP, LIGHT
+from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.plot.scene import (
+    HEADING,
+    LEGEND,
+    TITLE,
+    WIDTH,
+    Camera,
+    add_part,
+    brightness,
+    choose_camera,
+    frame,
+    new_figure,
+    row_height,
+    save,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.figure import Figure
+
+DRAWN = 0.06
+"""The largest displacement is drawn as about this share of the shell's size, at most."""
+MOST = 12
+"""Load cases that are drawn, at most."""
+BAR = 0.62
+"""Height of a bar of colours with its numbers (inches)."""
+CREASE = (0.15, 0.15, 0.18, 0.55)
+UNLOADED = "#4a4d55"
+TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DrawnCase:
+    """A load case as it is drawn.
+
+    Parameters
+    ----------
+    case
+        The load case.
+    taut
+        Which ties (K,) pull.
+    note
+        The line below its name.
+    """
+
+    case: LoadedCase
+    taut: Booleans
+    note: str
+
+
+def plot_structure(
+    path: Path, shell: LoadedShell, cases: Sequence[DrawnCase], *, title: str, unit: str
+) -> None:
+    """Write the picture of the loaded shell as PNG: a part for every load case.
+
+    Parameters
+    ----------
+    shell
+        The shell, as it is without loads.
+    cases
+        The load cases, in the order in which they are drawn; at most :data:`MOST` are.
+    title
+        Heading.
+    unit
+        Unit of length.
+    """
+    drawn = cases[:MOST]
+    camera = choose_camera(shell.points)
+    scales = [exaggeration(shell.points, each.case.displacements) for each in drawn]
+    places = [
+        shell.points + scale * each.case.displacements
+        for each, scale in zip(drawn, scales, strict=True)
+    ]
+    pictures = [camera.project(points)[0] for points in (shell.points, *places)]
+    columns = 2 if len(drawn) == 4 else min(len(drawn), 3)
+    rows = -(-len(drawn) // columns)
+    width = WIDTH / columns
+    height = row_height(0.96 * width, [np.concatenate(pictures)])
+    row = BAR + height + 1.4 * TITLE
+    figure = new_figure(LEGEND + rows * row + HEADING, title)
+    panels = _Panels.of(shell)
+    for number, (each, scale, points) in enumerate(zip(drawn, scales, places, strict=True)):
+        down, right = divmod(number, columns)
+        bottom = LEGEND + (rows - 1 - down) * row
+        axes = add_part(figure, right * width, bottom + BAR, width, height)
+        colours = panels.draw(axes, points, each.case, camera)
+        _draw_unloaded(axes, shell, panels, camera)
+        _draw_ties(axes, shell, points, each.taut, camera)
+        _draw_supports(axes, shell, camera)
+        frame(axes, np.concatenate(pictures))
+        _say(axes, each, scale)
+        beside = add_part(figure, (right + 0.2) * width, bottom + BAR - 0.2, 0.6 * width, 0.12)
+        bar = figure.colorbar(colours, cax=beside, orientation="horizontal")
+        stands = each.case.stands
+        bar.set_label(f"displacement ({unit})" if stands else "motion, as a share of the largest")
+    _explain(figure, shell, drawn, len(cases) - len(drawn))
+    save(figure, path)
+
+
+def exaggeration(points: Array, displacements: Array) -> float:
+    """A round number by which displacements are drawn larger, so that they can be seen.
+
+    1, 2 or 5 times a power of ten: the largest displacement is drawn as at most :data:`DRAWN` of
+    the diagonal of the shell's box. ``frontend/src/shared/loaded.ts`` has the same rule.
+
+    Parameters
+    ----------
+    points
+        Nodes (N, 3).
+    displacements
+        Their displacements (N, 3).
+    """
+    largest = float(np.linalg.norm(displacements, axis=-1).max(initial=0.0))
+    if not largest:
+        return 1.0
+    wanted = DRAWN * float(np.linalg.norm(np.ptp(points, axis=0))) / largest
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(max(step for step in (1, 2, 5) if step <= wanted / power * (1 + 1e-9)) * power)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Panels:
+    """The panels of a loaded shell: how many, their triangles and their outlines.
+
+    Parameters
+    ----------
+    count
+        Number of panels (P).
+    panel
+        The panel (T,) of every triangle.
+    triangles
+        Nodes (T, 3).
+    rims
+        Ends (R, 2) of the lines round every panel, panel after panel.
+    ends
+        Where those of each panel (P,) end.
+    border
+        Ends (B, 2) of the lines round the whole sheet.
+    """
+
+    count: int
+    panel: Integers
+    triangles: Integers
+    rims: Integers
+    ends: Integers
+    border: Integers
+
+    @classmethod
+    def of(cls, shell: LoadedShell) -> _Panels:
+        count = int(shell.panels.max()) + 1
+        sides = np.sort(shell.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        owned = np.column_stack([np.repeat(shell.panels, 3), sides])
+        rims, times = np.unique(owned, axis=0, return_counts=True)
+        rims = rims[times == 1]
+        edges, times = np.unique(rims[:, 1:], axis=0, return_counts=True)
+        ends = np.cumsum(np.bincount(rims[:, 0], minlength=count))
+        return cls(count, shell.panels, shell.triangles, rims[:, 1:], ends, edges[times == 1])
+
+    def draw(self, axes: Axes, points: Array, case: LoadedCase, camera: Camera) -> ScalarMappable:
+        """Panels at points (N, 3) from the farthest to the nearest, coloured by displacement."""
+        from matplotlib.cm import ScalarMappable
+        from matplotlib.colors import LinearSegmentedColormap, Normalize
+        from matplotlib.path import Path as Outline
+
+        from orishell.plot.shading import ShadedPanels
+
+        amounts = np.linalg.norm(case.displacements, axis=-1)
+        scale = ScalarMappable(
+            Normalize(0.0, float(amounts.max()) or 1.0),
+            LinearSegmentedColormap.from_list("amount", AMOUNT_MAP),
+        )
+        corners = points[self.triangles]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+        colours = np.asarray(scale.to_rgba(amounts))[self.triangles]
+        colours[..., :3] *= brightness(normals, camera)[:, None, None]
+        picture, depth = camera.project(points)
+        times = np.bincount(self.panel, minlength=self.count)
+        sums = np.bincount(self.panel, depth[self.triangles].mean(axis=1), self.count)
+        order = np.argsort(sums / np.maximum(times, 1), kind="stable")
+        place = np.argsort(order)
+        behind = np.argsort(place[self.panel], kind="stable")
+        lines = np.split(picture[self.rims], self.ends[:-1])
+        axes.add_artist(
+            ShadedPanels(
+                picture[self.triangles][behind],
+                colours[behind],
+                np.cumsum(times[order]),
+                [
+                    Outline(lines[panel].reshape(-1, 2), [1, 2] * len(lines[panel]))
+                    for panel in order
+                ],
+                edge=CREASE,
+                width=0.5,
+            )
+        )
+        return scale
+
+
+def _draw_unloaded(axes: Axes, shell: LoadedShell, panels: _Panels, camera: Camera) -> None:
+    from matplotlib.collections import LineCollection
+
+    lines = camera.project(shell.points)[0][panels.border]
+    axes.add_collection(
+        LineCollection(list(lines), colors=UNLOADED, linewidths=0.7, linestyles=[(0, (3, 2))])
+    )
+
+
+def _draw_ties(
+    axes: Axes, shell: LoadedShell, points: Array, taut: Booleans, camera: Camera
+) -> None:
+    from matplotlib.collections import LineCollection
+
+    lines = camera.project(points)[0][shell.ties]
+    for which, colour, style in ((taut, TAUT, "-"), (~taut, SLACK, (0, (2, 2)))):
+        axes.add_collection(
+            LineCollection(list(lines[which]), colors=colour, linewidths=1.6, linestyles=[style])
+        )
+
+
+def _draw_supports(axes: Axes, shell: LoadedShell, camera: Camera) -> None:
+    nodes, held = _supports(shell)
+    places = camera.project(shell.points[nodes])[0]
+    for which, fill in ((held, "black"), (~held, "white")):
+        axes.scatter(*places[which].T, **_mark(fill))
+
+
+def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
+    """Supported nodes (S,), and which of them (S,) cannot be displaced at all."""
+    nodes, times = np.unique(shell.held[shell.held[:, 1] < 3, 0], return_counts=True)
+    return nodes, times == 3
+
+
+def _mark(fill: str) -> dict[str, Any]:
+    return {"marker": "^", "s": 30, "facecolor": fill, "edgecolor": "black", "linewidth": 0.8}
+
+
+def _say(axes: Axes, drawn: DrawnCase, scale: float) -> None:
+    """Name of a load case, and a line on how it is drawn, above its part."""
+    how = "drawn as it is" if scale == 1 else f"drawn {scale:g} times as large"
+    if not drawn.case.stands:
+        how = "moves: nothing resists this"
+    note = ", ".join(filter(None, (drawn.note, how)))
+    axes.set_title(f"{drawn.case.name}\n", y=1.0, fontsize=12, fontweight="bold")
+    axes.text(0.5, 1.012, note, transform=axes.transAxes, ha="center", va="bottom", fontsize=10)
+
+
+def _explain(figure: Figure, shell: LoadedShell, drawn: Sequence[DrawnCase], missing: int) -> None:
+    """What lines and marks mean, below all parts."""
+    from matplotlib.lines import Line2D
+
+    held = _supports(shell)[1]
+    known = [Line2D([], [], color=UNLOADED, linewidth=0.7, linestyle="--", label="without loads")]
+    taut = np.stack([each.taut for each in drawn])
+    for some, colour, style, words in ((taut, TAUT, "-", "taut"), (~taut, SLACK, ":", "slack")):
+        if some.any():
+            line: dict[str, Any] = {"color": colour, "linestyle": style, "linewidth": 1.6}
+            known.append(Line2D([], [], label=f"tie, {words}", **line))
+    for some, fill, words in ((held, "black", "held"), (~held, "white", "held in part")):
+        if some.any():
+            mark: dict[str, Any] = {"marker": "^", "markersize": 6, "markeredgecolor": "black"}
+            known.append(Line2D([], [], linestyle="", markerfacecolor=fill, label=words, **mark))
+    if missing:
+        known.append(Line2D([], [], linestyle="", label=f"{missing} more load cases not drawn"))
+    figure.legend(handles=known, loc="lower center", ncols=len(known), frameon=False)

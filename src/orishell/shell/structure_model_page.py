@@ -1,0 +1,115 @@
+"""What is analysed, on the page on a shell as a structure: so that it can be calculated by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from orishell.conventions.quantities import Quantities, figure, quantity
+from orishell.io.static_page import paragraph, table
+from orishell.shell.case_report import Stiffness
+from orishell.shell.structure_report import ModelReport, SupportReport
+
+HELD = {
+    "pinned": "held in place",
+    "fixed": "held in place, and all panels there clamped",
+    "sliding": "held up only",
+    "friction": "on the ground, which pushes only, with friction of",
+}
+
+
+def model_parts(model: ModelReport, said: Quantities) -> Iterator[str]:
+    """The model: materials, sections, creases, ties, supports and the mesh.
+
+    Parameters
+    ----------
+    model
+        What is analysed.
+    said
+        How quantities are written.
+    """
+    yield table((), _rows(model, said))
+    yield paragraph(_sections_in_words(model, said), "soft")
+    yield table(("Supports", "how"), ((_place(each), _held(each)) for each in model.supports))
+
+
+def _rows(model: ModelReport, said: Quantities) -> Iterator[tuple[str, str]]:
+    low, high = model.crease_stiffness
+    yield "Unit of length", said.unit
+    yield "Height between its flaps", said.length(model.height)
+    yield "Mass of panels", quantity(model.mass, "kg")
+    yield "Thickness of panels, t", said.displacement(model.thickness)
+    yield "Young\u2019s modulus, E", said.stress(model.modulus)
+    yield "Poisson\u2019s ratio, \u03bd", figure(model.poisson)
+    if model.membrane_modulus:
+        yield "Young\u2019s modulus of the membrane", said.stress(model.membrane_modulus)
+    yield "Strength of panels", _known(model.strength, said.stress)
+    yield (
+        "Stiffness of sections in their plane",
+        _from_to(model.membrane_stiffness, said.per_length),
+    )
+    yield "Stiffness of sections in bending", _from_to(model.bending_stiffness, said.bending)
+    stiffness = _stiffness(low)
+    if low != high:
+        stiffness += f", and {_stiffness(high)}: all is found for both"
+    yield "Creases", stiffness
+    yield "Strength of creases", _known(model.crease_strength, said.moment)
+    stretch = model.tie_stiffness
+    yield "Ties", "do not stretch" if stretch is None else quantity(stretch, "N by strain")
+    yield "Strength of ties", _known(model.tie_strength, lambda force: quantity(force, "N"))
+    yield (
+        "Mesh",
+        f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} freedoms",
+    )
+    change = model.change
+    refined = "not refined: how far the figures depend on the mesh was not found"
+    if change is not None:
+        refined = "cells were halved until the largest displacement changed by " + quantity(
+            100 * change, "%", 3
+        )
+    yield "Refinement", refined
+
+
+def _sections_in_words(model: ModelReport, said: Quantities) -> str:
+    """How the stiffness of sections comes from thickness and modulus."""
+    plane = model.modulus / (1 - model.poisson**2)
+    solid = plane * model.thickness**3 / 12
+    least, most = model.bending_stiffness
+    text = (
+        f"A solid panel has E t/(1 \u2212 \u03bd²) = {said.per_length(plane * model.thickness)} in "
+        f"its plane and E t³/12/(1 \u2212 \u03bd²) = {said.bending(solid)} in bending."
+    )
+    if max(abs(least - solid), abs(most - solid)) <= 1e-9 * solid:
+        return text
+    return text + (
+        " Of two boards with a membrane between them each, of thickness b and its middle d away "
+        "from that of the panel, adds E b and E (b³/12 + b d²), over 1 \u2212 \u03bd²; the "
+        "membrane adds what it has by itself. Beside creases, where one board or none is left, "
+        "sections are less stiff: triangles take the mean of what covers them."
+    )
+
+
+def _place(support: SupportReport) -> str:
+    if isinstance(support.at, str):
+        return {"feet": "feet", "ends": "first and last columns"}[support.at]
+    vertices = ", ".join(f"{row},{column}" for row, column in support.at)
+    return f"vertices {vertices}"
+
+
+def _held(support: SupportReport) -> str:
+    words = HELD[support.kind]
+    return f"{words} {figure(support.friction)}" if support.kind == "friction" else words
+
+
+def _stiffness(stiffness: Stiffness) -> str:
+    if isinstance(stiffness, str):
+        return {"free": "free hinges", "rigid": "rigid"}[stiffness]
+    return quantity(stiffness, "N m/m by radian")
+
+
+def _from_to(values: tuple[float, float], said: Callable[[float], str]) -> str:
+    low, high = map(said, values)
+    return low if low == high else f"from {low} to {high}"
+
+
+def _known(value: float | None, said: Callable[[float], str]) -> str:
+    return "not given" if value is None else said(value)

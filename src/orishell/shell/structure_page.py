@@ -1,0 +1,261 @@
+"""The page on a shell as a structure, which an engineer checks by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from orishell.conventions.quantities import Quantities, figure, quantity
+from orishell.io.static_page import bullets, heading, paragraph, picture, static_page, table
+from orishell.shell.case_report import CaseReport, PairReport, StandingReport, Vector
+from orishell.shell.structure_caveats import name_of
+from orishell.shell.structure_model_page import model_parts
+from orishell.shell.structure_report import StructureReport
+
+ROUNDING = 1e-9
+"""Forces below this share of a case's load are none."""
+AXES = ("x (N)", "y (N)", "z (N)")
+NOTHING = "\u2013"
+KINDS = {
+    "self_weight": "own weight",
+    "pressure": "pressure",
+    "snow": "snow",
+    "wind": "wind",
+    "points": "forces at points",
+}
+PARTS = {
+    "panels": "the stress in panels",
+    "creases": "the moment of creases",
+    "ties": "the force in a tie",
+    "buckling": "buckling",
+}
+SHOWN = "The shell under its loads, coloured by displacement."
+
+
+def structure_page(report: StructureReport, *, title: str, unit: str, png: bytes) -> str:
+    """The text of ``structure.html``: model, loads, results and what is not covered.
+
+    Parameters
+    ----------
+    report
+        The shell as a structure.
+    title
+        What the shell is.
+    unit
+        Its unit of length.
+    png
+        The picture of the loaded shell.
+    """
+    said = Quantities(unit)
+    return static_page(
+        f"Structure: {title}",
+        [
+            heading(1, f"Structure: {title}"),
+            *_answer(report, said),
+            picture(png, SHOWN),
+            heading(2, "Warnings") if report.warnings else "",
+            bullets(report.warnings),
+            heading(2, "Model"),
+            *model_parts(report.model, said),
+            heading(2, "Loads and reactions"),
+            *_loads(report, said),
+            heading(2, "Results"),
+            *_results(report, said),
+            *(part for case in report.cases for part in _case(case, report.cases, said)),
+            heading(2, "What is not covered"),
+            bullets(report.not_covered),
+        ],
+    )
+
+
+def _answer(report: StructureReport, said: Quantities) -> Iterator[str]:
+    """What governs, how far the shell moves, and whether it stands at all."""
+    cases = report.cases
+    moving = [case for case in cases if case.moves is not None]
+    if moving:
+        names = "; ".join(name_of(case, cases) for case in moving)
+        yield paragraph(f"It does not stand under: {names}.", "lead warning")
+    standing = [(case.stands, case) for case in cases if case.stands is not None]
+    if standing:
+        found, case = max(standing, key=lambda each: each[0].displacement.size)
+        yield paragraph(
+            f"The largest displacement is {said.displacement(found.displacement.size)}, "
+            f"under {name_of(case, cases)}.",
+            "lead answer",
+        )
+    governs = report.governs
+    if governs is not None:
+        named = next(
+            name_of(case, cases)
+            for case in cases
+            if (case.name, case.creases) == (governs.case, governs.creases)
+        )
+        yield paragraph(
+            f"{PARTS[governs.part].capitalize()} governs, under {named}: "
+            f"{_share(governs.utilisation)} of what can be borne.",
+            "lead answer",
+        )
+    elif standing:
+        yield paragraph("No strengths are given, so nothing is said of what is used.", "lead")
+
+
+def _loads(report: StructureReport, said: Quantities) -> Iterator[str]:
+    """What loads each case, and what bears it; loads are the same for all stiffnesses."""
+    names = dict.fromkeys(case.name for case in report.cases)
+    for name in names:
+        same = [case for case in report.cases if case.name == name]
+        rows = [
+            (
+                ("" if load.case == name else f"{load.case}: ") + KINDS[load.kind],
+                NOTHING if load.pressure is None else said.pressure(load.pressure),
+                load.rule,
+                figure(load.factor),
+                *_vector(load.force, same[0].load),
+            )
+            for load in same[0].loads
+        ]
+        totals = [("all loads", "", "", "", *_vector(same[0].load, same[0].load))]
+        for case in same:
+            words = name_of(case, report.cases).removeprefix(f"{name}, ")
+            which = "" if words == name else f", {words}"
+            if case.stands is None:
+                totals.append((f"reactions{which}", "", "none: it moves", "", *3 * [NOTHING]))
+                continue
+            missing = f"missing: {figure(case.stands.residual, 2)} of the loads"
+            reaction = _vector(case.stands.reaction, case.load)
+            totals.append((f"reactions{which}", "", missing, "", *reaction))
+        yield table(
+            ("", "from", "how", "factor", *AXES),
+            [*rows, *totals],
+            caption=name,
+            numbers=4,
+            totals=len(totals),
+        )
+    yield paragraph(
+        "Factors are those of combinations, and are in the forces. What is missing between loads "
+        "and reactions is the larger of force and moment, relative to the loads.",
+        "soft",
+    )
+
+
+def _results(report: StructureReport, said: Quantities) -> Iterator[str]:
+    """All cases beside each other; those of one name, with little and much stiffness, in turn."""
+    order = {name: k for k, name in enumerate(dict.fromkeys(each.name for each in report.cases))}
+    cases = sorted(report.cases, key=lambda each: order[each.name])
+    rows = [(name_of(case, cases), *_figures(case, said)) for case in cases]
+    head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
+    yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
+    yield paragraph(
+        "Used is the largest share of what panels, creases and ties can bear, and of the load at "
+        "which the shell buckles.",
+        "soft",
+    )
+
+
+def _figures(case: CaseReport, said: Quantities) -> Sequence[str]:
+    found = case.stands
+    if found is None:
+        return ("moves", *7 * [NOTHING])
+    used = found.utilisation
+    shares = [used.panels, used.creases, used.ties, used.buckling]
+    known = [share for share in shares if share is not None]
+    return (
+        said.displacement(found.displacement.size),
+        _share(found.displacement.share),
+        said.stress(found.stress.size),
+        NOTHING
+        if found.crease is None or case.creases == "free"
+        else said.moment(found.crease.moment),
+        quantity(found.ties[0].force, "N") if found.ties and found.ties[0].force else NOTHING,
+        NOTHING if found.buckling is None else figure(found.buckling),
+        quantity(found.frequencies[0], "Hz") if found.frequencies else NOTHING,
+        _share(max(known)) if known else NOTHING,
+    )
+
+
+def _case(case: CaseReport, cases: Sequence[CaseReport], said: Quantities) -> Iterator[str]:
+    yield heading(3, name_of(case, cases))
+    found = case.stands
+    if found is None:
+        yield paragraph(f"The shell {case.moves}. There is nothing more to say of it.", "warning")
+        return
+    yield table((), _details(case, found, said))
+    reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
+    half = -(-len(reactions) // 2)
+    reactions += [4 * ("",)] * (2 * half - len(reactions))
+    yield table(
+        2 * ("vertex", *AXES),
+        [one + other for one, other in zip(reactions[:half], reactions[half:], strict=True)],
+        caption="Reactions of supports; their sum is above, under the loads",
+        numbers=7,
+    )
+    yield _pairs("Ties: the force with which they pull", found.ties, "slack")
+    yield _pairs("Flaps: the force with which they press on each other", found.flaps, "apart")
+
+
+def _details(
+    case: CaseReport, found: StandingReport, said: Quantities
+) -> Iterator[tuple[str, str]]:
+    """Names and values of what was found."""
+    moved, stress, used = found.displacement, found.stress, found.utilisation
+    x, y, z = (said.displacement(each) for each in moved.vector)
+    yield (
+        "Largest displacement",
+        f"{said.displacement(moved.size)} in panel {_vertex(moved.panel)} (along x, y, z: "
+        f"{x}, {y}, {z}), {_share(moved.share)} of the shell's height",
+    )
+    yield (
+        "Largest stress",
+        f"{said.stress(stress.size)} by von Mises, in panel {_vertex(stress.panel)} on its "
+        f"{stress.face} face; principal stresses from {said.stress(stress.least)} to "
+        f"{said.stress(stress.largest)}",
+    )
+    if found.crease is not None and case.creases != "free":
+        one, other = (_vertex(panel) for panel in found.crease.panels)
+        yield (
+            "Largest moment of a crease",
+            f"{said.moment(found.crease.moment)} between panels {one} and {other}",
+        )
+    buckles = "by linear theory it does not"
+    if found.buckling is not None:
+        buckles = f"under {figure(found.buckling)} times these loads, by linear theory"
+    yield "Buckling", buckles
+    if found.frequencies:
+        yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"
+    shares = {
+        "panels": used.panels,
+        "creases": used.creases,
+        "ties": used.ties,
+        "buckling": used.buckling,
+    }
+    words = [f"{name} {_share(share)}" for name, share in shares.items() if share is not None]
+    unknown = [name for name, share in shares.items() if share is None and name != "buckling"]
+    if unknown:
+        words.append(f"of {' and '.join(unknown)} no strength is given")
+    yield "Share used", "; ".join(words)
+
+
+def _pairs(caption: str, pairs: Sequence[PairReport], idle: str) -> str:
+    """Forces between two vertices; those without any are counted, and called by a word."""
+    rows = [
+        (f"{_vertex(each.ends[0])} to {_vertex(each.ends[1])}", figure(each.force))
+        for each in pairs
+        if each.force
+    ]
+    rest = len(pairs) - len(rows)
+    if rest:
+        rows.append((f"{rest} more" if rows else f"all {rest}", idle))
+    return table(("vertices", "force (N)"), rows, caption=caption, numbers=1)
+
+
+def _vector(force: Vector, load: Vector) -> Iterator[str]:
+    """Components of a force; 0 where they are rounding errors of a load."""
+    least = ROUNDING * max(map(abs, load))
+    return (figure(each if abs(each) > least else 0.0) for each in force)
+
+
+def _vertex(at: tuple[int, int]) -> str:
+    return f"{at[0]},{at[1]}"
+
+
+def _share(share: float) -> str:
+    return quantity(100 * share, "%", 3)

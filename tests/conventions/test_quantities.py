@@ -1,0 +1,60 @@
+"""Numbers and quantities as pages show them."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from orishell.conventions.quantities import Quantities, figure, quantity
+
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def read(text: str) -> float:
+    plain = text.replace("\u202f", "").replace("\u2212", "-").translate(RAISED)
+    return float(plain.replace("\u00b710", "e"))
+
+
+@given(st.floats(-1e30, 1e30), st.integers(2, 6))
+def test_a_number_is_read_as_it_was_rounded(value: float, digits: int) -> None:
+    assert math.isclose(read(figure(value, digits)), float(f"{value:.{digits}g}"), rel_tol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"),
+        (1.0, "1"),
+        (-0.25, "\u22120.25"),
+        (1234.56, "1235"),
+        (12345.6, "12\u202f350"),
+        (2.5e6, "2\u202f500\u202f000"),
+        (0.00012344, "0.0001234"),
+        (1.5e-12, "1.5\u00b710⁻¹²"),
+        (2.7e8, "2.7\u00b710⁸"),
+        (9.99999e6, "1\u00b710⁷"),
+    ],
+)
+def test_how_numbers_look(value: float, text: str) -> None:
+    assert figure(value) == text
+
+
+def test_a_unit_stays_with_its_number() -> None:
+    assert quantity(3.0, "kg") == "3\u00a0kg"
+
+
+@pytest.mark.parametrize(("unit", "metres"), [("mm", 1e-3), ("m", 1.0), ("in", 0.0254)])
+def test_quantities_mean_the_same_in_every_unit(unit: str, metres: float) -> None:
+    """A panel of 10 mm with E = 210 GPa under 1 kPa, in newtons and the unit."""
+    said = Quantities(unit)
+    assert said.stress(210e9 * metres**2) == "210\u202f000\u00a0MPa"
+    assert said.pressure(1e3 * metres**2) == "1\u00a0kN/m²"
+    assert said.per_length(2.1e9 * metres) == "2\u202f100\u202f000\u00a0kN/m"
+    assert said.bending(17500 / metres) == "17\u202f500\u00a0N m"
+    assert said.moment(5.0) == "5\u00a0N m/m"
+    if unit != "in":
+        assert said.displacement(0.01 / metres) == "10\u00a0mm"
+    else:
+        assert said.displacement(1.0) == "1\u00a0in"
+    assert said.length(2.5) == f"2.5\u00a0{unit}"

@@ -1,0 +1,127 @@
+"""A shell under load in viewer.html: what stands in the view, and what a browser makes of it."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from loaded_shells import LARGEST, loaded_document
+from orishell.io.formats.html import write_html
+from orishell.io.settings import DEFAULT_SETTINGS
+from orishell.io.view import dump_view
+from viewer_pages import await_frames, pixels, running_browser, wait_until, watched_page
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+
+def parts_of(view: bytes) -> tuple[dict[str, Any], bytes]:
+    (size,) = struct.unpack("<I", view[:4])
+    return json.loads(view[4 : 4 + size]), view[4 + size :]
+
+
+def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
+    document = loaded_document()
+    loaded = document.loaded
+    assert loaded is not None
+    header, blocks = parts_of(dump_view(document))
+    arrays = {
+        name: np.frombuffer(
+            blocks, place["type"], int(np.prod(place["shape"])), place["offset"]
+        ).reshape(place["shape"])
+        for name, place in header["arrays"].items()
+    }
+    assert header["cases"] == [{"name": each.name, "stands": each.stands} for each in loaded.cases]
+    np.testing.assert_array_equal(arrays["loaded_triangles"], loaded.triangles)
+    np.testing.assert_array_equal(arrays["loaded_panels"], loaded.panels)
+    np.testing.assert_array_equal(arrays["loaded_ties"], loaded.ties)
+    placed = arrays["loaded_points"] + np.array(header["origin"]) - document.origin
+    assert np.abs(placed - loaded.points).max() < 1e-6
+    for number, case in enumerate(loaded.cases):
+        moved = arrays["displacements"][number]
+        assert np.abs(moved - case.displacements).max() <= 1e-7 * np.abs(case.displacements).max()
+        # Newtons per square metre, and 1e6 of them in a megapascal.
+        stresses = case.stresses * 1e-6
+        np.testing.assert_allclose(arrays["stresses"][number], stresses, rtol=1e-6)
+
+
+def test_a_view_without_loads_says_nothing_of_them() -> None:
+    header, _ = parts_of(dump_view(replace(loaded_document(), loaded=None)))
+    assert "cases" not in header
+    assert not {"loaded_points", "displacements", "stresses"} & set(header["arrays"])
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with running_browser() as running:
+        yield running
+
+
+def choose(page: Page, what: str, value: str) -> None:
+    page.get_by_test_id(f"load-{what}").select_option(value)
+    await_frames(page)
+
+
+def differing(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    """Share of the pixels that are not the same."""
+    return float((np.abs(one - other).max(axis=-1) > 0.1).mean())
+
+
+def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
+    """Displaced and coloured at the target, where the fold stays meanwhile."""
+    write_html(tmp_path / "viewer.html", loaded_document(), DEFAULT_SETTINGS)
+    with watched_page(browser) as page:
+        page.goto((tmp_path / "viewer.html").as_uri())
+        wait_until(page, "window.orishell !== undefined")
+        page.evaluate("orishell.player.set(0.5)")
+        await_frames(page)
+        half = pixels(page, ".stage canvas")
+        choose(page, "case", "snow")
+        assert page.evaluate("orishell.shell.fold") == 1
+        legend = page.locator(".orishell-legend").inner_text()
+        assert "snow: displacement, drawn 5 times as large" in legend
+        assert f"{LARGEST} m" in legend
+        snow = pixels(page, ".stage canvas")
+        page.evaluate("orishell.player.toggle()")  # held: it does not move
+        assert not page.evaluate("orishell.player.bar.querySelector('.playing') !== null")
+
+        page.get_by_test_id("load-scale").fill("4")
+        await_frames(page)
+        assert "drawn 20 times" in page.locator(".orishell-legend").inner_text()
+        larger = pixels(page, ".stage canvas")
+        choose(page, "measure", "stress")
+        assert "MPa" in page.locator(".orishell-legend").inner_text()
+        choose(page, "case", "own weight")
+        assert "moves: nothing resists this" in page.locator(".orishell-legend").inner_text()
+        assert page.get_by_test_id("load-measure").is_disabled()
+        moves = pixels(page, ".stage canvas")
+
+        choose(page, "case", "")
+        assert page.locator(".orishell-legend").is_hidden()
+        bare = pixels(page, ".stage canvas")
+        pictures = (half, snow, larger, moves, bare)
+        for k, one in enumerate(pictures):
+            for other in pictures[:k]:
+                assert differing(one, other) > 0.005
+        page.evaluate("orishell.player.set(0.5)")
+        wait_until(page, "orishell.shell.quality.taps === 12")  # at rest, it is drawn finely again
+        await_frames(page)
+        # But for the tools, where one now has the focus.
+        assert differing(pixels(page, ".stage canvas"), half) < 0.001
+
+
+def test_a_shell_that_was_not_analysed_offers_no_loads(browser: Browser, tmp_path: Path) -> None:
+    document = replace(loaded_document(), loaded=None)
+    write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
+    with watched_page(browser) as page:
+        page.goto((tmp_path / "viewer.html").as_uri())
+        wait_until(page, "window.orishell !== undefined")
+        assert page.get_by_test_id("load-case").count() == 0
