@@ -2,7 +2,8 @@
 
 Cells of the mesh are quadratic quadrilaterals of reduced integration, S8R. On folded plates they
 come nearest to thin shells: CalculiX makes solids of all its shells, of which the others are too
-stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6).
+stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6). Ties are springs between two
+nodes: trusses, T3D2, would hold the rotations of the shell, and spoil its buckling factors.
 """
 
 from __future__ import annotations
@@ -28,10 +29,7 @@ BUCKLING = "1,1e-4,20,1000"
 """Buckling factors, accuracy, Lanczos vectors, rounds: as they are by default CalculiX may miss the
 lowest."""
 STIFF = 1e3
-"""How many times as stiff as a strip of panel, as wide as the shell is large, is what does not
-stretch."""
-SLENDER = 1e-3
-"""Thickness of a tie by the size of the shell: its section means nothing else."""
+"""A tie that does not stretch is this many times as stiff as a square of panel."""
 
 
 def write_calculix(path: Path, document: Document, settings: Settings) -> None:
@@ -157,7 +155,7 @@ def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
             "This is not all that orishell analyses:",
             "- creases are rigid: panels share their rotations there;",
             "- supports and ties hold both ways, and flaps are left out: look for wrong signs;",
-            f"- a tie that does not stretch is a truss {STIFF:g} times as stiff as the shell;",
+            f"- ties that do not stretch are {STIFF:g} times as stiff as a square of panel;",
             "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
             "  are not those of the boards;",
             "- frequencies are those of the shell without loads, and with every tie.",
@@ -182,35 +180,28 @@ def _sections(deck: _Deck, poisson: float, metres: float) -> Iterable[str]:
     for number, (thickness, modulus, density) in enumerate(deck.sections.tolist(), 1):
         yield f"*ELSET,ELSET=SECTION{number}"
         yield from map(str, (np.flatnonzero(deck.section == number - 1) + 1).tolist())
-        yield from _material(f"PANEL{number}", modulus, poisson, density * metres)
+        yield f"*MATERIAL,NAME=PANEL{number}"
+        yield "*ELASTIC"
+        yield _numbers([modulus, poisson])
+        yield "*DENSITY"
+        yield _numbers([density * metres])
         yield f"*SHELL SECTION,ELSET=SECTION{number},MATERIAL=PANEL{number}"
         yield _numbers([thickness])
 
 
 def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:
-    if not len(shell.ties):
-        return
-    size = float(np.linalg.norm(np.ptp(shell.points, axis=0)))
-    width = SLENDER * size
-    stiffness = min(shell.tie_stiffness, STIFF * size * float(shell.membrane.max()))
-    yield "*ELEMENT,TYPE=T3D2,ELSET=TIES"
-    yield from (
-        f"{k},{first},{second}"
-        for k, (first, second) in enumerate((shell.ties + 1).tolist(), cells + 1)
-    )
-    # A mass that weighs nothing, for CalculiX wants one.
-    lightest = 1e-6 * float(shell.areal_mass.min()) / size
-    yield from _material("TIE", stiffness / width**2, 0.0, lightest)
-    yield "*SOLID SECTION,ELSET=TIES,MATERIAL=TIE"
-    yield _numbers([width**2])
-
-
-def _material(name: str, modulus: float, poisson: float, density: float) -> Iterable[str]:
-    yield f"*MATERIAL,NAME={name}"
-    yield "*ELASTIC"
-    yield _numbers([modulus, poisson])
-    yield "*DENSITY"
-    yield _numbers([density])
+    ends = shell.points[shell.ties]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    stiffness = np.minimum(shell.tie_stiffness / length, STIFF * float(shell.membrane.max()))
+    pairs = (shell.ties + 1).tolist()
+    for number, ((first, second), each) in enumerate(
+        zip(pairs, stiffness.tolist(), strict=True), 1
+    ):
+        yield f"*ELEMENT,TYPE=SPRINGA,ELSET=TIE{number}"
+        yield f"{cells + number},{first},{second}"
+        yield f"*SPRING,ELSET=TIE{number}"
+        yield ""  # of no direction
+        yield _numbers([each])
 
 
 def _begin(what: str) -> Iterable[str]:
