@@ -108,6 +108,18 @@ def test_supports_and_ties(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.parametrize(("axes", "more"), [((), 6), ((2,), 3), ((0, 2), 1), ((0, 1, 2), 0)])
+def test_a_shell_that_slides_is_kept_still(
+    axes: tuple[int, ...], more: int, tmp_path: Path
+) -> None:
+    """On its corners, held along some axes: a body has six motions."""
+    held = loaded().held
+    held = held[np.isin(held[:, 1], axes)]
+    rows = block(written(tmp_path / "a.inp", replace(loaded(), held=held)), "*BOUNDARY")
+    assert len(rows) == len(held) + more
+    assert len({(node, axis) for node, axis, _ in rows}) == len(rows)
+
+
 def test_numbers_fit_into_twenty_characters(tmp_path: Path) -> None:
     """CalculiX reads no more of one."""
     moved = loaded().points * -1.2345678901234567e-101

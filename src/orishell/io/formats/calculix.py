@@ -25,6 +25,8 @@ from orishell.numerics.arrays import Array, Integers
 
 MODES = 6
 """Natural frequencies that are asked for."""
+RIGID = 1e-6
+"""A motion of the shell as a whole that moves its supports by less of its size is free."""
 BUCKLING = "1,1e-4,20,1000"
 """Buckling factors, accuracy, Lanczos vectors, rounds: as they are by default CalculiX may miss the
 lowest."""
@@ -61,7 +63,8 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
         *_sections(deck, shell.poisson, conversion(unit, "m")),
         *_ties(shell, len(deck.cells)),
         "*BOUNDARY",
-        *(f"{node + 1},{freedom + 1},{freedom + 1}" for node, freedom in shell.held.tolist()),
+        *_held(shell.held),
+        *_held(_kept_still(shell)),
     ]
     for name, forces in cases:
         lines += [*_begin(name), "*STATIC", *_loads(forces), *_answers(), "*END STEP"]
@@ -154,7 +157,9 @@ def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
             "z is up. Nodes at the corners of cells are those of orishell's analysis.",
             "This is not all that orishell analyses:",
             "- creases are rigid: panels share their rotations there;",
-            "- supports and ties hold both ways, and flaps are left out: look for wrong signs;",
+            "- supports and ties hold both ways, feet on the ground are pinned: look for the signs;",
+            "- where supports let the shell move as a whole some nodes are held, and bear nothing;",
+            "- flaps are left out, but for their weight among the loads;",
             f"- ties that do not stretch are {STIFF:g} times as stiff as a square of panel;",
             "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
             "  are not those of the boards;",
@@ -202,6 +207,36 @@ def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:
         yield f"*SPRING,ELSET=TIE{number}"
         yield ""  # of no direction
         yield _numbers([each])
+
+
+def _held(freedoms: Integers) -> Iterable[str]:
+    for node, freedom in (freedoms + 1).tolist():
+        yield f"{node},{freedom},{freedom}"
+
+
+def _kept_still(shell: LoadedShell) -> Integers:
+    """Displacements (k, 2) that keep the shell as a whole where its supports do not.
+
+    Loads that are in balance without them move them by nothing: there is no force on them.
+    """
+    points = shell.points - shell.points.mean(axis=0)
+    points = points / np.abs(points).max()
+    axes = np.broadcast_to(np.eye(3), (len(points), 3, 3))
+    moved = np.concatenate([axes, np.cross(points[:, None], axes)], axis=2)
+    turned = np.concatenate([np.zeros_like(axes), axes], axis=2)
+    by_motion = np.concatenate([moved, turned], axis=1)  # (N, 6, 6)
+    rows = by_motion[*shell.held.T]
+    more: list[tuple[int, int]] = []
+    while len(more) < 6:
+        _, sizes, motions = np.linalg.svd(np.concatenate([rows, np.zeros((6, 6))]))
+        free = motions[sizes < RIGID]
+        if not len(free):
+            break
+        by_free = np.linalg.norm(moved @ free.T, axis=2)
+        node, axis = divmod(int(by_free.argmax()), 3)
+        more.append((node, axis))
+        rows = np.concatenate([rows, moved[node, axis][None]])
+    return np.array(more, np.int64).reshape(-1, 2)
 
 
 def _begin(what: str) -> Iterable[str]:
