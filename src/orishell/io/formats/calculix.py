@@ -157,7 +157,7 @@ def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
             "z is up. Nodes at the corners of cells are those of orishell's analysis.",
             "This is not all that orishell analyses:",
             "- creases are rigid: panels share their rotations there;",
-            "- supports and ties hold both ways, feet on the ground are pinned: look for the signs;",
+            "- supports and ties hold both ways, feet on the ground are pinned: look at signs;",
             "- where supports let the shell move as a whole some nodes are held, and bear nothing;",
             "- flaps are left out, but for their weight among the loads;",
             f"- ties that do not stretch are {STIFF:g} times as stiff as a square of panel;",
@@ -205,8 +205,8 @@ def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:
         yield f"*ELEMENT,TYPE=SPRINGA,ELSET=TIE{number}"
         yield f"{cells + number},{first},{second}"
         yield f"*SPRING,ELSET=TIE{number}"
-        yield ""  # of no direction
-        yield _numbers([each])
+        yield ""  # no direction, which CalculiX would take a number without a point for
+        yield f"{each:.12e}"
 
 
 def _held(freedoms: Integers) -> Iterable[str]:
