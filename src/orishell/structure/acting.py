@@ -78,6 +78,11 @@ def respond(held: Held, loads: Array) -> Response:
     if moves is not None:
         still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
         return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
+    if not len(held.conditions):
+        everyone = np.zeros(len(held.rows), dtype=bool), np.zeros((len(held.rows), len(held.rows)))
+        found = _exact(held, loads, *everyone)
+        assert found is not None
+        return found
     for softer in SOFTER:
         guess = _who_acts(held, loads, softer)
         found = None if guess is None else _exact(held, loads, *guess)
