@@ -73,7 +73,7 @@ def write_shell(
     return [directory / name for name in names]
 
 
-def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
+def write_analysis(shell: Shell, directory: str | Path) -> list[Path]:
     """Write ``structure.json``, the report on a shell as a structure: all files or none.
 
     Parameters
@@ -93,7 +93,7 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
             where=f"{shell.file.path}: [structure]",
             remedy="add the table [structure]",
         )
-    directory = path_of(directory, "write_structure: directory")
+    directory = path_of(directory, "write_analysis: directory")
     with OutputDirectory(directory).adding() as draft:
         text = json.dumps(asdict(shell.report.structure), indent=2, allow_nan=False)
         (draft / "structure.json").write_text(text + "\n")
