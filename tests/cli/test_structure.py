@@ -13,7 +13,7 @@ from command_line import orishell
 from design_tables import formula, made, tables
 from orishell.cli.structure_summary import brief_structure, summarize_structure
 from orishell.errors import InputError
-from orishell.shell.export import write_analysis
+from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
 from orishell.shell.structure_report import StructureReport, describe_structure
 
@@ -75,14 +75,14 @@ def test_what_is_written_is_the_report(
     tmp_path: Path, bare: Shell, report: StructureReport
 ) -> None:
     shell = replace(bare, report=replace(bare.report, structure=report))
-    assert write_analysis(shell, tmp_path / "a") == [tmp_path / "a" / "structure.json"]
+    assert write_structure(shell, tmp_path / "a") == [tmp_path / "a" / "structure.json"]
     text = (tmp_path / "a" / "structure.json").read_text()
     assert json.loads(text) == json.loads(json.dumps(asdict(report)))
-    write_analysis(shell, tmp_path / "b")
+    write_structure(shell, tmp_path / "b")
     assert (tmp_path / "b" / "structure.json").read_text() == text
 
 
 def test_a_shell_that_was_not_analysed_is_not_written(tmp_path: Path, bare: Shell) -> None:
     with pytest.raises(InputError, match="not analysed"):
-        write_analysis(bare, tmp_path / "a")
+        write_structure(bare, tmp_path / "a")
     assert not (tmp_path / "a").exists()

@@ -33,7 +33,7 @@ def structure(
     """Analyse a shell as a structure: loads, displacements, forces, buckling and frequencies."""
     from orishell.design_file import read_design_file
     from orishell.io import OutputDirectory
-    from orishell.shell.export import write_analysis
+    from orishell.shell.export import write_structure
     from orishell.shell.make import make_shell
 
     if out is not None:
@@ -51,7 +51,7 @@ def structure(
     assert report is not None
     for warning in report.warnings:
         say(f"orishell: warning: {warning}", err=True)
-    written = [] if out is None else write_analysis(shell, out)
+    written = [] if out is None else write_structure(shell, out)
     if json_report:
         say(json.dumps(asdict(report), indent=2, allow_nan=False))
     else:

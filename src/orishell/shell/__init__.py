@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from orishell.conventions.on_demand import import_on_demand
 
 if TYPE_CHECKING:
-    from orishell.shell.export import convert_fold, write_analysis, write_format, write_shell
+    from orishell.shell.export import convert_fold, write_format, write_shell, write_structure
     from orishell.shell.make import Shell, design_shell, make_shell
     from orishell.shell.report import Report
 
@@ -15,15 +15,15 @@ __all__ = [
     "convert_fold",
     "design_shell",
     "make_shell",
-    "write_analysis",
     "write_format",
     "write_shell",
+    "write_structure",
 ]
 
 __getattr__, __dir__ = import_on_demand(
     __name__,
     {
-        "orishell.shell.export": ("convert_fold", "write_format", "write_shell", "write_analysis"),
+        "orishell.shell.export": ("convert_fold", "write_format", "write_shell", "write_structure"),
         "orishell.shell.make": ("Shell", "design_shell", "make_shell"),
         "orishell.shell.report": ("Report",),
     },
