@@ -109,7 +109,7 @@ nitpick_ignore_regex = [
     # Constants whose value is all that there is to say of them: they stand in the sources.
     (r"py:data", r"[A-Z_]+"),
     # Python's own types in annotations.
-    (r"py:class", r"NoneType|AnyWidget|Axes"),
+    (r"py:class", r"NoneType|AnyWidget|Axes|csr_array"),
     # Short names of array and choice types; docs/api/index.md says what they stand for.
     (r"py:class", "|".join(autodoc_type_aliases)),
     # Bounds of the design file's numbers, which pydantic checks.

@@ -7,15 +7,20 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 from orishell.design import Construction, Design, PanelBuild
 from orishell.design_file import check_design, read_design_file, starter_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_motion
+from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.motion import FoldingMotion, Mechanism
 from orishell.numerics.arrays import Array
 from orishell.sheet.boards import Boards
+from orishell.sheet.grid import Grid
 from orishell.shell.make import make_shell
 from orishell.solids import build_boards, find_stop, largest_folds, largest_height
+from orishell.structure.sheet import mesh_sheet
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FAMILIES = {
@@ -33,6 +38,37 @@ def demo_document(family: str = "parallel-repeating", frames: int = 7) -> Docume
     return document_of_motion(
         FoldingMotion(design.mechanism, frames), "m", title=family, curves=design.targets
     )
+
+
+@cache
+def loaded_document(family: str = "parallel-repeating", cells: int = 1) -> Document:
+    """The same as a structure, as if it had been analysed: two of its cases differ by creases."""
+    document = demo_document(family)
+    assert document.grid_shape is not None
+    grid = Grid(*document.grid_shape)
+    mesh = mesh_sheet(document.shell.positions.reshape(*document.grid_shape, 3), grid, cells)
+    points, triangles = mesh.facets.points, mesh.facets.triangles
+    down, up = (np.full(points.shape, [0.0, 0.0, z]) for z in (-1.0, 1.0))
+    stress = np.linspace(1, 2, len(triangles))
+    corners = grid.vertices()[[0, 0, -1, -1], [0, -1, 0, -1]]
+    shell = LoadedShell(
+        points=points,
+        triangles=triangles,
+        panels=mesh.panels,
+        membrane=np.full(len(triangles), 1e7),
+        bending=np.full(len(triangles), 1e3),
+        poisson=0.25,
+        areal_mass=np.full(len(triangles), 6.0),
+        held=np.stack(np.broadcast_arrays(corners[:, None], np.arange(3)), -1).reshape(-1, 2),
+        ties=corners[[[0, 1], [2, 3]]],
+        tie_stiffness=np.inf,
+        cases=(
+            LoadedCase("snow, free creases", False, down, up, np.full(len(triangles), np.nan)),
+            LoadedCase("wind", True, up, 0.001 * up, stress),
+            LoadedCase("snow, rigid creases", True, down, 0.002 * down, 2 * stress),
+        ),
+    )
+    return replace(document, loaded=shell)
 
 
 @cache

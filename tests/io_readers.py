@@ -213,6 +213,16 @@ def threemf(path: Path) -> Content:
     return Content(1e-3, np.array([tuple(point.Coordinates) for mesh in meshes for point in mesh]))
 
 
+def calculix(path: Path) -> Content:
+    import meshio
+
+    unit = re.search(r"Units: (\w+),", path.read_text())
+    assert unit is not None
+    mesh = meshio.read(path, "abaqus")
+    corners = mesh.cells_dict["quad8"][:, :4]  # without the middles of sides
+    return Content(METRES[unit[1]], mesh.points[corners].reshape(-1, 3))
+
+
 def tables(path: Path) -> Content:
     with path.open(newline="") as file:
         heads, *rows = list(csv.reader(file))
@@ -258,6 +268,7 @@ READERS: dict[str, Callable[[Path], Content]] = {
     "step": step,
     "3mf": threemf,
     "vtu": vtu,
+    "inp": calculix,
     "csv": tables,
     "html": html,
 }

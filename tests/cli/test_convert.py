@@ -16,7 +16,7 @@ from orishell.io.formats import step
 from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
-SHEETS = [each for each in FORMATS if not each.solid]
+SHEETS = [each for each in FORMATS if not (each.solid or each.analysed)]
 FILES = {each.file for each in SHEETS if each.ready()}
 
 
@@ -32,7 +32,8 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_write_all(written: Path) -> None:
     names = {path.name for path in written.iterdir()}
-    assert not [each.file for each in FORMATS if each.solid and each.file in names]
+    others = [each for each in FORMATS if each not in SHEETS]
+    assert names.isdisjoint(each.file for each in others)
     assert FILES | {"report.json", "overview.png", "deviation.png", "creases.csv"} <= names
     # 25 frames
     assert {f"shell-{number:04d}.vtu" for number in range(25)} <= names
@@ -87,6 +88,7 @@ def test_quantities_are_those_of_the_tables(written: Path) -> None:
         (("shell.fold", "taken.obj"), "a directory is in the way"),
         (("folded.fold", "flat.dxf"), "no flat sheet"),
         (("shell.fold", "shell.3mf"), "[panel] thickness: panels have no thickness"),
+        (("shell.fold", "shell.inp"), "[structure]: the shell was not analysed"),
         (("miura.fold", "flat.dxf"), "--unit says which it is."),
         (("miura.fold", "solid.glb"), "--unit says which it is."),
     ],

@@ -47,10 +47,10 @@ def test_the_summary(report: StructureReport) -> None:
         "load      both: (0, 0, -18.55) kN in all",
         "  1.35 x dead: self weight (0, 0, -427) N, mass of panels times 9.81 m/s2",
         "case      wind, rigid creases",
-        "  ties      2 of 3 pull, 4000 N at most, from [0, 2] to [2, 2]: 0.8 of what they bear",
+        "  ties      2 of 3 pull, 4000 N at most, from [0, 2] to [2, 2]: 80 % of what they bear",
         "  buckles   under 2.5 times the loads",
         "  frequency 3, 4, 7 Hz",
-        "governs   the force in ties, 0.8 of what they bear: wind, free creases",
+        "governs   the force in ties, 80 % of what they bear: wind, free creases",
         "wrote     a/structure.json",
     ):
         assert line in lines

@@ -17,8 +17,21 @@ import orishell
 from orishell.cli.main import app
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.deployment import DeploymentTable
+from orishell.design_file.load_case import LoadCaseTable, SnowTable, WindTable
 from orishell.design_file.panel import PanelTable, SetbackTable
+from orishell.design_file.structure import StructureTable, SupportTable
 from orishell.families.registry import FAMILIES
+from orishell.shell.case_report import (
+    CaseReport,
+    CreaseReport,
+    DisplacementReport,
+    LoadReport,
+    PairReport,
+    ReactionReport,
+    StandingReport,
+    StressReport,
+    UtilisationReport,
+)
 from orishell.shell.deployment_report import (
     DeploymentReport,
     PackedReport,
@@ -27,6 +40,12 @@ from orishell.shell.deployment_report import (
 )
 from orishell.shell.lock_report import PathReport
 from orishell.shell.panel_report import MeetingReport, PanelReport
+from orishell.shell.structure_report import (
+    GoverningReport,
+    ModelReport,
+    StructureReport,
+    SupportReport,
+)
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
@@ -224,3 +243,33 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
     for name, part in (("meeting", MeetingReport), ("path", PathReport)):
         fields |= {f"{name}.{field.name}" for field in dataclasses.fields(part)}
     assert fields_in_table("`panel` in the report", "thickness") == fields
+
+
+PARTS_OF_STRUCTURE = (
+    CaseReport,
+    CreaseReport,
+    DisplacementReport,
+    GoverningReport,
+    LoadReport,
+    ModelReport,
+    PairReport,
+    ReactionReport,
+    StandingReport,
+    StressReport,
+    SupportReport,
+    UtilisationReport,
+)
+
+
+def test_the_guide_explains_every_key_and_field_of_structure() -> None:
+    assert fields_in_table("[structure]", "structure") == {
+        *StructureTable.model_fields, *SupportTable.model_fields,
+    }  # fmt: skip
+    keys = set(LoadCaseTable.model_fields)
+    for table in (SnowTable, WindTable):
+        keys |= set(table.model_fields)
+    assert fields_in_table("[[load_case]]", "structure") == keys
+    page = (ROOT / "docs" / "guide" / "structure.md").read_text(encoding="utf-8")
+    for part in (StructureReport, *PARTS_OF_STRUCTURE):
+        for field in dataclasses.fields(part):
+            assert f"`{field.name}`" in page, field.name

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from cad_tools import REQUIRED as CAD
-from documents import EXAMPLES, FAMILIES, demo_document, thick_document
+from documents import EXAMPLES, FAMILIES, demo_document, loaded_document, thick_document
 from io_readers import READERS
 from node_tools import REQUIRED as NODE
 from node_tools import lacking
@@ -55,7 +55,12 @@ def test_what_is_written_is_read_back(
 ) -> None:
     if not format_.ready():
         lacking(f"{format_.missing}: {format_.remedy}", CAD if format_.solid else NODE)
-    document = in_unit((thick_document if format_.solid else demo_document)(family), unit)
+    made = demo_document
+    if format_.solid:
+        made = thick_document
+    elif format_.analysed:
+        made = loaded_document
+    document = in_unit(made(family), unit)
     assert document.flat is not None
     path = tmp_path / format_.file
     format_.write(path, document, Settings(print_state="target"))
@@ -155,13 +160,17 @@ def test_names_and_endings() -> None:
             format_of(Path(path))
 
 
-def test_all_means_solids_only_where_panels_have_a_thickness() -> None:
+def test_all_means_solids_and_structures_only_where_there_are_any() -> None:
     thin, thick = demo_document("orthodiagonal"), thick_document("orthodiagonal")
+    loaded = loaded_document("orthodiagonal").loaded
     solid = {each.name for each in FORMATS if each.solid}
-    assert solid == {"step", "3mf"}
+    analysed = {each.name for each in FORMATS if each.analysed}
+    assert (solid, analysed) == ({"step", "3mf"}, {"inp"})
     chosen, missing = formats_for([ALL], thin)
-    assert solid.isdisjoint(each.name for each in (*chosen, *missing))
+    assert (solid | analysed).isdisjoint(each.name for each in (*chosen, *missing))
     chosen, missing = formats_for([ALL], thick)
+    assert analysed.isdisjoint(each.name for each in (*chosen, *missing))
+    chosen, missing = formats_for([ALL], replace(thick, loaded=loaded))
     assert {*chosen, *missing} == set(FORMATS)
     assert all(each.ready() for each in chosen)
     assert not any(each.ready() for each in missing)

@@ -95,6 +95,13 @@ def test_what_is_largest_and_where(report: StructureReport) -> None:
     assert stands.frequencies == (3, 4, 7)
 
 
+def test_free_creases_bear_no_moment(report: StructureReport) -> None:
+    stands = report.cases[1].stands
+    assert stands is not None
+    assert stands.crease is None
+    assert stands.utilisation.creases == 0
+
+
 def test_what_governs(report: StructureReport) -> None:
     stands = report.cases[2].stands
     assert stands is not None

@@ -688,7 +688,7 @@ export interface StandingReport {
   ties: PairReport[];
   /** Forces of flaps that press on each other, the largest first. */
   flaps: PairReport[];
-  /** The largest moment about a crease; None where there are no creases. */
+  /** The largest moment about a crease; None where they are free. */
   crease: CreaseReport | null;
   /** The largest. */
   stress: StressReport;

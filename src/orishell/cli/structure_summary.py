@@ -13,12 +13,14 @@ if TYPE_CHECKING:
     from orishell.shell.structure_report import ModelReport, StructureReport
 
 GOVERNING = {
-    "panels": "the stress in panels, {share:.3g} of what they bear",
-    "creases": "the moment of creases, {share:.3g} of what they bear",
-    "ties": "the force in ties, {share:.3g} of what they bear",
+    "panels": "the stress in panels, {percent:.3g} % of what they bear",
+    "creases": "the moment of creases, {percent:.3g} % of what they bear",
+    "ties": "the force in ties, {percent:.3g} % of what they bear",
     "buckling": "buckling, under {factor:.3g} times the loads",
 }
 """Words for what governs."""
+ROUNDING = 1e-6
+"""Components of a vector below this share of the largest are none."""
 
 
 def summarize_structure(report: StructureReport, unit: str, written: list[Path]) -> Iterator[str]:
@@ -113,10 +115,9 @@ def _forces(found: StandingReport, unit: str) -> Iterator[str]:
 def _displacement(found: StandingReport | None, unit: str) -> str:
     assert found is not None
     most = found.displacement
-    along = ", ".join(f"{each:.3g}" for each in most.vector)
     return (
         f"displaced by {most.size:.4g} {unit}, {100 * most.share:.3g} % of its height, at panel "
-        f"{list(most.panel)} along ({along})"
+        f"{list(most.panel)} along {_components(most.vector, 3)}"
     )
 
 
@@ -125,16 +126,24 @@ def _governing(report: StructureReport) -> Iterator[str]:
     if governs is None:
         return
     share = governs.utilisation
-    words = GOVERNING[governs.part].format(share=share, factor=1 / share)
+    words = GOVERNING[governs.part].format(percent=100 * share, factor=1 / share)
     creases = governs.creases
     stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
     yield f"governs   {words}: {governs.case}, {stiffness}"
 
 
 def _used(share: float | None) -> str:
-    return "" if share is None else f": {share:.3g} of what they bear"
+    return "" if share is None else f": {100 * share:.3g} % of what they bear"
 
 
 def _vector(force: Vector) -> str:
     unit, size = ("kN", 1e3) if max(map(abs, force)) >= 1e4 else ("N", 1.0)
-    return "({}) {}".format(", ".join(f"{each / size + 0.0:.4g}" for each in force), unit)
+    x, y, z = (each / size for each in force)
+    return f"{_components((x, y, z), 4)} {unit}"
+
+
+def _components(vector: Vector, digits: int) -> str:
+    """Numbers to so many digits; 0 is what rounding leaves beside the largest."""
+    least = ROUNDING * max(map(abs, vector))
+    kept = (each if abs(each) > least else 0.0 for each in vector)
+    return "({})".format(", ".join(f"{each:.{digits}g}" for each in kept))

@@ -45,7 +45,7 @@ class LoadedShell:
     points
         Nodes (N, 3).
     triangles
-        Corners (T, 3), all panels' cells one way round.
+        Corners (T, 3), all one way round; the two of every cell follow each other.
     panels
         The panel (T,) of every triangle, flaps counted.
     membrane, bending

@@ -49,7 +49,8 @@ def formats_for(
 ) -> tuple[tuple[Format, ...], tuple[Format, ...]]:
     """The formats to write a document in, and those that "all" leaves out for want of something.
 
-    "all" means formats of solids only where panels have a thickness.
+    "all" means formats of solids only where panels have a thickness, and those of a structure only
+    where it was analysed.
 
     Parameters
     ----------
@@ -62,7 +63,7 @@ def formats_for(
         If a name is unknown.
     """
     asked = _asked(names)
-    meant = [each for each in FORMATS if document.boards is not None or not each.solid]
+    meant = [each for each in FORMATS if each.fits(document)]
     chosen = [each for each in find_formats(asked) if each.name in asked or each in meant]
     missing = [each for each in meant if ALL in asked and each not in chosen]
     return tuple(chosen), tuple(missing)

@@ -35,6 +35,8 @@ class Format:
         What is not there otherwise, in a sentence, and what to do.
     solid
         Whether it shows nothing but boards, so that panels must have a thickness.
+    analysed
+        Whether it shows the shell as a structure, so that it must have been analysed.
     """
 
     name: str
@@ -47,6 +49,13 @@ class Format:
     missing: str = ""
     remedy: str = ""
     solid: bool = False
+    analysed: bool = False
+
+    def fits(self, document: Document) -> bool:
+        """Whether a document has what it shows."""
+        lacking_boards = self.solid and document.boards is None
+        lacking_analysis = self.analysed and document.loaded is None
+        return not (lacking_boards or lacking_analysis)
 
     def require_ready(self) -> None:
         """Refuse to go on where what it needs is missing.

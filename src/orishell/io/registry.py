@@ -21,6 +21,7 @@ MODULES = {
     "step": "orishell.io.formats.step",
     "3mf": "orishell.io.formats.threemf",
     "vtu": "orishell.io.formats.vtk",
+    "inp": "orishell.io.formats.calculix",
     "csv": "orishell.io.formats.tables",
     "html": "orishell.io.formats.html",
 }

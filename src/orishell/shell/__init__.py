@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from orishell.conventions.on_demand import import_on_demand
 
 if TYPE_CHECKING:
-    from orishell.shell.export import convert_fold, write_format, write_shell
+    from orishell.shell.export import convert_fold, write_format, write_shell, write_structure
     from orishell.shell.make import Shell, design_shell, make_shell
     from orishell.shell.report import Report
 
@@ -17,12 +17,13 @@ __all__ = [
     "make_shell",
     "write_format",
     "write_shell",
+    "write_structure",
 ]
 
 __getattr__, __dir__ = import_on_demand(
     __name__,
     {
-        "orishell.shell.export": ("convert_fold", "write_format", "write_shell"),
+        "orishell.shell.export": ("convert_fold", "write_format", "write_shell", "write_structure"),
         "orishell.shell.make": ("Shell", "design_shell", "make_shell"),
         "orishell.shell.report": ("Report",),
     },

@@ -183,7 +183,7 @@ class StandingReport:
     flaps
         Forces of flaps that press on each other, the largest first.
     crease
-        The largest moment about a crease; None where there are no creases.
+        The largest moment about a crease; None where they are free.
     stress
         The largest.
     utilisation

@@ -142,7 +142,7 @@ def _crease(analysis: Analysis, found: CaseResult) -> CreaseReport | None:
     moments = np.abs(found.crease_moments)
     beside = (analysis.grid.faces_edges() == moments.argmax()).any(axis=1)
     panels = np.flatnonzero(beside).tolist()
-    if len(panels) < 2 or not moments.max():
+    if len(panels) < 2 or not found.stiffness:
         return None
     first, second = (_panel(analysis, panel) for panel in panels)
     return CreaseReport(float(moments.max()), (first, second))

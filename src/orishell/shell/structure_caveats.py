@@ -22,7 +22,8 @@ NOT_COVERED = (
     "creep, fatigue, heat and moisture",
     "anchors, and the ground under the feet",
     "wind and snow on flaps: only their weight counts",
-    "wind inside, gusts that shake the shell, snow that drifts or slides",
+    "wind inside, and gusts that shake the shell",
+    "snow that drifts, or that a corrugation keeps from sliding off steep panels",
     "the way from the pack to the target",
 )
 """What the analysis says nothing of."""

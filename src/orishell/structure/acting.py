@@ -1,8 +1,17 @@
-"""Which one-sided conditions act under a load: an active set, from all of them.
+"""Which one-sided conditions act under a load.
 
-Conditions that pull where they can only push are let go, open ones that would be overrun act. While
-nothing resists some motion that the loads drive, it is what must be stopped: the conditions that it
-overruns act, and where there are none the shell moves.
+With S^1/2 = W, H = 1 - W C W, gaps h = W g and forces l = W^-1 lambda,
+
+    H h = W g_f - (1 - H) l,
+
+and a condition that gives by c has l >= 0 and o = c S l - h >= 0, one of them with equality. Solved
+for l by o, as if all of them acted: l = l_0 + T o, a complementarity problem. Friction keeps the
+force l_t in the ground within a polygon about the circle of radius mu l_n,
+
+    mu l_n - d_k l_t >= 0    and    slip along d_k >= 0,    one of them with equality,
+
+d_k square on its sides. What that says of who acts is then taken exactly, circle and all, and
+checked.
 """
 
 from __future__ import annotations
@@ -14,13 +23,20 @@ import numpy as np
 from orishell.conventions.formatting import in_one_line
 from orishell.errors import VerificationError
 from orishell.numerics.arrays import Array, Booleans
-from orishell.structure.held import Held
+from orishell.structure.complementarity import solve_complementarity
+from orishell.structure.held import FREE, Held
 
-TOLERANCE = 1e-9
-"""Forces below this share of all loads are none; motions are driven by more than DRIVEN of them."""
 DRIVEN = 1e-6
-TOGETHER, ROUNDS = 20, 400
-"""All that is wrong is changed together so many times, then one at a time."""
+"""Loads drive a motion if more than this share of them works on it."""
+TOLERANCE = 1e-7
+"""Forces below this share of all loads are none, and gaps below it of the displacements."""
+HUGE = 1e-6
+"""Forces of conditions are not huge up to about the loads over this."""
+SOFTER = 1e-9, 1e-7, 1e-11
+"""By so much T is made stiffer than it is, so that there is a solution where the shell moves: by
+the first with which the outcome passes its check."""
+SIDES = 12
+"""Of friction's polygon, whose corners are on the circle."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,9 +46,9 @@ class Response:
     Parameters
     ----------
     moves
-        The motion (n,) that they drive and nothing resists; None if it stands. Then:
+        The motion (n,) that they drive and nothing resists; None if it stands.
     displacements
-        Of free freedoms (n,).
+        Of free freedoms (n,); not numbers where it moves.
     acting
         Which rows of :class:`~orishell.structure.held.Held` act (M,).
     forces
@@ -58,77 +74,111 @@ def respond(held: Held, loads: Array) -> Response:
     VerificationError
         If no set of acting conditions is found: a fault of the program.
     """
-    count, total = len(held.conditions), len(held.rows)
-    sliding = held.sliding
-    friction = count + np.arange(len(sliding))
-    scale = float(np.abs(loads).sum())
-    acting = np.zeros(total, dtype=bool)
-    acting[: count + len(sliding)] = True
-    slip = np.zeros((total, total))
-    for round_ in range(ROUNDS):
-        motions = held.motions(acting)
-        drive = motions.T @ loads
-        if np.linalg.norm(drive) > DRIVEN * np.linalg.norm(loads):
-            moved = motions @ drive
-            overrun = ~acting[:count] & (
-                held.rows[:count] @ moved > TOLERANCE * np.abs(moved).max()
-            )
-            if not overrun.any():
-                return Response(moved, np.full(len(loads), np.nan), acting, slip[0], motions)
-            acting[:count] |= overrun
-            acting[friction] = acting[sliding]
-            continue
-        found, gaps, forces = held.respond(loads, acting, slip)
-        size = float(np.abs(found[: 3 * len(loads) // 6]).max(initial=0.0))
-        one_sided = np.arange(total) < count
-        wrong = one_sided & (
-            (acting & (forces < -TOLERANCE * scale)) | (~acting & (gaps > TOLERANCE * size))
-        )
-        turned = _friction(held, acting, slip, gaps, forces)
-        if not wrong.any() and not turned:
-            found -= motions @ (motions.T @ found)
-            return Response(None, found, acting, forces, motions)
-        if round_ >= TOGETHER and wrong.any():
-            wrong = np.arange(total) == np.flatnonzero(wrong)[0]
-        acting ^= wrong
-        lifted = ~acting[sliding]
-        acting[friction[lifted]] = False
-        slip[friction[lifted]] = 0.0
-        back = wrong[sliding] & acting[sliding]
-        acting[friction[back]] = True
-        slip[friction[back]] = 0.0
+    moves = _moving(held, loads)
+    if moves is not None:
+        still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
+        return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
+    for softer in SOFTER:
+        guess = _who_acts(held, loads, softer)
+        found = None if guess is None else _exact(held, loads, *guess)
+        if found is not None:
+            return found
     raise VerificationError(
         "no set of ties, flaps and feet that act was found: this is a fault of the program"
     )
 
 
-def _friction(held: Held, acting: Booleans, slip: Array, gaps: Array, forces: Array) -> bool:
-    """Let feet slip that friction does not hold, hold those that would slip back.
+def _moving(held: Held, loads: Array) -> Array | None:
+    """The motion (n,) that loads drive whatever the conditions bear; None if there is none.
 
-    Returns whether there was one.
+    Of all that conditions can bear, what comes nearest to balance along the motions that panels and
+    hinges allow; what is missing then is along a motion that overruns none of them.
     """
-    count = len(held.conditions)
-    least = TOLERANCE * float(np.abs(forces).max(initial=0.0))
-    changed = False
-    for foot in np.flatnonzero(held.conditions.grounded & acting[:count]):
-        own = count + np.flatnonzero(held.sliding == foot)
-        limit = held.conditions.friction[foot] * max(forces[foot], 0.0)
-        push = forces[own]
-        if acting[own].all():
-            if np.linalg.norm(push) <= limit * (1 + TOLERANCE) + least:
-                continue
-            way = push / np.linalg.norm(push)
+    from scipy.optimize import nnls
+
+    motions = held.motions(np.zeros(len(held.rows), dtype=bool))
+    if not motions.shape[1]:
+        return None
+    count, ways = len(held.conditions), _polygon()
+    rough, by_row = held.conditions.rough, held.rows @ motions
+    smooth = np.setdiff1d(np.arange(count), rough)
+    # A foot's forces: what presses, and friction to a corner of its polygon.
+    slides = by_row[count : count + 2 * len(rough)].reshape(-1, 2, motions.shape[1])
+    friction = held.conditions.friction[rough][:, None, None]
+    cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
+    bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
+    drive = motions.T @ loads
+    # Rounding of the motions lets forces balance what they cannot, if they are huge.
+    bound = HUGE * np.linalg.norm(bearing, axis=1).max() * np.eye(len(bearing))
+    aim = np.concatenate([drive, np.zeros(len(bearing))])
+    missing = drive - bearing.T @ nnls(np.concatenate([bearing.T, bound]), aim)[0]
+    if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
+        return None
+    return np.asarray(motions @ missing)
+
+
+def _polygon() -> Array:
+    """Unit vectors (2, d) to the corners of friction's polygon."""
+    turn = 2 * np.pi * (np.arange(SIDES) + 0.5) / SIDES
+    return np.stack([np.cos(turn), np.sin(turn)])
+
+
+def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array] | None:
+    """Which rows act (M,), and by what share of what presses on them others slip (M, M)."""
+    count, total, sliding = len(held.conditions), len(held.rows), held.sliding
+    root = np.sqrt(held.springs)
+    own = count + len(sliding)
+    give = np.zeros(total)
+    give[:count] = held.conditions.compliance * held.springs[:count]
+    # Unknown: l of the conditions and of friction, h of the rest.
+    stiff = np.eye(total) - root[:, None] * held.flexibility * root
+    system = np.eye(total) - stiff + stiff * give
+    system[:, own:] = stiff[:, own:]
+    known = root * (held.rows @ held.spring_solve(loads))
+    solved = np.linalg.pinv(system, rcond=FREE) @ np.column_stack([known, stiff[:, :own]])
+    first, by_opening = solved[:own, 0], solved[:own, 1:]
+    by_opening[np.diag_indices(own)] += softer * np.abs(by_opening).max()
+
+    corners = _polygon()
+    ways = 0.5 * (corners + np.roll(corners, 1, axis=1)) / np.cos(np.pi / SIDES)
+    feet = held.conditions.rough
+    slides = np.kron(np.eye(len(feet)), ways)  # (2 G, G d)
+    # Rows: l_n, or mu l_n - d l_t; columns: o, or slips -o_t.
+    rows = np.zeros((count + slides.shape[1], own))
+    rows[:count, :count] = np.eye(count)
+    friction = held.conditions.friction[feet] * np.cos(np.pi / SIDES)
+    rows[count + np.arange(slides.shape[1]), np.repeat(feet, SIDES)] = np.repeat(friction, SIDES)
+    rows[count:, count:] = -slides.T
+    columns = np.zeros((own, len(rows)))
+    columns[:count, :count] = np.eye(count)
+    columns[count:, count:] = -slides
+    vector = rows @ first
+    scale = float(np.abs(vector).max()) or 1.0
+    found = solve_complementarity(rows @ by_opening @ columns, vector / scale)
+    if found is None:
+        return None
+    force = first / scale + by_opening @ (columns @ found)
+    least = TOLERANCE * np.abs(force).max()
+    acting, slip = np.zeros(total, dtype=bool), np.zeros((total, total))
+    acting[:count] = force[:count] > least
+    slips = np.abs(slides @ found[count:]).reshape(-1, 2).max(axis=1) > 0
+    for number, foot in enumerate(feet):
+        here = count + 2 * number + np.arange(2)
+        if acting[foot] and slips[number]:
+            slip[here, foot] = force[here] / force[foot]
         else:
-            before = slip[own, foot]
-            if gaps[own] @ before < 0:  # it would be pushed the way that it slips
-                acting[own], slip[own, foot] = True, 0.0
-                changed = True
-                continue
-            length = np.linalg.norm(gaps[own])
-            way = gaps[own] / length if length else before / np.linalg.norm(before)
-            if way @ before > (1 - 1e-9) * np.linalg.norm(before):
-                continue
-        acting[own] = False
-        slip[own, foot] = held.conditions.friction[foot] * way
-        changed = True
-    return changed
+            acting[here] = acting[foot]
+    return acting, slip
+
+
+def _exact(held: Held, loads: Array, acting: Booleans, slip: Array) -> Response | None:
+    """The response while some rows act; None where that is not right."""
+    count = len(held.conditions)
+    one_sided = np.arange(len(held.rows)) < count
+    motions = held.motions(acting)
+    found, gaps, forces = held.respond(loads, acting, slip)
+    found -= motions @ (motions.T @ found)
+    least = TOLERANCE * float(np.abs(loads).sum())
+    open_ = TOLERANCE * float(np.abs(held.rows @ found).max())
+    wrong = one_sided & ((acting & (forces < -least)) | (~acting & (gaps > open_)))
+    return None if wrong.any() else Response(None, found, acting, forces, motions)

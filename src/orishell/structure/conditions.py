@@ -34,13 +34,16 @@ class Conditions:
     compliance
         Gap by force (m,); 0 for none.
     friction
-        Coefficient of friction (m,) of feet on the ground; not a number elsewhere.
+        Coefficient of friction (m,) of feet on the ground; 0 elsewhere, and where it is smooth.
+    grounded
+        Which of them (m,) are feet on the ground.
     """
 
     nodes: Integers
     directions: Array
     compliance: Array
     friction: Array
+    grounded: Booleans
 
     __repr__ = in_one_line
 
@@ -48,14 +51,9 @@ class Conditions:
         return len(self.nodes)
 
     @property
-    def grounded(self) -> Booleans:
-        """Which of them (m,) are feet on the ground."""
-        return ~np.isnan(self.friction)
-
-    def rows(self, count: int) -> Array:
-        """The rows (m, count), for freedoms that begin with the displacements of nodes."""
-        rows = np.zeros((len(self), count))
-        return put_rows(rows, self.nodes, self.directions)
+    def rough(self) -> Integers:
+        """Numbers (G,) of those that have friction."""
+        return np.flatnonzero(self.friction)
 
 
 def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
@@ -85,18 +83,19 @@ def between(points: Array, pairs: Integers, stiffness: Array, *, approach: bool)
     apart = points[pairs[:, 1]] - points[pairs[:, 0]]
     length = np.linalg.norm(apart, axis=1)
     sign = -1.0 if approach else 1.0
-    none = np.full(len(pairs), np.nan)
-    return Conditions(pairs, sign * apart / length[:, None], length / stiffness, none)
+    none = np.zeros(len(pairs))
+    directions = sign * apart / length[:, None]
+    return Conditions(pairs, directions, length / stiffness, none, none > 0)
 
 
 def on_ground(nodes: Integers, friction: Array) -> Conditions:
     """Conditions that keep nodes (m,) from sinking, with their coefficients of friction (m,)."""
     down = np.tile([0.0, 0.0, -1.0], (len(nodes), 1))
     pairs = np.stack([nodes, nodes], axis=1)
-    return Conditions(pairs, down, np.zeros(len(nodes)), friction)
+    return Conditions(pairs, down, np.zeros(len(nodes)), friction, friction >= 0)
 
 
 def joined(parts: list[Conditions]) -> Conditions:
     """All conditions one after the other."""
-    fields = ("nodes", "directions", "compliance", "friction")
-    return Conditions(*(np.concatenate([getattr(part, name) for part in parts]) for name in fields))
+    names = ("nodes", "directions", "compliance", "friction", "grounded")
+    return Conditions(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

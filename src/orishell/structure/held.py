@@ -43,8 +43,8 @@ SPRING = 1e-4
 class Held:
     """A supported structure, factorised.
 
-    Rows are those of the conditions, then two of friction for each foot on the ground (along x, and
-    along y), then those of vertices that nothing holds in truth.
+    Rows are those of the conditions, then two of friction for each foot on rough ground (along
+    x, and along y), then those of vertices that nothing holds in truth.
 
     Parameters
     ----------
@@ -54,8 +54,12 @@ class Held:
         Freedoms (n,) that are not supported.
     conditions
         The one-sided conditions (m).
+    nodes
+        Number of nodes, whose displacements are the first freedoms.
+    every_row
+        All rows (M, D).
     rows
-        All rows (M, n).
+        Their part (M, n) of free freedoms.
     springs
         Their springs (M,).
     spread
@@ -67,6 +71,8 @@ class Held:
     stiffness: csr_array
     free: Integers
     conditions: Conditions
+    nodes: int
+    every_row: csr_array
     rows: Array
     springs: Array
     spread: Array
@@ -77,7 +83,19 @@ class Held:
     @property
     def sliding(self) -> Integers:
         """The foot on the ground that every row of friction belongs to (2 G,)."""
-        return np.repeat(np.flatnonzero(self.conditions.grounded), 2)
+        return np.repeat(self.conditions.rough, 2)
+
+    def pulls(self, forces: Array) -> Array:
+        """What rows with forces (M,) take from all freedoms (D,): B^T lambda."""
+        return np.asarray(self.every_row.T @ forces)
+
+    def ground_forces(self, forces: Array) -> Array:
+        """Forces (N, 3) of the ground on nodes, from those (M,) of all rows."""
+        which = np.zeros(len(self.rows), dtype=bool)
+        which[: len(self.conditions)] = self.conditions.grounded
+        which[len(self.conditions) :][: len(self.sliding)] = True
+        taken = self.every_row.T @ np.where(which, forces, 0.0)
+        return -np.asarray(taken[: 3 * self.nodes].reshape(-1, 3))
 
     def spring_solve(self, loads: Array) -> Array:
         """A^-1 f (n, ...) of loads (n, ...), refined once."""
@@ -188,7 +206,7 @@ def hold(
     from scipy.sparse.linalg import splu
 
     free = np.setdiff1d(np.arange(mesh.count), supported)
-    ground = conditions.nodes[conditions.grounded]
+    ground = conditions.nodes[conditions.rough]
     axes = np.eye(3)
     parts = [
         (conditions.nodes, conditions.directions),
@@ -196,7 +214,8 @@ def hold(
         (np.repeat(corners, 3)[:, None].repeat(2, axis=1), np.tile(axes, (len(corners), 1))),
     ]
     nodes, directions = (np.concatenate(each) for each in zip(*parts, strict=True))
-    rows = put_rows(np.zeros((len(nodes), mesh.count)), nodes, directions)[:, free]
+    every_row = put_rows(np.zeros((len(nodes), mesh.count)), nodes, directions)
+    rows = every_row[:, free]
     springs = np.full(len(rows), SPRING * stiffness.diagonal()[: mesh.translations().size].mean())
     own = np.flatnonzero(conditions.compliance)
     springs[own] = 1 / conditions.compliance[own]
@@ -213,6 +232,8 @@ def hold(
         stiffness,
         free,
         conditions,
+        len(mesh.facets.points),
+        csr_array(every_row),
         rows,
         springs,
         spread,

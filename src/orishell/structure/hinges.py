@@ -26,7 +26,9 @@ def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> cs
         Moment per length of crease and per angle, of every edge (E,) or of all; border edges have
         no spring (force per radian).
     """
-    edge, first, second, nodes = _beside_creases(mesh, grid)
+    edge, first, second, nodes = beside_creases(mesh, grid)
+    rotations = mesh.rotations().reshape(-1, 3)
+    first, second = rotations[first], rotations[second]
     points = mesh.facets.points[nodes]  # (C, cells+1, 3)
     step = np.linalg.norm(np.diff(points, axis=1), axis=-1)
     share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
@@ -41,18 +43,16 @@ def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> cs
     return assemble(elements.reshape(-1, 6, 6), freedoms.reshape(-1, 6), mesh.count)
 
 
-def _beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:
-    """Edges (C,) that are creases, rotations (C, cells+1, 3) on both sides, nodes (C, cells+1)."""
-    rotations, nodes, edges = mesh.rotations(), mesh.nodes, grid.faces_edges()
-    sides = [  # in the order of Grid.faces_edges
-        (rotations[:, :, 0], nodes[:, :, 0]),
-        (rotations[:, -1], nodes[:, -1]),
-        (rotations[:, :, -1], nodes[:, :, -1]),
-        (rotations[:, 0], nodes[:, 0]),
-    ]
-    edge = edges.T.ravel()
-    rotation, nodes = (np.concatenate(each) for each in zip(*sides, strict=True))
+def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:
+    """Edges (C,) that are creases, places (C, cells+1) beside them on both sides, and nodes there.
+
+    Places are those of :attr:`SheetMesh.places`.
+    """
+    places, edges = np.arange(mesh.nodes.size).reshape(mesh.nodes.shape), grid.faces_edges()
+    # In the order of Grid.faces_edges.
+    sides = [places[:, :, 0], places[:, -1], places[:, :, -1], places[:, 0]]
+    edge, beside = edges.T.ravel(), np.concatenate(sides)
     order = np.argsort(edge, kind="stable")
-    edge, rotation, nodes = edge[order], rotation[order], nodes[order]
+    edge, beside = edge[order], beside[order]
     pair = np.flatnonzero(edge[1:] == edge[:-1])
-    return edge[pair], rotation[pair], rotation[pair + 1], nodes[pair]
+    return edge[pair], beside[pair], beside[pair + 1], mesh.nodes.ravel()[beside[pair]]

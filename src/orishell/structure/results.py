@@ -75,12 +75,12 @@ class CaseResult:
     displacements
         Of nodes (N, 3) (length).
     reactions
-        Forces on supported vertices (S, 3), in the order of :attr:`Analysis.supported` (N).
+        Forces on supported vertices (S, 3), in the order of ``Analysis.supported`` (N).
     tie_forces
         Of ties (K,), 0 where they are slack (N).
     flap_forces
         With which two neighbouring flaps keep the vertices at their outer corners apart (C,), in
-        the order of :attr:`Analysis.flaps`; 0 where they part (N).
+        the order of ``Analysis.flaps``; 0 where they part (N).
     crease_moments
         Largest moment per length (E,) about every edge, 0 at the border (N).
     stresses

@@ -8,7 +8,7 @@ import meshio
 import numpy as np
 import pytest
 
-from documents import FAMILIES, demo_document, flat_only, folded_only
+from documents import FAMILIES, demo_document, flat_only, folded_only, loaded_document
 from orishell.document import Document, DocumentState
 from orishell.errors import InputError
 from orishell.io.formats.vtk import write_vtk
@@ -90,3 +90,31 @@ def test_no_such_state_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such state"):
         write_vtk(tmp_path / "shell.vtu", document, Settings(state=7))
     assert not list(tmp_path.iterdir())
+
+
+def test_the_structure_beside_the_states(tmp_path: Path) -> None:
+    document = loaded_document(cells=2)
+    shell = document.loaded
+    assert shell is not None
+    write_vtk(tmp_path / "shell.vtu", document, Settings())
+    mesh = meshio.read(tmp_path / "shell-structure.vtu")
+    np.testing.assert_array_equal(mesh.points, shell.points)
+    np.testing.assert_array_equal(mesh.cells_dict["triangle"], shell.triangles)
+    np.testing.assert_array_equal(mesh.cell_data["panel"][0], shell.panels)
+    for case in shell.cases:
+        np.testing.assert_array_equal(mesh.point_data[f"load: {case.name}"], case.forces)
+        moved = "displacement" if case.stands else "free motion"
+        np.testing.assert_array_equal(mesh.point_data[f"{moved}: {case.name}"], case.displacements)
+        stress = f"von Mises: {case.name}"
+        assert (stress in mesh.cell_data) == case.stands
+        if case.stands:
+            np.testing.assert_array_equal(mesh.cell_data[stress][0], case.stresses)
+    assert mesh.field_data["metres_per_unit"] == 1.0
+    write_vtk(tmp_path / "again.pvd", document, Settings())
+    again = (tmp_path / "again-structure.vtu").read_bytes()
+    assert again == (tmp_path / "shell-structure.vtu").read_bytes()
+
+
+def test_no_structure_without_an_analysis(tmp_path: Path) -> None:
+    write_vtk(tmp_path / "shell.vtu", flat_only(DEMO), Settings())
+    assert not (tmp_path / "shell-structure.vtu").exists()

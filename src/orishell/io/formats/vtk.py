@@ -1,15 +1,18 @@
-"""All states of the shell for ParaView: VTU files and the PVD file that lists them."""
+"""All states of the shell for ParaView, VTU files and the PVD that lists them; its structure."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document, DocumentState
+from orishell.document.loaded import LoadedShell
 from orishell.io.format import Format
 from orishell.io.settings import Settings
+from orishell.numerics.arrays import Array, Integers
 
 SERIES = ".pvd"
 
@@ -22,7 +25,7 @@ def write_vtk(path: Path, document: Document, settings: Settings) -> None:
     For ``shell.vtu`` these are ``shell-0000.vtu``, ``shell-0001.vtu`` ... and ``shell.pvd``; the
     state that the settings choose is ``shell.vtu`` itself. For ``shell.pvd`` there is no single
     file. The time of a state is its drive angle in degrees, or its number if not all states have
-    rising drive angles.
+    rising drive angles. A shell that was analysed as a structure is in ``shell-structure.vtu``.
 
     The z axis is up. Cells are the panels, with their number and, in a grid, their row and
     column. Coordinates are in the document's unit, in double precision. VTU has no place for a
@@ -50,29 +53,59 @@ def write_vtk(path: Path, document: Document, settings: Settings) -> None:
         _write_state(path.with_name(files[-1]), document, state)
     series = path.with_suffix(SERIES) if single else path
     series.write_text(_collection(files, drives, document.unit), encoding="utf-8", newline="\n")
+    if document.loaded is not None:
+        _write_structure(path.with_name(f"{path.stem}-structure.vtu"), document, document.loaded)
 
 
 def _write_state(path: Path, document: Document, state: DocumentState) -> None:
-    import meshio
-
     count = len(document.mesh.faces)
     cell_data = {"panel": [np.arange(count, dtype=np.int32)]}
     if document.grid_shape is not None:
         rows, columns = np.divmod(np.arange(count, dtype=np.int32), document.grid_shape[1] - 1)
         cell_data |= {"row": [rows], "column": [columns]}
-    faces = document.mesh.faces.astype(np.int32)
-    mesh = meshio.Mesh(document.in_world(state.positions), [("quad", faces)], cell_data=cell_data)
+    cells = ("quad", document.mesh.faces)
+    points, facts = document.in_world(state.positions), _facts(document, state.drive_deg)
+    _write_mesh(path, points, cells, facts, cell_data=cell_data)
+
+
+def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None:
+    """Write the meshed shell with what loads, deflects and stresses it in every case.
+
+    Displacements of a case that nothing holds are those of its free motion, and it has no stresses.
+    """
+    point_data: dict[str, Array] = {}
+    cell_data: dict[str, list[Any]] = {"panel": [shell.panels.astype(np.int32)]}
+    for case in shell.cases:
+        moved = "displacement" if case.stands else "free motion"
+        point_data |= {
+            f"{moved}: {case.name}": case.displacements,
+            f"load: {case.name}": case.forces,
+        }
+        if case.stands:
+            cell_data[f"von Mises: {case.name}"] = [case.stresses]
+    cells = ("triangle", shell.triangles)
+    points, facts = document.in_world(shell.points), _facts(document, document.shell.drive_deg)
+    _write_mesh(path, points, cells, facts, point_data=point_data, cell_data=cell_data)
+
+
+def _write_mesh(
+    path: Path, points: Array, cells: tuple[str, Integers], facts: bytes, **data: Any
+) -> None:
+    import meshio
+
+    kind, nodes = cells
+    mesh = meshio.Mesh(points, [(kind, nodes.astype(np.int32))], **data)
     meshio.write(path, mesh, file_format="vtu")
-    path.write_bytes(path.read_bytes().replace(_GRID, _GRID + _facts(document, state), 1))
+    path.write_bytes(path.read_bytes().replace(_GRID, _GRID + facts, 1))
 
 
-def _facts(document: Document, state: DocumentState) -> bytes:
+def _facts(document: Document, drive_deg: float | None) -> bytes:
     """What is known of a whole state, for which meshio has no place."""
     fields = {}
     if document.unit in MILLIMETRES:
         fields["metres_per_unit"] = MILLIMETRES[document.unit] / MILLIMETRES["m"]
-    if state.drive_deg is not None:
-        fields["drive_deg"] = float(state.drive_deg)
+    if drive_deg is not None:
+        fields["drive_deg"] = float(drive_deg)
     lines = [f"<!--Unit: {document.unit}. Up: z.-->"]
     if fields:
         lines += [

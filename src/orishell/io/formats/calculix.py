@@ -1,0 +1,252 @@
+"""The shell as a structure: an input deck for CalculiX, and for others that read Abaqus' keywords.
+
+Cells of the mesh are quadratic quadrilaterals of reduced integration, S8R. On folded plates they
+come nearest to thin shells: CalculiX makes solids of all its shells, of which the others are too
+stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.units import conversion
+from orishell.document import Document
+from orishell.document.loaded import LoadedShell
+from orishell.errors import InputError
+from orishell.io.format import Format
+from orishell.io.settings import Settings
+from orishell.numerics.arrays import Array, Integers
+
+MODES = 6
+"""Natural frequencies that are asked for."""
+BUCKLING = "1,1e-4,20,1000"
+"""Buckling factors, accuracy, Lanczos vectors, rounds: as they are by default CalculiX may miss the
+lowest."""
+STIFF = 1e3
+"""How many times as stiff as a strip of panel, as wide as the shell is large, is what does not
+stretch."""
+SLENDER = 1e-3
+"""Thickness of a tie by the size of the shell: its section means nothing else."""
+
+
+def write_calculix(path: Path, document: Document, settings: Settings) -> None:
+    """Write the analysed shell: mesh, sections, supports, ties and the loads of every case.
+
+    Every case is a linear static step, then come natural frequencies, then buckling of every case.
+    Creases are rigid and supports and ties act both ways, which comments at its head say. Lengths
+    are in the document's unit, forces in newtons, masses so that a newton is a mass times a unit
+    of length per square second. Numbers have 13 digits, as many as CalculiX reads.
+
+    Raises
+    ------
+    InputError
+        If the shell was not analysed, or no unit of length is known.
+    """
+    shell = document.loaded
+    if shell is None:
+        raise InputError(
+            "the shell was not analysed as a structure",
+            where="[structure]",
+            remedy="add the tables [structure] and [[load_case]] to the design file",
+        )
+    unit = document.require_unit()
+    deck = _deck_of(shell)
+    cases = _different_loads(shell)
+    lines = [
+        *_head(document, unit, [name for name, _ in cases]),
+        *_mesh(deck, document.in_world(deck.points)),
+        *_sections(deck, shell.poisson, conversion(unit, "m")),
+        *_ties(shell, len(deck.cells)),
+        "*BOUNDARY",
+        *(f"{node + 1},{freedom + 1},{freedom + 1}" for node, freedom in shell.held.tolist()),
+    ]
+    for name, forces in cases:
+        lines += [*_begin(name), "*STATIC", *_loads(forces), *_answers(), "*END STEP"]
+    lines += [*_begin("natural frequencies"), "*FREQUENCY", str(MODES), *_answers(), "*END STEP"]
+    for name, forces in cases:
+        lines += [*_begin(f"buckling: {name}"), "*BUCKLE", BUCKLING, *_loads(forces), "*END STEP"]
+    path.write_text("".join(f"{line}\n" for line in lines), encoding="ascii", newline="\n")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Deck:
+    """The mesh in quadratic quadrilaterals.
+
+    Parameters
+    ----------
+    points
+        Nodes (N, 3): those of the shell, then the middles of sides.
+    own
+        How many are the shell's.
+    cells
+        Nodes (C, 8): corners, then the middles of the sides after them.
+    sections
+        Thickness, Young's modulus and mass per volume (S, 3), every section once.
+    section
+        The section (C,) of every cell.
+    """
+
+    points: Array
+    own: int
+    cells: Integers
+    sections: Array
+    section: Integers
+
+    __repr__ = in_one_line
+
+
+def _deck_of(shell: LoadedShell) -> _Deck:
+    """Cells of two triangles, which follow each other.
+
+    A plate that is as stiff in its plane and in bending has the thickness sqrt(12 bending/membrane)
+    and Young's modulus (1 - nu^2) membrane/thickness.
+    """
+    corners = _around(shell.triangles[::2], shell.triangles[1::2])
+    membrane, bending, mass = (
+        each.reshape(-1, 2).mean(axis=1)
+        for each in (shell.membrane, shell.bending, shell.areal_mass)
+    )
+    thickness = np.sqrt(12 * bending / membrane)
+    modulus = (1 - shell.poisson**2) * membrane / thickness
+    values = np.column_stack([thickness, modulus, mass / thickness])
+    sections, section = np.unique(values, axis=0, return_inverse=True)
+
+    sides = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1), axis=-1)
+    ends, middle = np.unique(sides.reshape(-1, 2), axis=0, return_inverse=True)
+    points = np.concatenate([shell.points, shell.points[ends].mean(axis=1)])
+    middles = len(shell.points) + middle.reshape(-1, 4)
+    cells = np.column_stack([corners, middles])
+    return _Deck(points, len(shell.points), cells, sections, section.ravel())
+
+
+def _around(first: Integers, second: Integers) -> Integers:
+    """Corners (C, 4) around pairs of triangles (C, 3) that share a side."""
+    row = np.arange(len(first))
+    alone, other = (
+        np.argmin((mine[:, :, None] == theirs[:, None]).any(axis=2), axis=1)
+        for mine, theirs in ((first, second), (second, first))
+    )
+    begin, then, last = (first[row, (alone + k) % 3] for k in range(3))
+    return np.column_stack([begin, then, second[row, other], last])
+
+
+def _different_loads(shell: LoadedShell) -> list[tuple[str, Array]]:
+    """Names and forces of the cases; those that differ by the stiffness of creases are one."""
+    found: dict[bytes, tuple[str, Array]] = {}
+    for case in shell.cases:
+        key = case.forces.tobytes()
+        name = f"{found[key][0]}; {case.name}" if key in found else case.name
+        found[key] = (name, case.forces)
+    return list(found.values())
+
+
+def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
+    kilograms = conversion("m", unit)
+    yield "*HEADING"
+    yield _plain(document.title)
+    yield from (
+        f"** {line}"
+        for line in (
+            f"Units: {unit}, N, s; masses in {kilograms:g} kg, so that N = mass times {unit}/s2.",
+            "z is up. Nodes at the corners of cells are those of orishell's analysis.",
+            "This is not all that orishell analyses:",
+            "- creases are rigid: panels share their rotations there;",
+            "- supports and ties hold both ways, and flaps are left out: look for wrong signs;",
+            f"- a tie that does not stretch is a truss {STIFF:g} times as stiff as the shell;",
+            "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
+            "  are not those of the boards;",
+            "- frequencies are those of the shell without loads, and with every tie.",
+            "Steps: every case of loads; natural frequencies; buckling under every case.",
+            *(f"Case {number}: {_plain(name)}" for number, name in enumerate(names, 1)),
+        )
+    )
+
+
+def _mesh(deck: _Deck, points: Array) -> Iterable[str]:
+    yield "*NODE,NSET=ALL"
+    yield from (f"{k},{_numbers(point)}" for k, point in enumerate(points.tolist(), 1))
+    yield "*NSET,NSET=SHELL,GENERATE"
+    yield f"1,{deck.own},1"
+    yield "*ELEMENT,TYPE=S8R,ELSET=PANELS"
+    yield from (
+        ",".join(map(str, (k, *nodes))) for k, nodes in enumerate((deck.cells + 1).tolist(), 1)
+    )
+
+
+def _sections(deck: _Deck, poisson: float, metres: float) -> Iterable[str]:
+    for number, (thickness, modulus, density) in enumerate(deck.sections.tolist(), 1):
+        yield f"*ELSET,ELSET=SECTION{number}"
+        yield from map(str, (np.flatnonzero(deck.section == number - 1) + 1).tolist())
+        yield from _material(f"PANEL{number}", modulus, poisson, density * metres)
+        yield f"*SHELL SECTION,ELSET=SECTION{number},MATERIAL=PANEL{number}"
+        yield _numbers([thickness])
+
+
+def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:
+    if not len(shell.ties):
+        return
+    size = float(np.linalg.norm(np.ptp(shell.points, axis=0)))
+    width = SLENDER * size
+    stiffness = min(shell.tie_stiffness, STIFF * size * float(shell.membrane.max()))
+    yield "*ELEMENT,TYPE=T3D2,ELSET=TIES"
+    yield from (
+        f"{k},{first},{second}"
+        for k, (first, second) in enumerate((shell.ties + 1).tolist(), cells + 1)
+    )
+    # A mass that weighs nothing, for CalculiX wants one.
+    lightest = 1e-6 * float(shell.areal_mass.min()) / size
+    yield from _material("TIE", stiffness / width**2, 0.0, lightest)
+    yield "*SOLID SECTION,ELSET=TIES,MATERIAL=TIE"
+    yield _numbers([width**2])
+
+
+def _material(name: str, modulus: float, poisson: float, density: float) -> Iterable[str]:
+    yield f"*MATERIAL,NAME={name}"
+    yield "*ELASTIC"
+    yield _numbers([modulus, poisson])
+    yield "*DENSITY"
+    yield _numbers([density])
+
+
+def _begin(what: str) -> Iterable[str]:
+    yield f"** {_plain(what)}"
+    yield "*STEP"
+
+
+def _loads(forces: Array) -> Iterable[str]:
+    yield "*CLOAD,OP=NEW"
+    for node, axis in np.argwhere(forces).tolist():
+        yield f"{node + 1},{axis + 1},{_numbers([forces[node, axis]])}"
+
+
+def _answers() -> Iterable[str]:
+    yield "*NODE PRINT,NSET=SHELL"
+    yield "U"
+    yield "*NODE FILE"
+    yield "U,RF"
+    yield "*EL FILE"
+    yield "S"
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return ",".join(f"{value:.13g}" for value in values)
+
+
+def _plain(words: str) -> str:
+    """One line of ASCII that is no keyword."""
+    return " ".join(words.split()).lstrip("*").encode("ascii", "replace").decode("ascii")
+
+
+FORMAT = Format(
+    "inp",
+    "shell.inp",
+    (".inp",),
+    "the analysed structure (CalculiX)",
+    write_calculix,
+    analysed=True,
+)

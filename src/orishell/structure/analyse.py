@@ -1,0 +1,220 @@
+"""From a design and what loads it to displacements, forces, stresses and modes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.conventions.progress import Progress, stretch, unwatched
+from orishell.design import Design
+from orishell.errors import InputError
+from orishell.numerics.arrays import Array
+from orishell.structure.acting import Response, respond
+from orishell.structure.crease_moments import crease_moments
+from orishell.structure.inverse import Inverse
+from orishell.structure.loads import case_forces
+from orishell.structure.model import Frame, Model, models
+from orishell.structure.motion import describe_motion
+from orishell.structure.results import Analysis, Balance, CaseResult
+from orishell.structure.settings import LoadCase, Structure
+from orishell.structure.stability import find_buckling, geometric_stiffness, turning_stiffness
+from orishell.structure.stresses import facet_stresses
+from orishell.structure.vibration import find_frequencies
+
+FREQUENCIES = 3
+"""How many frequencies are found."""
+FINEST = 32
+"""Cells are not halved beyond so many along a side."""
+
+
+def analyse(
+    design: Design, structure: Structure, frame: Frame, progress: Progress = unwatched
+) -> Analysis:
+    """Analyse a shell at its target.
+
+    Parameters
+    ----------
+    structure
+        What holds and loads it.
+    frame
+        What else belongs to it.
+
+    Raises
+    ------
+    InputError
+        If supports or loads do not fit the sheet, or its own weight is asked for and not known.
+    """
+    _require_mass(structure, frame)
+    cells, before = structure.cells, None
+    while True:
+        found = _analysed(design, structure, frame, cells, progress)
+        largest = _largest(found)
+        change = None if before is None else abs(largest - before) / largest
+        found = replace(found, change=change)
+        if not structure.refine or 2 * cells > FINEST or not largest > 0:
+            return found
+        if change is not None and change < structure.refine:
+            return found
+        cells, before = 2 * cells, largest
+
+
+def _require_mass(structure: Structure, frame: Frame) -> None:
+    if frame.areal_mass == 0 and any(case.self_weight for case in structure.cases):
+        raise InputError(
+            "own weight is a load, and what panels weigh is not known",
+            where="[[load_case]] self_weight",
+            remedy="give density in [panel], or areal_density in [workshop]",
+        )
+
+
+def _largest(analysis: Analysis) -> float:
+    """The largest displacement of all cases that stand."""
+    standing = [case for case in analysis.cases if case.motion is None]
+    return max((float(np.abs(case.displacements).max()) for case in standing), default=0.0)
+
+
+def _analysed(
+    design: Design, structure: Structure, frame: Frame, cells: int, progress: Progress
+) -> Analysis:
+    every = models(design, structure, frame, cells)
+    cases = [(model, case) for model in every for case in structure.analysed]
+    results = []
+    for number, (model, case) in enumerate(cases):
+        share = stretch(progress, number / len(cases), (number + 1) / len(cases))
+        share(0.0, f"loading {case.name}")
+        results.append(_loaded(model, case))
+    model = every[0]
+    supports = [model.supported(each, number) for number, each in enumerate(structure.supports)]
+    return Analysis(
+        grid=model.grid,
+        before=model.before,
+        mesh=model.mesh,
+        section=model.section,
+        supported=tuple(_vertex(model, node) for node in np.unique(np.concatenate(supports))),
+        ties=frame.ties,
+        flaps=tuple(
+            ((a, b + model.before), (c, d + model.before)) for (a, b), (c, d) in model.flaps()
+        ),
+        mass=float(model.mass().sum()),
+        cases=tuple(results),
+        change=None,
+    )
+
+
+def _vertex(model: Model, node: int) -> tuple[int, int]:
+    row, column = divmod(int(node), model.grid.columns)
+    return row, column + model.before
+
+
+def _loaded(model: Model, case: LoadCase) -> CaseResult:
+    """One case with one stiffness of creases."""
+    mesh, held = model.mesh, model.held
+    forces = case_forces(model.exposure, case, model.structure.cases)
+    loads = np.zeros(mesh.count)
+    loads[: forces.size] = forces.ravel()
+    response = respond(held, loads[held.free])
+    if response.moves is not None:
+        return _moving(model, case, forces, response.moves)
+    moved = np.zeros(mesh.count)
+    moved[held.free] = response.displacements
+    pulls = held.pulls(response.forces)
+    residual = held.stiffness @ moved + pulls - loads
+    reactions, balance = _reactions(model, forces, residual, response)
+    ties, flaps = len(model.ties()), len(model.flaps())
+    stresses = facet_stresses(mesh.facets, model.section, moved[mesh.freedoms()])
+    inverse = Inverse.of(held, response.acting, response.motions)
+    straight = ties + flaps
+    directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
+    geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
+        mesh.facets.points, held.conditions.nodes[:straight], directed, mesh.count
+    )
+    buckling = find_buckling(inverse, geometric[held.free][:, held.free])
+    frequencies, modes = np.zeros(0), np.zeros((0, *forces.shape))
+    if model.frame.areal_mass:
+        frequencies, found = find_frequencies(inverse, model.inertia()[held.free], FREQUENCIES)
+        modes = np.stack([_shape(model, mode) for mode in found.T])
+    return CaseResult(
+        name=case.name,
+        stiffness=model.stiffness,
+        loads=forces,
+        motion=None,
+        balance=balance,
+        displacements=moved[: forces.size].reshape(-1, 3),
+        reactions=reactions,
+        tie_forces=response.forces[:ties],
+        flap_forces=response.forces[ties:straight],
+        crease_moments=crease_moments(mesh, model.grid, model.section, moved),
+        stresses=stresses.von_mises(),
+        principal=stresses.principal(),
+        buckling=None if buckling is None else (buckling[0], _shape(model, buckling[1])),
+        frequencies=frequencies,
+        modes=modes,
+    )
+
+
+def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseResult:
+    """A case that nothing balances."""
+    nodes, triangles = len(forces), len(model.mesh.facets.triangles)
+    unknown = np.full(3, np.nan)
+    supported = np.unique(
+        np.concatenate([model.supported(s, k) for k, s in enumerate(model.structure.supports)])
+    )
+    edges = len(model.grid.edges_vertices())
+    return CaseResult(
+        name=case.name,
+        stiffness=model.stiffness,
+        loads=forces,
+        motion=describe_motion(model, _shape(model, moves)),
+        balance=Balance(forces.sum(axis=0), unknown, float("nan")),
+        displacements=np.full((nodes, 3), np.nan),
+        reactions=np.full((len(supported), 3), np.nan),
+        tie_forces=np.full(len(model.ties()), np.nan),
+        flap_forces=np.full(len(model.flaps()), np.nan),
+        crease_moments=np.full(edges, np.nan),
+        stresses=np.full((triangles, 2), np.nan),
+        principal=np.full((triangles, 2), np.nan),
+        buckling=None,
+        frequencies=np.zeros(0),
+        modes=np.zeros((0, nodes, 3)),
+    )
+
+
+def _shape(model: Model, mode: Array) -> Array:
+    """Displacements (N, 3) of a mode (n,), the largest is 1."""
+    moved = np.zeros(model.mesh.count)
+    moved[model.held.free] = mode
+    shape = moved[model.mesh.translations()]
+    return np.asarray(shape / np.linalg.norm(shape, axis=1).max())
+
+
+def _reactions(
+    model: Model, forces: Array, residual: Array, response: Response
+) -> tuple[Array, Balance]:
+    """Forces (S, 3) on supported vertices, and how loads and reactions balance.
+
+    Parameters
+    ----------
+    residual
+        What is missing (D,) at supported freedoms.
+    """
+    mesh, held, points = model.mesh, model.held, model.mesh.facets.points
+    supported = model.supports()[0]
+    bearing = np.zeros(mesh.count)
+    bearing[supported] = residual[supported]
+    at_nodes = bearing[mesh.translations()] + held.ground_forces(response.forces)
+    turning = bearing[mesh.rotations().reshape(-1, 3)]
+    if mesh.rigid:  # every node has one rotation, which its panels name several times
+        turning = bearing[3 * len(points) :].reshape(-1, 3)
+    middle = points.mean(axis=0)
+    both = forces + at_nodes
+    missing = both.sum(axis=0)
+    moment = np.cross(points - middle, both).sum(axis=0) + turning.sum(axis=0)
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    scale = float(np.linalg.norm(forces, axis=1).sum())
+    worst = max(float(np.linalg.norm(missing)), float(np.linalg.norm(moment)) / size)
+    nodes = np.unique(
+        np.concatenate([model.supported(s, k) for k, s in enumerate(model.structure.supports)])
+    )
+    balance = Balance(forces.sum(axis=0), at_nodes.sum(axis=0), worst / scale if scale else 0.0)
+    return at_nodes[nodes], balance

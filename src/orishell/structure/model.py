@@ -1,0 +1,302 @@
+"""A design as a structure: its mesh, what holds it, and what it weighs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.units import conversion
+from orishell.design import Design
+from orishell.errors import InputError
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.boards import Boards
+from orishell.sheet.grid import Grid, Vertex, VertexPair
+from orishell.sheet.quads import area_vectors
+from orishell.solids import Built
+from orishell.structure.conditions import Conditions, between, joined, on_ground
+from orishell.structure.facets import assemble
+from orishell.structure.held import Held, hold
+from orishell.structure.hinges import hinge_stiffness
+from orishell.structure.loads import Exposure
+from orishell.structure.sections import Section, panel_sections
+from orishell.structure.settings import Structure, Support
+from orishell.structure.sheet import SheetMesh, mesh_sheet
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """What a design has that is no part of its sheet.
+
+    Parameters
+    ----------
+    unit
+        Its unit of length.
+    feet
+        Rows of vertices that are its feet; None if it does not stand.
+    ties
+        Its ties, as pairs of rows and columns of the folding sheet.
+    areal_mass
+        Mass of panels per area; 0 if it is not known (kg per square of the unit).
+    built
+        Its panels as they are built; None if the design gives them no thickness.
+    """
+
+    unit: str
+    feet: tuple[int, int] | None
+    ties: tuple[VertexPair, ...]
+    areal_mass: float
+    built: Built | None
+
+    __repr__ = in_one_line
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A design as a structure.
+
+    Parameters
+    ----------
+    design
+        The design.
+    structure
+        What is asked of it.
+    frame
+        What else it has.
+    cells
+        Cells along every side of a panel.
+    stiffness
+        Of creases (force per radian).
+    """
+
+    design: Design
+    structure: Structure
+    frame: Frame
+    cells: int
+    stiffness: float
+
+    __repr__ = in_one_line
+
+    @cached_property
+    def flapped(self) -> Mechanism:
+        """The sheet with its flaps."""
+        return self.design.clipped or self.design.mechanism
+
+    @cached_property
+    def sheet(self) -> Mechanism:
+        """The sheet without its flaps."""
+        return self.flapped.without_flaps()
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of the sheet without its flaps."""
+        return self.sheet.grid
+
+    @property
+    def before(self) -> int:
+        """Number of columns of folded flaps before the first column of that grid."""
+        mechanism = self.design.mechanism
+        return int(mechanism.inner_columns.start - self.sheet.inner_columns.start)
+
+    @cached_property
+    def positions(self) -> Array:
+        """Vertices (rows, columns, 3) of the sheet without its flaps, at the target."""
+        return self.sheet.positions(self.sheet.target_drive)
+
+    @cached_property
+    def mesh(self) -> SheetMesh:
+        """The meshed sheet."""
+        return mesh_sheet(self.positions, self.grid, self.cells, rigid=np.isinf(self.stiffness))
+
+    @cached_property
+    def section(self) -> Section:
+        """Sections of the triangles."""
+        flat = mesh_sheet(self.sheet.positions(0.0), self.grid, self.cells).facets
+        corners = flat.points[flat.triangles][..., :2]
+        return panel_sections(
+            self.structure, self.design.panel, self._boards(), corners, self.mesh.panels
+        )
+
+    def _boards(self) -> Boards | None:
+        built = self.frame.built
+        if built is None:
+            return None
+        # Boards of folded flaps are numbered with the sheet.
+        row, column = np.divmod(built.boards.panels, self.design.mechanism.grid.columns - 1)
+        column = column - self.before
+        own = (column >= 0) & (column < self.grid.columns - 1)
+        boards = built.boards.chosen(own)
+        number = row[own] * (self.grid.columns - 1) + column[own]
+        return Boards(number, boards.sides, boards.outlines)
+
+    @cached_property
+    def exposure(self) -> Exposure:
+        """The mesh as loads see it."""
+        facets, mass = self.mesh.facets, self.frame.areal_mass
+        points = self.positions[list(self.frame.feet or (0, -1))]
+        span = float(np.linalg.norm(np.diff(points.mean(axis=1), axis=0)))
+        standing = self.frame.feet is not None
+        return Exposure(
+            mesh=facets,
+            panels=self.mesh.panels,
+            grid=self.grid,
+            before=self.before,
+            areal_mass=np.full(len(facets.triangles), mass),
+            hung=mass * self._hung(),
+            unit=self.frame.unit,
+            ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
+            span=span if standing else None,
+        )
+
+    def _hung(self) -> Array:
+        """Area (N,) of flaps, half of every panel at each of the vertices that it hangs on."""
+        hung = np.zeros(len(self.mesh.facets.points))
+        vertices, flat = self.grid.vertices(), self.flapped.positions(0.0)
+        for panel, column in self._flap_columns():
+            corners = np.stack(
+                [
+                    flat[:-1, panel],
+                    flat[1:, panel],
+                    flat[1:, panel + 1],
+                    flat[:-1, panel + 1],
+                ],
+                axis=1,
+            )
+            area = np.linalg.norm(area_vectors(corners), axis=1)
+            hung[vertices[:-1, column]] += 0.5 * area
+            hung[vertices[1:, column]] += 0.5 * area
+        return hung
+
+    def _flap_columns(self) -> list[tuple[int, int]]:
+        """Columns of panels that are flaps, and the column of this grid that each hangs on."""
+        last = self.grid.columns - 1
+        return [(panel, 0 if panel == 0 else last) for panel in self.flapped.flap_columns]
+
+    def flaps(self) -> tuple[VertexPair, ...]:
+        """Vertices that two neighbouring flaps keep apart, rows and columns of this grid."""
+        return tuple(
+            ((row - 1, column), (row + 1, column))
+            for _, column in self._flap_columns()
+            for row in range(1, self.grid.rows - 1)
+        )
+
+    def ties(self) -> tuple[VertexPair, ...]:
+        """Its ties, rows and columns of this grid."""
+        return tuple((self._own(first), self._own(last)) for first, last in self.frame.ties)
+
+    def _own(self, vertex: Vertex) -> Vertex:
+        return vertex[0], vertex[1] - self.before
+
+    def supported(self, support: Support, number: int) -> Integers:
+        """Vertices of a support, numbers of this grid.
+
+        Parameters
+        ----------
+        number
+            Its place among all supports, for messages.
+
+        Raises
+        ------
+        InputError
+            If there are no such vertices.
+        """
+        vertices, inner = self.grid.vertices(), self.sheet.inner_columns
+        where = f"[structure] supports[{number}] at"
+        if support.at == "feet":
+            if self.frame.feet is None:
+                raise InputError(
+                    "there are no feet to support",
+                    where=where,
+                    got='"feet"',
+                    expected="a shell that stands on the two ends of f",
+                    remedy='at = "ends", or name vertices, [[row, column], ...]',
+                )
+            return vertices[list(self.frame.feet), inner].ravel()
+        if support.at == "ends":
+            return vertices[:, [inner.start, inner.stop - 1]].ravel()
+        last = self.before + self.grid.columns - 1
+        for row, column in support.at:
+            if not (row < self.grid.rows and self.before <= column <= last):
+                raise InputError(
+                    "there is no such vertex to support",
+                    where=where,
+                    got=f"[{row}, {column}]",
+                    expected=f"a row from 0 to {self.grid.rows - 1}, a column from {self.before} "
+                    f"to {last}",
+                )
+        return np.array([vertices[self._own(vertex)] for vertex in support.at])
+
+    def supports(self) -> tuple[Integers, Integers, Array]:
+        """Freedoms that are supported, feet on the ground, and their coefficients of friction."""
+        mesh, rotations = self.mesh, self.mesh.rotations()
+        freedoms: list[Integers] = [np.zeros(0, np.int64)]
+        ground: list[Integers] = [np.zeros(0, np.int64)]
+        friction: list[Array] = [np.zeros(0)]
+        for number, support in enumerate(self.structure.supports):
+            nodes = self.supported(support, number)
+            if support.kind == "friction":
+                ground.append(nodes)
+                friction.append(np.full(len(nodes), support.friction))
+                continue
+            held = mesh.translations()[nodes]
+            freedoms.append(held[:, 2] if support.kind == "sliding" else held.ravel())
+            if support.kind == "fixed":
+                freedoms.append(rotations[np.isin(mesh.nodes, nodes)].ravel())
+        return np.unique(np.concatenate(freedoms)), np.concatenate(ground), np.concatenate(friction)
+
+    def conditions(self, ground: Integers, friction: Array) -> Conditions:
+        """Ties, flaps and feet on the ground, one after the other."""
+        points = self.mesh.facets.points
+        ties, flaps = (
+            np.array(
+                [[self.grid.vertices()[each] for each in pair] for pair in pairs], np.int64
+            ).reshape(-1, 2)
+            for pairs in (self.ties(), self.flaps())
+        )
+        return joined(
+            [
+                between(
+                    points, ties, np.full(len(ties), self.structure.tie_stiffness), approach=False
+                ),
+                between(points, flaps, np.full(len(flaps), np.inf), approach=True),
+                on_ground(ground, friction),
+            ]
+        )
+
+    @cached_property
+    def held(self) -> Held:
+        """The structure, factorised."""
+        mesh = self.mesh
+        stiffness = assemble(
+            mesh.facets.element_stiffness(self.section), mesh.freedoms(), mesh.count
+        )
+        if 0 < self.stiffness < np.inf:
+            stiffness = stiffness + hinge_stiffness(mesh, self.grid, self.stiffness)
+        supported, ground, friction = self.supports()
+        corners = self.grid.vertices()[np.ix_([0, -1], [0, -1])].ravel()
+        return hold(stiffness, mesh, supported, self.conditions(ground, friction), corners)
+
+    def mass(self) -> Array:
+        """Mass (N,) at every node (kg)."""
+        exposure = self.exposure
+        share = exposure.areal_mass * exposure.mesh.areas() / 3
+        lumped = exposure.hung.copy()
+        np.add.at(lumped, exposure.mesh.triangles, share[:, None])
+        return lumped
+
+    def inertia(self) -> Array:
+        """Force by acceleration (D,) of every freedom, the latter in the design's unit."""
+        inertia = np.zeros(self.mesh.count)
+        translations = self.mesh.translations()
+        inertia[translations] = conversion(self.frame.unit, "m") * self.mass()[:, None]
+        return inertia
+
+
+def models(design: Design, structure: Structure, frame: Frame, cells: int) -> Sequence[Model]:
+    """The design with every stiffness of its creases, the least first."""
+    stiffness = dict.fromkeys(structure.crease_stiffness)
+    return [Model(design, structure, frame, cells, each) for each in stiffness]
