@@ -101,6 +101,7 @@ def analysed() -> Analysis:
             case("both", np.inf),
             case("wind", np.inf),
         ),
+        held=np.zeros((0, 2), np.int64),
         exposure=exposure,
         change=0.02,
     )

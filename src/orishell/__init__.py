@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from orishell.notebook import show
     from orishell.shell.export import convert_fold, write_shell
     from orishell.shell.make import Shell, design_shell
+    from orishell.shell.structure import analyse_structure
     from orishell.verification.residuals import measure_residuals
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "ParallelRepeating",
     "Shell",
     "__version__",
+    "analyse_structure",
     "convert_fold",
     "curve_from_formulas",
     "curve_from_points",
@@ -57,6 +59,7 @@ _HOMES = {
     "orishell.motion": ("FoldedState", "FoldingMotion", "Mechanism", "measure_fold_angles"),
     "orishell.notebook": ("show",),
     "orishell.shell.make": ("Shell", "design_shell"),
+    "orishell.shell.structure": ("analyse_structure",),
     "orishell.shell.export": ("convert_fold", "write_shell"),
 }
 

@@ -56,7 +56,7 @@ class LoadedShell:
         Mass (T,) per area (kg per square of the unit).
     held
         Supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation
-        along x, y, z.
+        along x, y, z; feet on the ground as if they were pinned.
     ties
         Ends (K, 2) of ties.
     tie_stiffness

@@ -174,13 +174,13 @@ def describe_deployment(
     """
     mechanism = design.mechanism
     clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
-    ties = find_ties(mechanism, _pairs(design, file.deployment, feet), lock.pack)
+    ties = find_ties(mechanism, pairs_of_ties(design, file.deployment, feet), lock.pack)
     packed = weight = None
     if measured:
         packed = _packed(design, lock)
         if feet is not None:
             metres = conversion(file.unit, "m")
-            density = file.workshop.areal_density or _areal_density(design, lock.built, metres)
+            density = areal_density(file, design, lock.built)
             weight = _weight(design, feet, lock, metres, density)
     return DeploymentReport(
         start=file.deployment.start,
@@ -197,7 +197,14 @@ def describe_deployment(
     )
 
 
-def _pairs(design: Design, deployment: Deployment, feet: Feet | None) -> list[VertexPair]:
+def pairs_of_ties(design: Design, deployment: Deployment, feet: Feet | None) -> list[VertexPair]:
+    """Ends of the ties that are asked for, rows and columns of the folding sheet.
+
+    Raises
+    ------
+    InputError
+        If there are no feet to tie.
+    """
     if isinstance(deployment.ties, tuple):
         return list(deployment.ties)
     if deployment.ties == "none":
@@ -234,15 +241,15 @@ def _tie(tie: Tie) -> TieReport:
     return TieReport(tie.ends, tie.length, tie.flat, tie.packed, tie.grows, tie.slack, fails)
 
 
-def _areal_density(design: Design, built: Built | None, metres: float) -> float:
+def areal_density(file: DesignFile, design: Design, built: Built | None) -> float:
     """Mass of the panels per area of the sheet (kg/m^2); 0 where that of a part is not known."""
-    if built is None:
-        return 0.0
+    if file.workshop.areal_density or built is None:
+        return file.workshop.areal_density or 0.0
     build, area = built.build, sheet_area(design.mechanism.positions(0.0))
     boards = build.density * float(built.boards.volumes().sum())
     membrane = build.membrane_density * build.membrane * area
     known = build.density and (build.membrane_density or not build.membrane)
-    return metres * (boards + membrane) / area if known else 0.0
+    return conversion(file.unit, "m") * (boards + membrane) / area if known else 0.0
 
 
 def _weight(

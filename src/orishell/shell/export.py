@@ -19,6 +19,7 @@ from orishell.io.settings import DEFAULT_SETTINGS, Settings
 from orishell.shell.make import Clock, Shell
 from orishell.shell.overlay import lay_surface
 from orishell.shell.pictures import draw_pictures
+from orishell.shell.structure_files import write_structure as write_structure_files
 
 
 def write_shell(
@@ -65,6 +66,7 @@ def write_shell(
             choice=shell.choice,
             deployment=shell.report.deployment,
         )
+        _write_structure(shell, draft)
         for format_ in dict.fromkeys((FOLD, *formats)):
             write_format(shell, format_, draft, settings, progress)
         names = sorted(file.name for file in draft.iterdir())
@@ -74,7 +76,7 @@ def write_shell(
 
 
 def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
-    """Write ``structure.json``, the report on a shell as a structure: all files or none.
+    """Write what was found of a shell as a structure: report, page and picture, or none of them.
 
     Parameters
     ----------
@@ -97,8 +99,15 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
     with OutputDirectory(directory).adding() as draft:
         text = json.dumps(asdict(shell.report.structure), indent=2, allow_nan=False)
         (draft / "structure.json").write_text(text + "\n")
+        _write_structure(shell, draft)
         names = sorted(file.name for file in draft.iterdir())
     return [directory / name for name in names]
+
+
+def _write_structure(shell: Shell, draft: Path) -> None:
+    """Write ``structure.html`` and ``structure.png``, where a shell was analysed."""
+    if shell.report.structure is not None and shell.analysis is not None:
+        write_structure_files(draft, shell.document, shell.report.structure, shell.analysis)
 
 
 def write_format(

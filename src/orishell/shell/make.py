@@ -18,7 +18,7 @@ from orishell.deviation import (
 )
 from orishell.document import Document, FirstContact
 from orishell.document.from_design import document_of_motion
-from orishell.errors import DesignError, InputError, VerificationError, printable
+from orishell.errors import DesignError, InputError, printable
 from orishell.locking import (
     Lock,
     end_motion,
@@ -43,15 +43,11 @@ from orishell.shell.report import (
     describe_feet,
 )
 from orishell.shell.standing import find_feet, stand
+from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance, request_of
-from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
+from orishell.structure.results import Analysis
+from orishell.verification.residuals import measure_residuals, require_verified
 from orishell.workshop.quantities import measure_quantities
-
-LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
-"""Residuals above these (relative lengths, radians) mean that the program, not the design, is
-wrong: a panel may be as small as a hundred-millionth of the coordinates, and the rounding of
-coordinates turns it by so much."""
-
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
 """What becomes of a shell whose panels meet before its target: it is refused, or made and said to
@@ -83,6 +79,8 @@ class Shell:
         What ``report.json`` says.
     seconds
         Time spent by step; printed, but not part of any file.
+    analysis
+        What was found of it as a structure; None if it was not analysed.
     """
 
     file: DesignFile
@@ -94,6 +92,7 @@ class Shell:
     document: Document
     report: Report
     seconds: dict[str, float]
+    analysis: Analysis | None = None
 
     def __repr__(self) -> str:
         file = self.file
@@ -123,6 +122,7 @@ def make_shell(
     clash: ClashPolicy = "refused",
     measured: bool = True,
     nested: bool = True,
+    loaded: bool = True,
 ) -> Shell:
     """Design a shell, verify its states and prove how its motion ends.
 
@@ -134,6 +134,8 @@ def make_shell(
         Whether the distance from the surface is measured.
     nested
         Whether the sheet is laid out on its stock.
+    loaded
+        Whether it is analysed as a structure, where the file asks for that.
 
     Raises
     ------
@@ -154,7 +156,7 @@ def make_shell(
     residuals, assignment = measure_residuals(
         followed(motion, len(motion), progress, "verifying"), flat
     )
-    _require_verified(residuals, assignment)
+    require_verified(residuals, assignment)
     clock.lap("fold")
 
     compared = design.swept is not None
@@ -166,6 +168,12 @@ def make_shell(
     try:
         deployment = describe_deployment(file, design, lock, feet, measured=measured)
         quantities = measure_quantities(document, file.workshop, nested=nested)
+        structure = analysis = None
+        if loaded and file.structure is not None:
+            found = load_shell(file, design, lock, file.structure, progress)
+            analysis, structure = found.analysis, found.report
+            document = replace(document, loaded=found.drawn)
+            clock.lap("structure")
     except InputError as error:
         raise error.located(f"{file.path}:") from None
     width, height, _ = extents(flat.positions)
@@ -184,6 +192,7 @@ def make_shell(
             *warn_of_lock(lock),
             *find_caveats(design, lock, feet, file.unit, file.workshop),
             *warn_of_deployment(file, design, lock, deployment),
+            *([] if structure is None else structure.warnings),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
@@ -192,6 +201,7 @@ def make_shell(
             *(["contact between panels on the way"] if clash == "unexamined" else []),
             *([] if measured or not compared else ["distance from the surface"]),
             *(["the layout on the stock"] if quantities.stock is None else []),
+            *(["the structure"] if structure is None and file.structure is not None else []),
         ),
         stands=describe_feet(design, feet),
         deviation=describe_deviation(design, deviation, approach) if compared else None,
@@ -199,11 +209,13 @@ def make_shell(
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
         panel=describe_panels(design, lock),
-        structure=None,
+        structure=structure,
         quantities=quantities,
     )
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
-    return Shell(file, design, lock, motion, deviation, choice, document, report, clock.seconds)
+    return Shell(
+        file, design, lock, motion, deviation, choice, document, report, clock.seconds, analysis
+    )
 
 
 def _designed(
@@ -266,22 +278,6 @@ def _first_contact(design: Design, lock: Lock) -> FirstContact | None:
     across = design.mechanism.grid.columns - 1
     first, second = (row * across + column for row, column in contact.panels)
     return FirstContact(tidy_degrees(contact.drive), (first, second))
-
-
-def _require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
-    lengths = max(residuals.panel_length, residuals.planarity)
-    angles = max(residuals.sector_sum_rad, residuals.fold_angle_rad)
-    if lengths <= LENGTH_LIMIT and angles <= ANGLE_LIMIT:
-        if assignment.constant and assignment.maekawa:
-            return
-        raise VerificationError(
-            "mountains and valleys do not fit the motion: this is a fault of the program"
-        )
-    raise VerificationError(
-        f"the states are not those of rigid panels: lengths change by {lengths:.3g} of the sheet's "
-        f"diagonal (limit {LENGTH_LIMIT:g}), angles are wrong by {angles:.3g} rad (limit "
-        f"{ANGLE_LIMIT:g}); this is a fault of the program"
-    )
 
 
 class Clock:

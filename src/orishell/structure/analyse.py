@@ -85,19 +85,20 @@ def _analysed(
         share(0.0, f"loading {case.name}")
         results.append(_loaded(model, case))
     model = every[0]
-    supports = [model.supported(each, number) for number, each in enumerate(structure.supports)]
     return Analysis(
         grid=model.grid,
         before=model.before,
         mesh=model.mesh,
         section=model.section,
-        supported=tuple(_vertex(model, node) for node in np.unique(np.concatenate(supports))),
+        supported=tuple(_vertex(model, node) for node in model.supports.vertices()),
         ties=frame.ties,
         flaps=tuple(
             ((a, b + model.before), (c, d + model.before)) for (a, b), (c, d) in model.flaps()
         ),
         mass=float(model.mass().sum()),
         cases=tuple(results),
+        exposure=model.exposure,
+        held=model.supports.as_if_pinned(),
         change=None,
     )
 
@@ -157,9 +158,6 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
     """A case that nothing balances."""
     nodes, triangles = len(forces), len(model.mesh.facets.triangles)
     unknown = np.full(3, np.nan)
-    supported = np.unique(
-        np.concatenate([model.supported(s, k) for k, s in enumerate(model.structure.supports)])
-    )
     edges = len(model.grid.edges_vertices())
     return CaseResult(
         name=case.name,
@@ -168,7 +166,7 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
         motion=describe_motion(model, _shape(model, moves)),
         balance=Balance(forces.sum(axis=0), unknown, float("nan")),
         displacements=np.full((nodes, 3), np.nan),
-        reactions=np.full((len(supported), 3), np.nan),
+        reactions=np.full((len(model.supports.vertices()), 3), np.nan),
         tie_forces=np.full(len(model.ties()), np.nan),
         flap_forces=np.full(len(model.flaps()), np.nan),
         crease_moments=np.full(edges, np.nan),
@@ -199,7 +197,7 @@ def _reactions(
         What is missing (D,) at supported freedoms.
     """
     mesh, held, points = model.mesh, model.held, model.mesh.facets.points
-    supported = model.supports()[0]
+    supported = model.supports.freedoms(mesh)
     bearing = np.zeros(mesh.count)
     bearing[supported] = residual[supported]
     at_nodes = bearing[mesh.translations()] + held.ground_forces(response.forces)
@@ -213,8 +211,5 @@ def _reactions(
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     scale = float(np.linalg.norm(forces, axis=1).sum())
     worst = max(float(np.linalg.norm(missing)), float(np.linalg.norm(moment)) / size)
-    nodes = np.unique(
-        np.concatenate([model.supported(s, k) for k, s in enumerate(model.structure.supports)])
-    )
     balance = Balance(forces.sum(axis=0), at_nodes.sum(axis=0), worst / scale if scale else 0.0)
-    return at_nodes[nodes], balance
+    return at_nodes[model.supports.vertices()], balance

@@ -11,9 +11,8 @@ import numpy as np
 from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.design import Design
-from orishell.errors import InputError
 from orishell.motion import Mechanism
-from orishell.numerics.arrays import Array, Integers
+from orishell.numerics.arrays import Array
 from orishell.sheet.boards import Boards
 from orishell.sheet.grid import Grid, Vertex, VertexPair
 from orishell.sheet.quads import area_vectors
@@ -24,8 +23,9 @@ from orishell.structure.held import Held, hold
 from orishell.structure.hinges import hinge_stiffness
 from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section, panel_sections
-from orishell.structure.settings import Structure, Support
+from orishell.structure.settings import Structure
 from orishell.structure.sheet import SheetMesh, mesh_sheet
+from orishell.structure.supports import Supports, find_supports
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,64 +191,19 @@ class Model:
     def _own(self, vertex: Vertex) -> Vertex:
         return vertex[0], vertex[1] - self.before
 
-    def supported(self, support: Support, number: int) -> Integers:
-        """Vertices of a support, numbers of this grid.
-
-        Parameters
-        ----------
-        number
-            Its place among all supports, for messages.
+    @cached_property
+    def supports(self) -> Supports:
+        """What holds it.
 
         Raises
         ------
         InputError
-            If there are no such vertices.
+            If vertices that are to be held are not there.
         """
-        vertices, inner = self.grid.vertices(), self.sheet.inner_columns
-        where = f"[structure] supports[{number}] at"
-        if support.at == "feet":
-            if self.frame.feet is None:
-                raise InputError(
-                    "there are no feet to support",
-                    where=where,
-                    got='"feet"',
-                    expected="a shell that stands on the two ends of f",
-                    remedy='at = "ends", or name vertices, [[row, column], ...]',
-                )
-            return vertices[list(self.frame.feet), inner].ravel()
-        if support.at == "ends":
-            return vertices[:, [inner.start, inner.stop - 1]].ravel()
-        last = self.before + self.grid.columns - 1
-        for row, column in support.at:
-            if not (row < self.grid.rows and self.before <= column <= last):
-                raise InputError(
-                    "there is no such vertex to support",
-                    where=where,
-                    got=f"[{row}, {column}]",
-                    expected=f"a row from 0 to {self.grid.rows - 1}, a column from {self.before} "
-                    f"to {last}",
-                )
-        return np.array([vertices[self._own(vertex)] for vertex in support.at])
+        inner, feet = self.sheet.inner_columns, self.frame.feet
+        return find_supports(self.structure.supports, self.grid, inner, feet, self.before)
 
-    def supports(self) -> tuple[Integers, Integers, Array]:
-        """Freedoms that are supported, feet on the ground, and their coefficients of friction."""
-        mesh, rotations = self.mesh, self.mesh.rotations()
-        freedoms: list[Integers] = [np.zeros(0, np.int64)]
-        ground: list[Integers] = [np.zeros(0, np.int64)]
-        friction: list[Array] = [np.zeros(0)]
-        for number, support in enumerate(self.structure.supports):
-            nodes = self.supported(support, number)
-            if support.kind == "friction":
-                ground.append(nodes)
-                friction.append(np.full(len(nodes), support.friction))
-                continue
-            held = mesh.translations()[nodes]
-            freedoms.append(held[:, 2] if support.kind == "sliding" else held.ravel())
-            if support.kind == "fixed":
-                freedoms.append(rotations[np.isin(mesh.nodes, nodes)].ravel())
-        return np.unique(np.concatenate(freedoms)), np.concatenate(ground), np.concatenate(friction)
-
-    def conditions(self, ground: Integers, friction: Array) -> Conditions:
+    def conditions(self) -> Conditions:
         """Ties, flaps and feet on the ground, one after the other."""
         points = self.mesh.facets.points
         ties, flaps = (
@@ -257,13 +212,12 @@ class Model:
             ).reshape(-1, 2)
             for pairs in (self.ties(), self.flaps())
         )
+        stretch = np.full(len(ties), self.structure.tie_stiffness)
         return joined(
             [
-                between(
-                    points, ties, np.full(len(ties), self.structure.tie_stiffness), approach=False
-                ),
+                between(points, ties, stretch, approach=False),
                 between(points, flaps, np.full(len(flaps), np.inf), approach=True),
-                on_ground(ground, friction),
+                on_ground(self.supports.ground, self.supports.friction),
             ]
         )
 
@@ -276,9 +230,9 @@ class Model:
         )
         if 0 < self.stiffness < np.inf:
             stiffness = stiffness + hinge_stiffness(mesh, self.grid, self.stiffness)
-        supported, ground, friction = self.supports()
+        supported = self.supports.freedoms(mesh)
         corners = self.grid.vertices()[np.ix_([0, -1], [0, -1])].ravel()
-        return hold(stiffness, mesh, supported, self.conditions(ground, friction), corners)
+        return hold(stiffness, mesh, supported, self.conditions(), corners)
 
     def mass(self) -> Array:
         """Mass (N,) at every node (kg)."""

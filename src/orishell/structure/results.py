@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from orishell.conventions.formatting import in_one_line
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid, Vertex, VertexPair
 from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section
@@ -142,6 +142,9 @@ class Analysis:
         All load cases, those with the least stiffness of creases first.
     exposure
         What was loaded, and how it stands.
+    held
+        Supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation
+        along x, y, z; feet on the ground as if they were pinned.
     change
         By what share the largest displacement changed when cells were halved for the last time;
         None if they were not.
@@ -157,6 +160,7 @@ class Analysis:
     mass: float
     cases: tuple[CaseResult, ...]
     exposure: Exposure
+    held: Integers
     change: float | None
 
     __repr__ = in_one_line

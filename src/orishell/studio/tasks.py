@@ -87,6 +87,7 @@ class Task:
                 clash="unexamined",
                 measured=False,
                 nested=False,
+                loaded=False,
             )
         except OrishellError as error:
             raise RefusalError({**describe_error(error), "curves": curves}) from None

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.errors import VerificationError
 from orishell.motion import FoldedState, diagonal, measure_fold_angles
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid, crease_signs
@@ -15,6 +16,11 @@ from orishell.verification.signs import SignsSeen, meets_maekawa, turn_between
 
 BLOCK = 2**14
 """Vertices looked at together: few enough for a processor's cache."""
+
+LENGTH_LIMIT, ANGLE_LIMIT = 1e-9, 1e-6
+"""Residuals above these (relative lengths, radians) mean that the program, not the design, is
+wrong: a panel may be as small as a hundred-millionth of the coordinates, and the rounding of
+coordinates turns it by so much."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,3 +120,26 @@ def _sector_sums(positions: Array) -> Array:
     """Sum of the four sector angles at every inner vertex (radians)."""
     angle = np.moveaxis(sector_angles(grid_corners(positions)), -1, 0)
     return np.asarray(angle[0, 1:, 1:] + angle[1, :-1, 1:] + angle[2, :-1, :-1] + angle[3, 1:, :-1])
+
+
+def require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
+    """Refuse states that are not those of rigid panels.
+
+    Raises
+    ------
+    VerificationError
+        If lengths or angles are wrong: a fault of the program.
+    """
+    lengths = max(residuals.panel_length, residuals.planarity)
+    angles = max(residuals.sector_sum_rad, residuals.fold_angle_rad)
+    if lengths <= LENGTH_LIMIT and angles <= ANGLE_LIMIT:
+        if assignment.constant and assignment.maekawa:
+            return
+        raise VerificationError(
+            "mountains and valleys do not fit the motion: this is a fault of the program"
+        )
+    raise VerificationError(
+        f"the states are not those of rigid panels: lengths change by {lengths:.3g} of the sheet's "
+        f"diagonal (limit {LENGTH_LIMIT:g}), angles are wrong by {angles:.3g} rad (limit "
+        f"{ANGLE_LIMIT:g}); this is a fault of the program"
+    )

@@ -1,0 +1,145 @@
+"""A designed shell as a structure: analysed, and as its files and pages show it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.units import conversion
+from orishell.design import Design
+from orishell.design_file import DesignFile
+from orishell.document import LoadedCase, LoadedShell
+from orishell.errors import InputError
+from orishell.locking import Lock
+from orishell.shell.deployment_report import areal_density, pairs_of_ties
+from orishell.shell.standing import find_feet
+from orishell.shell.structure_caveats import name_of
+from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.analyse import analyse
+from orishell.structure.model import Frame
+from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.settings import Structure
+
+if TYPE_CHECKING:
+    from orishell.shell.make import Shell
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Loaded:
+    """A shell as a structure.
+
+    Parameters
+    ----------
+    analysis
+        What was found.
+    report
+        The same as the report says it.
+    drawn
+        The same as files and pages show it.
+    """
+
+    analysis: Analysis
+    report: StructureReport
+    drawn: LoadedShell
+
+    __repr__ = in_one_line
+
+
+def analyse_structure(
+    shell: Shell, structure: Structure | None = None, progress: Progress = unwatched
+) -> Analysis:
+    """Analyse a designed shell as a structure at its target.
+
+    Parameters
+    ----------
+    shell
+        The shell.
+    structure
+        What holds and loads it; None for the tables of its design file.
+
+    Raises
+    ------
+    InputError
+        If there is no structure to analyse, supports or loads do not fit the sheet, or own weight
+        is asked for and not known.
+    """
+    structure = structure or shell.file.structure
+    if structure is None:
+        raise InputError(
+            "there is no structure to analyse",
+            where=f"{shell.file.path}: [structure]",
+            remedy="add the table [structure], or pass a Structure",
+        )
+    try:
+        return analyse(
+            shell.design, structure, _frame(shell.file, shell.design, shell.lock), progress
+        )
+    except InputError as error:
+        raise error.located(f"{shell.file.path}:") from None
+
+
+def load_shell(
+    file: DesignFile, design: Design, lock: Lock, structure: Structure, progress: Progress
+) -> Loaded:
+    """Analyse a design as a structure, and say what was found.
+
+    Raises
+    ------
+    InputError
+        As :func:`analyse_structure` does.
+    """
+    analysis = analyse(design, structure, _frame(file, design, lock), progress)
+    report = describe_structure(structure, analysis, design.panel)
+    return Loaded(analysis, report, _drawn(structure, analysis, report))
+
+
+def _frame(file: DesignFile, design: Design, lock: Lock) -> Frame:
+    feet, metres = find_feet(design), conversion(file.unit, "m")
+    return Frame(
+        unit=file.unit,
+        feet=None if feet is None else feet.rows,
+        ties=tuple(pairs_of_ties(design, file.deployment, feet)),
+        areal_mass=areal_density(file, design, lock.built) * metres**2,
+        built=lock.built,
+    )
+
+
+def _drawn(structure: Structure, analysis: Analysis, report: StructureReport) -> LoadedShell:
+    mesh, section, grid = analysis.mesh, analysis.section, analysis.grid
+    count = len(mesh.facets.triangles)
+    ties = [
+        [row * grid.columns + column - analysis.before for row, column in each]
+        for each in analysis.ties
+    ]
+    return LoadedShell(
+        points=mesh.facets.points,
+        triangles=mesh.facets.triangles,
+        panels=mesh.panels,
+        membrane=np.broadcast_to(np.asarray(section.membrane, np.float64), count),
+        bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
+        poisson=section.poisson,
+        areal_mass=analysis.exposure.areal_mass,
+        held=analysis.held,
+        ties=np.array(ties, np.int64).reshape(-1, 2),
+        tie_stiffness=structure.tie_stiffness,
+        cases=tuple(
+            _case(found, name_of(described, report.cases))
+            for found, described in zip(analysis.cases, report.cases, strict=True)
+        ),
+    )
+
+
+def _case(found: CaseResult, name: str) -> LoadedCase:
+    moves = found.motion
+    stresses = found.stresses.max(axis=1)
+    return LoadedCase(
+        name=name,
+        stands=moves is None,
+        forces=found.loads,
+        displacements=found.displacements if moves is None else moves.displacements,
+        stresses=stresses if moves is None else np.zeros_like(stresses),
+    )
