@@ -22,7 +22,7 @@ family = "parallel-repeating"
 unit = "m"
 
 [target.f]
-formula = "1-x**2"
+formula = "0.4*(1-x**2)"
 range = [-1, 1]
 
 [target.g]
