@@ -78,6 +78,11 @@ def respond(held: Held, loads: Array) -> Response:
     if moves is not None:
         still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
         return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
+    if not len(held.conditions):
+        everyone = np.zeros(len(held.rows), dtype=bool), np.zeros((len(held.rows), len(held.rows)))
+        found = _exact(held, loads, *everyone)
+        assert found is not None
+        return found
     for softer in SOFTER:
         guess = _who_acts(held, loads, softer)
         found = None if guess is None else _exact(held, loads, *guess)
@@ -109,9 +114,10 @@ def _moving(held: Held, loads: Array) -> Array | None:
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
     # Rounding of the motions lets forces balance what they cannot, if they are huge.
-    bound = HUGE * np.linalg.norm(bearing, axis=1).max() * np.eye(len(bearing))
+    bound = HUGE * np.linalg.norm(bearing, axis=1).max(initial=0.0) * np.eye(len(bearing))
     aim = np.concatenate([drive, np.zeros(len(bearing))])
-    missing = drive - bearing.T @ nnls(np.concatenate([bearing.T, bound]), aim)[0]
+    borne = nnls(np.concatenate([bearing.T, bound]), aim)[0] if len(bearing) else np.zeros(0)
+    missing = drive - bearing.T @ borne
     if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
         return None
     return np.asarray(motions @ missing)
