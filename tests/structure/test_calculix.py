@@ -2,7 +2,7 @@
 
 CalculiX has 5 x 5 quadratic cells on every panel, the analysis as many of two triangles as come
 about as near to the limit, which stand beside each shell. Pinned corners and vertices of rigid
-creases are singular, so that both still give way with finer cells: on the shelter by about 8 %.
+creases are singular, so that both still give way with finer cells: on the shelter by about a tenth.
 Plates of 10 mm: thicker ones buckle later in CalculiX, whose creases are rigid over the thickness.
 """
 
