@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from orishell.conventions.colours import AMOUNT_MAP, LIGHT
+from orishell.conventions.formatting import in_one_line
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.plot.scene import (
@@ -60,6 +61,8 @@ class DrawnCase:
     case: LoadedCase
     taut: Booleans
     note: str
+
+    __repr__ = in_one_line
 
 
 def plot_structure(
