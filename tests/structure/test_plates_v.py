@@ -18,7 +18,7 @@ from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.facets import assemble
 from orishell.structure.held import hold
-from orishell.structure.hinges import hinge_stiffness
+from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
 from orishell.structure.inverse import Inverse
 from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
@@ -45,12 +45,11 @@ class Found:
 def plates(crease: float, cells: int) -> Found:
     x, y = np.meshgrid([-1.0, 0.0, 1.0], [LENGTH, 0.0])
     positions = np.stack([x * np.cos(SLOPE), y, -np.abs(x) * np.sin(SLOPE)], axis=-1)
-    rigid = crease == RIGID
-    mesh = mesh_sheet(positions, GRID, cells, rigid=rigid)
+    mesh = mesh_sheet(positions, GRID, cells)
     facets, own = mesh.facets, mesh.translations()
     stiffness = assemble(facets.element_stiffness(SECTION), mesh.freedoms(), mesh.count)
-    if not rigid:
-        stiffness = stiffness + hinge_stiffness(mesh, GRID, crease)
+    springs = min(crease, rigid_stiffness(mesh, SECTION))
+    stiffness = stiffness + hinge_stiffness(mesh, GRID, springs)
     area = np.zeros(len(facets.points))
     np.add.at(area, facets.triangles, facets.areas()[:, None] / 3)
     loads, mass = np.zeros(mesh.count), np.zeros(mesh.count)

@@ -202,8 +202,6 @@ def _reactions(
     bearing[supported] = residual[supported]
     at_nodes = bearing[mesh.translations()] + held.ground_forces(response.forces)
     turning = bearing[mesh.rotations().reshape(-1, 3)]
-    if mesh.rigid:  # every node has one rotation, which its panels name several times
-        turning = bearing[3 * len(points) :].reshape(-1, 3)
     middle = points.mean(axis=0)
     both = forces + at_nodes
     missing = both.sum(axis=0)

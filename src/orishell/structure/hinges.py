@@ -1,4 +1,10 @@
-"""Hinges: springs about creases, between the rotations of the two panels beside them."""
+"""Hinges: springs about creases, between the rotations of the two panels beside them.
+
+A rigid crease is a spring much stiffer than a cell beside it. It joins rotations about the crease
+only: those across it follow from the displacements that both panels have in common, and sharing
+them as well would couple the bending of one panel to the plane of the other, which coarse cells
+answer far too stiffly.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +15,22 @@ import numpy as np
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
 from orishell.structure.facets import assemble
+from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
+
+
+RIGID = 1e3
+"""Stiffness of a rigid crease by that of a cell in bending."""
+
+
+def rigid_stiffness(mesh: SheetMesh, section: Section) -> float:
+    """Moment per length and angle of creases that are rigid (force per radian)."""
+    corners = mesh.facets.points[mesh.facets.triangles]
+    shortest = np.linalg.norm(np.roll(corners, 1, axis=1) - corners, axis=-1).min()
+    return float(RIGID * np.max(section.bending) / shortest)
 
 
 def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> csr_array:

@@ -20,7 +20,7 @@ from orishell.solids import Built
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.facets import assemble
 from orishell.structure.held import Held, hold
-from orishell.structure.hinges import hinge_stiffness
+from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
 from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section, panel_sections
 from orishell.structure.settings import Structure
@@ -110,7 +110,7 @@ class Model:
     @cached_property
     def mesh(self) -> SheetMesh:
         """The meshed sheet."""
-        return mesh_sheet(self.positions, self.grid, self.cells, rigid=np.isinf(self.stiffness))
+        return mesh_sheet(self.positions, self.grid, self.cells)
 
     @cached_property
     def section(self) -> Section:
@@ -228,8 +228,9 @@ class Model:
         stiffness = assemble(
             mesh.facets.element_stiffness(self.section), mesh.freedoms(), mesh.count
         )
-        if 0 < self.stiffness < np.inf:
-            stiffness = stiffness + hinge_stiffness(mesh, self.grid, self.stiffness)
+        if self.stiffness:
+            springs = min(self.stiffness, rigid_stiffness(mesh, self.section))
+            stiffness = stiffness + hinge_stiffness(mesh, self.grid, springs)
         supported = self.supports.freedoms(mesh)
         return hold(stiffness, mesh, supported, self.conditions(), self.grid)
 

@@ -1,7 +1,7 @@
 """The shell as facets: every panel meshed, panels tied along their creases.
 
-Panels that share a crease have its translations in common. Rotations are every panel's own, so
-that creases are free hinges until springs are put on them; or the node's, where they are rigid.
+Panels that share a crease have its translations in common; rotations are every panel's own, so that
+creases are free hinges until springs are put on them.
 """
 
 from __future__ import annotations
@@ -32,23 +32,18 @@ class SheetMesh:
     places
         Corners (T, 3) of every triangle, as places among all nodes of all panels one after the
         other.
-    rigid
-        Whether creases are rigid.
     """
 
     facets: Facets
     nodes: Integers
     places: Integers
-    rigid: bool = False
 
     __repr__ = in_one_line
 
     @property
     def count(self) -> int:
         """Number of freedoms: translations of all nodes, then rotations."""
-        return 3 * len(self.facets.points) + 3 * (
-            len(self.facets.points) if self.rigid else self.nodes.size
-        )
+        return 3 * len(self.facets.points) + 3 * self.nodes.size
 
     @property
     def panels(self) -> Integers:
@@ -66,8 +61,8 @@ class SheetMesh:
 
     def rotations(self) -> Integers:
         """Freedoms (F, cells+1, cells+1, 3) of the panels' rotations at their nodes."""
-        own = self.nodes if self.rigid else np.arange(self.nodes.size).reshape(self.nodes.shape)
-        return np.asarray(3 * len(self.facets.points) + 3 * own[..., None] + np.arange(3))
+        first = 3 * len(self.facets.points)
+        return np.asarray(first + np.arange(3 * self.nodes.size).reshape(*self.nodes.shape, 3))
 
     def freedoms(self) -> Integers:
         """Freedoms (T, 18) of the corners of every triangle: translations, then rotations."""
@@ -76,9 +71,7 @@ class SheetMesh:
         return np.concatenate([translations, rotations], axis=-1).reshape(-1, 18)
 
 
-def mesh_sheet(
-    positions: Array, grid: Grid, cells: int = CELLS, *, rigid: bool = False
-) -> SheetMesh:
+def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
     """Mesh the panels of a folded state.
 
     Parameters
@@ -89,8 +82,6 @@ def mesh_sheet(
         Its grid.
     cells
         Cells along every side of a panel, at least 1.
-    rigid
-        Whether creases are rigid.
     """
     faces, edges = grid.faces_vertices(), grid.faces_edges()
     nodes = _nodes(grid, faces, edges, cells)
@@ -108,7 +99,7 @@ def mesh_sheet(
     flat = nodes.reshape(len(faces), -1)
     triangles = flat[:, pattern].reshape(-1, 3)
     places = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
-    return SheetMesh(Facets(points, triangles), nodes, places, rigid)
+    return SheetMesh(Facets(points, triangles), nodes, places)
 
 
 def _cells(cells: int) -> Integers:

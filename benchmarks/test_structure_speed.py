@@ -1,0 +1,81 @@
+"""Time and memory of a structure: the shelter with four load cases, buckling and frequencies."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest_benchmark.fixture import BenchmarkFixture
+
+from orishell.design_file import read_design_file
+from orishell.shell.make import Shell, make_shell
+from orishell.shell.structure import analyse_structure
+from orishell.structure.settings import NO_CODE, LoadCase, Snow, Structure, Support, Wind
+
+SHELTER = Path(__file__).parents[1] / "examples" / "shelter.toml"
+CASES = (
+    LoadCase("dead", self_weight=True),
+    LoadCase("snow", snow=Snow(500)),
+    LoadCase("wind", wind=Wind(26, "II", np.pi / 2, NO_CODE)),
+    LoadCase("own weight", self_weight=True),
+    LoadCase("dead and snow", combine=(("dead", 1.35), ("snow", 1.5))),
+    LoadCase("dead and wind", combine=(("dead", 1.0), ("wind", 1.5))),
+    LoadCase("all", combine=(("dead", 1.35), ("snow", 0.75), ("wind", 1.5))),
+)
+STRUCTURE = Structure(
+    modulus=270e6,
+    poisson=0.3,
+    supports=(Support("feet", "pinned"),),
+    cases=CASES,
+    thickness=0.01,
+    crease_stiffness=(10.0, 10.0),
+    tie_stiffness=1e6,
+)
+PEAK = """
+import resource, sys
+sys.path.insert(0, sys.argv[1])
+from test_structure_speed import STRUCTURE, shelter
+from orishell.shell.structure import analyse_structure
+analyse_structure(shelter(), STRUCTURE)
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20)
+"""
+
+
+def shelter() -> Shell:
+    return make_shell(read_design_file(SHELTER), clash="unexamined", measured=False, nested=False)
+
+
+@pytest.mark.parametrize("cells", [2, 4, 8])
+def test_four_load_cases(benchmark: BenchmarkFixture, cells: int) -> None:
+    """Growth with the number of elements, and how much of it is one factorisation."""
+    shell = shelter()
+    asked = replace(STRUCTURE, cells=cells)
+    begin = time.perf_counter()
+    found = benchmark.pedantic(analyse_structure, (shell, asked), rounds=1)
+    whole = time.perf_counter() - begin
+    alone = replace(asked, cases=CASES[:1])
+    begin = time.perf_counter()
+    analyse_structure(shell, alone)
+    one = time.perf_counter() - begin
+    count = len(found.mesh.facets.triangles)
+    benchmark.extra_info["triangles"] = count
+    print(
+        f"\n{count} triangles, {found.mesh.count} freedoms, four load cases: {whole:.2f} s (target "
+        f"5 with 4 x 4 cells), {1e3 * whole / count:.2f} ms a triangle, {whole / one:.1f} times one"
+    )
+    assert whole < 4.5 * one
+
+
+def test_memory_of_four_load_cases(benchmark: BenchmarkFixture) -> None:
+    def peak() -> float:
+        call = [sys.executable, "-c", PEAK, str(Path(__file__).parent)]
+        return float(subprocess.run(call, check=True, capture_output=True, text=True).stdout)
+
+    found = benchmark.pedantic(peak, rounds=1)
+    print(f"\nthe shelter with four load cases: {found:.2f} GB at its peak (target 1)")
+    assert found < 1
