@@ -108,10 +108,13 @@ def _moving(held: Held, loads: Array) -> Array | None:
     cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
-    # Rounding of the motions lets forces balance what they cannot, if they are huge.
-    bound = HUGE * np.linalg.norm(bearing, axis=1).max() * np.eye(len(bearing))
-    aim = np.concatenate([drive, np.zeros(len(bearing))])
-    missing = drive - bearing.T @ nnls(np.concatenate([bearing.T, bound]), aim)[0]
+    missing = drive
+    if len(bearing):
+        # Rounding of the motions lets forces balance what they cannot, if they are huge. Rows are
+        # of unit vectors, so that what is left of them here may be all rounding.
+        bound, nothing = HUGE * np.eye(len(bearing)), np.zeros(len(bearing))
+        kept = np.concatenate([bearing.T, bound])
+        missing = drive - bearing.T @ nnls(kept, np.concatenate([drive, nothing]))[0]
     if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
         return None
     return np.asarray(motions @ missing)
