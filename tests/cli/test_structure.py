@@ -119,3 +119,33 @@ def test_a_shell_that_was_not_analysed_is_not_written(tmp_path: Path, bare: Shel
     with pytest.raises(InputError, match="not analysed"):
         write_structure(bare, tmp_path / "a")
     assert not (tmp_path / "a").exists()
+
+
+ZONE = "zones = [{ rows = [0, 1], coefficient = 1 }]"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where"),
+    [
+        ('at = "feet"', "at = [[9, 0]]", "[structure] supports[0] at"),
+        ("", "points = [{ at = [9, 0], force = [0, 0, 1] }]", '"case": points[0] at'),
+        (
+            "",
+            f'wind = {{ speed = 26, terrain = "II", direction_deg = 0, {ZONE} }}',
+            '"case": wind zones',
+        ),
+        ("areal_density = 1.9", "", "[[load_case]] self_weight"),
+    ],
+)
+@pytest.mark.parametrize("command", ["design", "structure"])
+def test_what_does_not_fit_the_sheet_is_one_message_and_nothing_is_written(
+    tmp_path: Path, command: str, old: str, new: str, where: str
+) -> None:
+    text = ARCH.replace(old, new) if old else f'{ARCH}[[load_case]]\nname = "case"\n{new}\n'
+    (tmp_path / "arch.toml").write_text(text)
+    done = orishell(command, "arch.toml", "--out", "out", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.count("orishell:") == 1
+    assert done.stderr.startswith("orishell: arch.toml: ")
+    assert where in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["arch.toml"]
