@@ -213,12 +213,19 @@ def threemf(path: Path) -> Content:
     return Content(1e-3, np.array([tuple(point.Coordinates) for mesh in meshes for point in mesh]))
 
 
-def calculix(path: Path) -> Content:
+def read_calculix(path: Path) -> Any:
+    """The mesh of a deck without its ties, as meshio has it, which knows no springs."""
     import meshio
 
+    bare = path.with_name(f"{path.stem}-bare.inp")
+    bare.write_text(re.sub(r"\*(ELEMENT,TYPE=SPRINGA|SPRING)[^*]*", "", path.read_text()))
+    return meshio.read(bare, "abaqus")
+
+
+def calculix(path: Path) -> Content:
     unit = re.search(r"Units: (\w+),", path.read_text())
     assert unit is not None
-    mesh = meshio.read(path, "abaqus")
+    mesh = read_calculix(path)
     corners = mesh.cells_dict["quad8"][:, :4]  # without the middles of sides
     return Content(METRES[unit[1]], mesh.points[corners].reshape(-1, 3))
 

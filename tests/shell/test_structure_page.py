@@ -17,7 +17,7 @@ from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_files import write_structure
+from orishell.shell.structure_files import write_structure_files
 from orishell.shell.structure_page import structure_page
 from orishell.shell.structure_report import StructureReport, describe_structure
 from viewer_pages import running_browser
@@ -177,7 +177,7 @@ def loaded() -> Document:
 def test_files_are_the_same_each_time_and_hold_each_other(tmp_path: Path) -> None:
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
-        write_structure(tmp_path / name, loaded(), report(), analysed())
+        write_structure_files(tmp_path / name, loaded(), report(), analysed())
     one, two = ((tmp_path / name / "structure.html").read_bytes() for name in ("one", "two"))
     png = (tmp_path / "one" / "structure.png").read_bytes()
     assert one == two

@@ -60,7 +60,7 @@ def plates(crease: float, cells: int) -> Found:
     gables = np.isin(facets.points[:, 1], [0.0, LENGTH])
     supported = np.append(own[gables][:, [0, 2]], own[GRID.vertices()[0, 1], 1])
     nothing = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
-    held = hold(stiffness, mesh, supported, nothing, GRID.vertices().ravel())
+    held = hold(stiffness, mesh, supported, nothing, GRID)
     found = respond(held, loads[held.free])
     moved = np.zeros(mesh.count)
     moved[held.free] = found.displacements

@@ -17,6 +17,8 @@ export class LoadedControls {
   private loaded: Loaded | null = null;
   private deflection: Deflection | null = null;
   private scales: number[] = [1];
+  /** The case that was chosen, also while the shell on the screen is not analysed yet. */
+  private wanted = NONE;
 
   /** `hold`: a case belongs to the target, so the fold is to stay there while one is shown. */
   constructor(private readonly shell: Shell3D, private readonly hold: (on: boolean) => void) {
@@ -32,16 +34,21 @@ export class LoadedControls {
     Object.assign(slider, { type: "range", min: "0", step: "1", title: "How many times as large displacements are drawn" });
     slider.setAttribute("aria-label", "Displacements drawn larger");
     slider.dataset["testid"] = "load-scale";
-    cases.addEventListener("change", () => this.choose());
+    cases.addEventListener("change", () => {
+      this.wanted = cases.value;
+      this.choose();
+    });
     measures.addEventListener("change", () => this.draw());
     slider.addEventListener("input", () => this.draw());
     element.append(cases, measures, slider, reading);
     element.hidden = true;
   }
 
-  /** The shell of another view: the same case, if it has one of that name. */
+  /** The shell of another view: the same case, if it has one of that name and was not folded away
+   * from it meanwhile. */
   show(view: View): void {
-    const wanted = this.cases.value;
+    if (!this.shell.atTarget) this.wanted = NONE;
+    const { wanted } = this;
     this.loaded = view.loaded ?? null;
     const names = this.loaded?.cases.map(({ name }) => name) ?? [];
     this.cases.replaceChildren(new Option("Without loads", NONE), ...names.map((name) => new Option(name, name)));

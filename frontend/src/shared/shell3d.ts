@@ -115,6 +115,11 @@ export class Shell3D {
     return this.sheet.motion?.driveAt(this.share) ?? 0;
   }
 
+  /** The state drawn is the shell as it stands. */
+  get atTarget(): boolean {
+    return Math.abs(this.share - this.target) < SAME_SHARE;
+  }
+
   /** Times between the latest frames of a motion (ms), for measuring. */
   get frameTimes(): readonly number[] {
     return this.pace.times;
@@ -252,10 +257,6 @@ export class Shell3D {
 
   private allPoints(): Float32Array[] {
     return [this.view?.positions.length ? this.view.positions : this.drawnPoints(), ...this.clipped.points];
-  }
-
-  private get atTarget(): boolean {
-    return Math.abs(this.share - this.target) < SAME_SHARE;
   }
 
   private drawnPoints(): Float32Array {

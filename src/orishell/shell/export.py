@@ -19,7 +19,7 @@ from orishell.io.settings import DEFAULT_SETTINGS, Settings
 from orishell.shell.make import Clock, Shell
 from orishell.shell.overlay import lay_surface
 from orishell.shell.pictures import draw_pictures
-from orishell.shell.structure_files import write_structure as write_structure_files
+from orishell.shell.structure_files import write_structure_files
 
 
 def write_shell(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from orishell.shell.case_report import CaseReport, StandingReport
-from orishell.structure.results import FreeMotion
+from orishell.structure.results import FreeMotion, Hold
 from orishell.structure.settings import NO_CODE, LoadCase, Structure
 
 LARGE = 0.05
@@ -13,6 +13,7 @@ LARGE = 0.05
 of an arch is a moment of its loads over its height, so it is wrong by about as much."""
 LEAST_BUCKLING = 3.0
 """Below this factor a shell may well buckle: imperfect ones do before linear theory says so."""
+HOLDS: dict[Hold, str] = {"ties": "ties between its feet", "pinned": "pinned supports"}
 NOT_COVERED = (
     "imperfections of shape and fit, and play of hinges",
     "large displacements: all is linear, from the shape as it was designed",
@@ -32,15 +33,14 @@ NOT_COVERED = (
 def motion_in_words(motion: FreeMotion) -> str:
     """How a shell moves under its loads, what does not hold it, and what would."""
     if not motion.folding:
-        return (
-            "slides or tips as a whole under its loads: its supports do not hold it; pinned ones "
-            "would"
-        )
-    if motion.opens:
-        return (
-            "opens under its loads: nothing holds the feet together; ties or pinned supports would"
-        )
-    return "closes under its loads: nothing holds the feet apart; flaps or pinned supports would"
+        words = "slides or tips as a whole under its loads: its supports do not hold it"
+    elif motion.opens:
+        words = "opens under its loads: nothing holds the feet together"
+    else:
+        words = "closes under its loads: nothing holds the feet apart"
+    if not motion.holds:
+        return f"{words}; neither ties between its feet nor pinned supports would"
+    return f"{words}; {' or '.join(HOLDS[each] for each in motion.holds)} would"
 
 
 def name_of(case: CaseReport, cases: Sequence[CaseReport]) -> str:

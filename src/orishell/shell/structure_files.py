@@ -15,7 +15,7 @@ from orishell.shell.structure_report import StructureReport
 from orishell.structure.results import Analysis
 
 
-def write_structure(
+def write_structure_files(
     directory: Path, document: Document, report: StructureReport, analysis: Analysis
 ) -> None:
     """Write ``structure.png`` and ``structure.html``.

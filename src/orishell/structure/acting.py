@@ -78,6 +78,11 @@ def respond(held: Held, loads: Array) -> Response:
     if moves is not None:
         still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
         return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
+    if not len(held.conditions):
+        everyone = np.zeros(len(held.rows), dtype=bool), np.zeros((len(held.rows), len(held.rows)))
+        found = _exact(held, loads, *everyone)
+        assert found is not None
+        return found
     for softer in SOFTER:
         guess = _who_acts(held, loads, softer)
         found = None if guess is None else _exact(held, loads, *guess)
@@ -108,13 +113,12 @@ def _moving(held: Held, loads: Array) -> Array | None:
     cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
-    missing = drive
-    if len(bearing):
-        # Rounding of the motions lets forces balance what they cannot, if they are huge. Rows are
-        # of unit vectors, so that what is left of them here may be all rounding.
-        bound, nothing = HUGE * np.eye(len(bearing)), np.zeros(len(bearing))
-        kept = np.concatenate([bearing.T, bound])
-        missing = drive - bearing.T @ nnls(kept, np.concatenate([drive, nothing]))[0]
+    # Rounding of the motions lets forces balance what they cannot, if they are huge. Rows are of
+    # unit vectors: where no motion moves two ends apart, all that is left of them is rounding.
+    bound = HUGE * np.eye(len(bearing))
+    aim = np.concatenate([drive, np.zeros(len(bearing))])
+    borne = nnls(np.concatenate([bearing.T, bound]), aim)[0] if len(bearing) else np.zeros(0)
+    missing = drive - bearing.T @ borne
     if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
         return None
     return np.asarray(motions @ missing)
@@ -131,6 +135,8 @@ def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]
     count, total, sliding = len(held.conditions), len(held.rows), held.sliding
     root = np.sqrt(held.springs)
     own = count + len(sliding)
+    if not own:
+        return np.zeros(total, dtype=bool), np.zeros((total, total))
     give = np.zeros(total)
     give[:count] = held.conditions.compliance * held.springs[:count]
     # Unknown: l of the conditions and of friction, h of the rest.

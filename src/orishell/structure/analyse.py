@@ -163,7 +163,7 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
         name=case.name,
         stiffness=model.stiffness,
         loads=forces,
-        motion=describe_motion(model, _shape(model, moves)),
+        motion=describe_motion(model, _shape(model, moves), forces),
         balance=Balance(forces.sum(axis=0), unknown, float("nan")),
         displacements=np.full((nodes, 3), np.nan),
         reactions=np.full((len(model.supports.vertices()), 3), np.nan),

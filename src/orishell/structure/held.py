@@ -21,12 +21,15 @@ is singular.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.errors import DesignError
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.grid import Grid
 from orishell.structure.conditions import Conditions, put_rows
 from orishell.structure.sheet import SheetMesh
 
@@ -35,6 +38,11 @@ if TYPE_CHECKING:
 
 FREE = 1e-9
 """A motion that takes less than this share of the springs' energy is one that nothing resists."""
+LOOSE, LOOSEST = 3e-14, 3
+"""A matrix is singular if some shape is less stiff than this share of its largest entry; iterations
+by which that is found."""
+SWINGING = 400
+"""At most so many vertices have springs."""
 SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
 
@@ -184,7 +192,7 @@ def hold(
     mesh: SheetMesh,
     supported: Integers,
     conditions: Conditions,
-    corners: Integers,
+    grid: Grid,
 ) -> Held:
     """Factorise a structure.
 
@@ -198,16 +206,43 @@ def hold(
         Freedoms that are supported.
     conditions
         The one-sided conditions.
-    corners
-        Nodes, at least three of them, whose springs hold what nothing else does while the matrix
-        is factorised.
+    grid
+        The grid of the sheet. Springs at its corners hold what nothing else does while the matrix
+        is factorised; at all its vertices, where that is not enough because some creases do not
+        fold and let their panels swing.
+
+    Raises
+    ------
+    DesignError
+        If it swings in so many ways.
     """
+    vertices = grid.vertices()
+    held = _sprung(stiffness, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
+    if held is None and vertices.size <= SWINGING:
+        held = _sprung(stiffness, mesh, supported, conditions, vertices)
+    if held is None:
+        raise DesignError(
+            "the shell is a mechanism of many ways to move: creases that do not fold at the target "
+            "let its panels swing about the others",
+            keys=("structure.crease_stiffness",),
+        )
+    return held
+
+
+def _sprung(
+    stiffness: csr_array,
+    mesh: SheetMesh,
+    supported: Integers,
+    conditions: Conditions,
+    vertices: Integers,
+) -> Held | None:
+    """The structure with springs at some vertices; None if it is singular all the same."""
     from scipy.sparse import csr_array
     from scipy.sparse.linalg import splu
 
     free = np.setdiff1d(np.arange(mesh.count), supported)
     ground = conditions.nodes[conditions.rough]
-    axes = np.eye(3)
+    axes, corners = np.eye(3), vertices.ravel()
     parts = [
         (conditions.nodes, conditions.directions),
         (np.repeat(ground, 2, axis=0), np.tile(axes[:2], (len(ground), 1))),
@@ -225,6 +260,8 @@ def hold(
     factors = splu(
         sprung, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
     )
+    if _loosest(factors.solve, len(free)) < LOOSE * sprung.diagonal().max():
+        return None
     spread = factors.solve(np.ascontiguousarray(rows.T))
     spread += factors.solve(rows.T - sprung @ spread)
     flexibility = rows @ spread
@@ -241,3 +278,11 @@ def hold(
         sprung,
         factors,
     )
+
+
+def _loosest(solve: Callable[[Array], Array], size: int) -> float:
+    """About the least stiffness of all shapes, by inverse iteration."""
+    shape = np.cos(np.arange(size))
+    for _ in range(LOOSEST):
+        shape = solve(shape / np.linalg.norm(shape))
+    return float(1 / np.linalg.norm(shape))

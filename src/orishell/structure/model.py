@@ -231,8 +231,7 @@ class Model:
         if 0 < self.stiffness < np.inf:
             stiffness = stiffness + hinge_stiffness(mesh, self.grid, self.stiffness)
         supported = self.supports.freedoms(mesh)
-        corners = self.grid.vertices()[np.ix_([0, -1], [0, -1])].ravel()
-        return hold(stiffness, mesh, supported, self.conditions(), corners)
+        return hold(stiffness, mesh, supported, self.conditions(), self.grid)
 
     def mass(self) -> Array:
         """Mass (N,) at every node (kg)."""

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from orishell.numerics.arrays import Array
+from orishell.structure.acting import respond
 from orishell.structure.model import Model
-from orishell.structure.results import FreeMotion
+from orishell.structure.results import FreeMotion, Hold
+from orishell.structure.settings import Support
 
 STEP = 1e-5
 """Step of the drive by which the folding motion is measured (radians)."""
@@ -14,8 +18,16 @@ SHARE = 0.1
 """A motion that takes this share of its vertices' displacements from folding is a folding one."""
 
 
-def describe_motion(model: Model, shape: Array) -> FreeMotion:
-    """Say of a free motion (N, 3) what it is."""
+def describe_motion(model: Model, shape: Array, forces: Array) -> FreeMotion:
+    """Say of a free motion what it is, and what would hold the shell: that has been tried.
+
+    Parameters
+    ----------
+    shape
+        Displacements (N, 3) of nodes.
+    forces
+        Forces (N, 3) on them.
+    """
     drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
     near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))
     folding = (near[1] - near[0]).reshape(-1)
@@ -29,4 +41,26 @@ def describe_motion(model: Model, shape: Array) -> FreeMotion:
     found = shape[: len(points)].reshape(-1)
     part = float(folding @ found)
     folds = abs(part) > SHARE * float(np.linalg.norm(found))
-    return FreeMotion(shape, folds, part < 0 if folds else None)
+    return FreeMotion(shape, folds, part < 0 if folds else None, _holds(model, forces))
+
+
+def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
+    """What would hold a shell of those things that it lacks."""
+    structure, frame = model.structure, model.frame
+    pinned = tuple(Support(each.at, "pinned") for each in structure.supports)
+    tried: dict[Hold, Model] = {
+        "pinned": replace(model, structure=replace(structure, supports=pinned))
+    }
+    if frame.feet is not None and not frame.ties:
+        inner = model.sheet.inner_columns
+        columns = np.arange(model.grid.columns)[inner] + model.before
+        first, last = frame.feet
+        ties = tuple(((first, column), (last, column)) for column in columns.tolist())
+        tried = {"ties": replace(model, frame=replace(frame, ties=ties)), **tried}
+    return tuple(name for name, other in tried.items() if _stands(other, forces))
+
+
+def _stands(model: Model, forces: Array) -> bool:
+    loads = np.zeros(model.mesh.count)
+    loads[: forces.size] = forces.ravel()
+    return respond(model.held, loads[model.held.free]).moves is None

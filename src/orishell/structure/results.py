@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Integers
@@ -34,6 +35,10 @@ class Balance:
     __repr__ = in_one_line
 
 
+Hold = Literal["ties", "pinned"]
+"""What may hold a shell: ties between its feet, or its supports pinned."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class FreeMotion:
     """A motion that nothing resists, and that the loads drive.
@@ -46,11 +51,14 @@ class FreeMotion:
         Whether it is the shell's own folding motion, not one of the shell as a whole.
     opens
         Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
+    holds
+        What would hold the shell: each was tried with these loads.
     """
 
     displacements: Array
     folding: bool
     opens: bool | None
+    holds: tuple[Hold, ...] = ()
 
     __repr__ = in_one_line
 

@@ -3,11 +3,11 @@
 from dataclasses import replace
 from pathlib import Path
 
-import meshio
 import numpy as np
 import pytest
 
 from documents import demo_document, loaded_document
+from io_readers import read_calculix
 from orishell.document.loaded import LoadedShell
 from orishell.errors import InputError
 from orishell.io.formats.calculix import write_calculix
@@ -35,7 +35,7 @@ def block(deck: str, keyword: str, number: int = 0) -> list[list[float]]:
 
 def test_cells_are_quadrilaterals_with_middles(tmp_path: Path) -> None:
     written(tmp_path / "a.inp")
-    mesh = meshio.read(tmp_path / "a.inp", "abaqus")
+    mesh = read_calculix(tmp_path / "a.inp")
     corners, middles = np.split(mesh.cells_dict["quad8"], 2, axis=1)
     shell = loaded()
     np.testing.assert_allclose(mesh.points[: len(shell.points)], shell.points, atol=1e-11)
@@ -96,20 +96,36 @@ def test_supports_and_ties(tmp_path: Path) -> None:
     deck = written(tmp_path / "a.inp", replace(loaded(), tie_stiffness=5e4))
     held = [[node + 1, axis + 1, axis + 1] for node, axis in loaded().held.tolist()]
     assert block(deck, "*BOUNDARY") == held
-    assert [row[1:] for row in block(deck, "*ELEMENT,TYPE=T3D2")] == (loaded().ties + 1).tolist()
-    (area,), modulus = block(deck, "*SOLID SECTION")[0], block(deck, "*ELASTIC", 1)[0][0]
-    assert area * modulus == pytest.approx(5e4)
-    assert "T3D2" not in written(
+    shell = loaded()
+    for number, ends in enumerate(shell.ties.tolist()):
+        ((_, first, second),) = block(deck, "*ELEMENT,TYPE=SPRINGA", number)
+        assert [first - 1, second - 1] == ends
+        length = np.linalg.norm(shell.points[ends[1]] - shell.points[ends[0]])
+        lines = deck.split(f"*SPRING,ELSET=TIE{number + 1}\n\n")[1].splitlines()
+        assert float(lines[0]) == pytest.approx(5e4 / length)
+    assert "SPRING" not in written(
         tmp_path / "a.inp", replace(loaded(), ties=np.zeros((0, 2), np.int64))
     )
+
+
+@pytest.mark.parametrize(("axes", "more"), [((), 6), ((2,), 3), ((0, 2), 1), ((0, 1, 2), 0)])
+def test_a_shell_that_slides_is_kept_still(
+    axes: tuple[int, ...], more: int, tmp_path: Path
+) -> None:
+    """On its corners, held along some axes: a body has six motions."""
+    held = loaded().held
+    held = held[np.isin(held[:, 1], axes)]
+    rows = block(written(tmp_path / "a.inp", replace(loaded(), held=held)), "*BOUNDARY")
+    assert len(rows) == len(held) + more
+    assert len({(node, axis) for node, axis, _ in rows}) == len(rows)
 
 
 def test_numbers_fit_into_twenty_characters(tmp_path: Path) -> None:
     """CalculiX reads no more of one."""
     moved = loaded().points * -1.2345678901234567e-101
     deck = written(tmp_path / "a.inp", replace(loaded(), points=moved))
-    words = [word for line in deck.splitlines() if line[0] != "*" for word in line.split(",")]
-    assert max(map(len, words[1:])) == 20
+    words = [word for line in deck.splitlines()[2:] if "*" not in line for word in line.split(",")]
+    assert max(map(len, words)) == 20
 
 
 def test_same_bytes(tmp_path: Path) -> None:

@@ -2,7 +2,8 @@
 
 Cells of the mesh are quadratic quadrilaterals of reduced integration, S8R. On folded plates they
 come nearest to thin shells: CalculiX makes solids of all its shells, of which the others are too
-stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6).
+stiff in bending (S3, S4) or buckle too late on a coarse mesh (S6). Ties are springs between two
+nodes: trusses, T3D2, would hold the rotations of the shell, and spoil its buckling factors.
 """
 
 from __future__ import annotations
@@ -24,14 +25,13 @@ from orishell.numerics.arrays import Array, Integers
 
 MODES = 6
 """Natural frequencies that are asked for."""
+RIGID = 1e-6
+"""A motion of the shell as a whole that moves its supports by less of its size is free."""
 BUCKLING = "1,1e-4,20,1000"
 """Buckling factors, accuracy, Lanczos vectors, rounds: as they are by default CalculiX may miss the
 lowest."""
 STIFF = 1e3
-"""How many times as stiff as a strip of panel, as wide as the shell is large, is what does not
-stretch."""
-SLENDER = 1e-3
-"""Thickness of a tie by the size of the shell: its section means nothing else."""
+"""A tie that does not stretch is this many times as stiff as a square of panel."""
 
 
 def write_calculix(path: Path, document: Document, settings: Settings) -> None:
@@ -63,7 +63,8 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
         *_sections(deck, shell.poisson, conversion(unit, "m")),
         *_ties(shell, len(deck.cells)),
         "*BOUNDARY",
-        *(f"{node + 1},{freedom + 1},{freedom + 1}" for node, freedom in shell.held.tolist()),
+        *_held(shell.held),
+        *_held(_kept_still(shell)),
     ]
     for name, forces in cases:
         lines += [*_begin(name), "*STATIC", *_loads(forces), *_answers(), "*END STEP"]
@@ -156,8 +157,10 @@ def _head(document: Document, unit: str, names: Sequence[str]) -> Iterable[str]:
             "z is up. Nodes at the corners of cells are those of orishell's analysis.",
             "This is not all that orishell analyses:",
             "- creases are rigid: panels share their rotations there;",
-            "- supports and ties hold both ways, and flaps are left out: look for wrong signs;",
-            f"- a tie that does not stretch is a truss {STIFF:g} times as stiff as the shell;",
+            "- supports and ties hold both ways, feet on the ground are pinned: look at signs;",
+            "- where supports let the shell move as a whole some nodes are held, and bear nothing;",
+            "- flaps are left out, but for their weight among the loads;",
+            f"- ties that do not stretch are {STIFF:g} times as stiff as a square of panel;",
             "- boards on a membrane are one plate, as stiff in its plane and in bending: stresses",
             "  are not those of the boards;",
             "- frequencies are those of the shell without loads, and with every tie.",
@@ -182,35 +185,58 @@ def _sections(deck: _Deck, poisson: float, metres: float) -> Iterable[str]:
     for number, (thickness, modulus, density) in enumerate(deck.sections.tolist(), 1):
         yield f"*ELSET,ELSET=SECTION{number}"
         yield from map(str, (np.flatnonzero(deck.section == number - 1) + 1).tolist())
-        yield from _material(f"PANEL{number}", modulus, poisson, density * metres)
+        yield f"*MATERIAL,NAME=PANEL{number}"
+        yield "*ELASTIC"
+        yield _numbers([modulus, poisson])
+        yield "*DENSITY"
+        yield _numbers([density * metres])
         yield f"*SHELL SECTION,ELSET=SECTION{number},MATERIAL=PANEL{number}"
         yield _numbers([thickness])
 
 
 def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:
-    if not len(shell.ties):
-        return
-    size = float(np.linalg.norm(np.ptp(shell.points, axis=0)))
-    width = SLENDER * size
-    stiffness = min(shell.tie_stiffness, STIFF * size * float(shell.membrane.max()))
-    yield "*ELEMENT,TYPE=T3D2,ELSET=TIES"
-    yield from (
-        f"{k},{first},{second}"
-        for k, (first, second) in enumerate((shell.ties + 1).tolist(), cells + 1)
-    )
-    # A mass that weighs nothing, for CalculiX wants one.
-    lightest = 1e-6 * float(shell.areal_mass.min()) / size
-    yield from _material("TIE", stiffness / width**2, 0.0, lightest)
-    yield "*SOLID SECTION,ELSET=TIES,MATERIAL=TIE"
-    yield _numbers([width**2])
+    ends = shell.points[shell.ties]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    stiffness = np.minimum(shell.tie_stiffness / length, STIFF * float(shell.membrane.max()))
+    pairs = (shell.ties + 1).tolist()
+    for number, ((first, second), each) in enumerate(
+        zip(pairs, stiffness.tolist(), strict=True), 1
+    ):
+        yield f"*ELEMENT,TYPE=SPRINGA,ELSET=TIE{number}"
+        yield f"{cells + number},{first},{second}"
+        yield f"*SPRING,ELSET=TIE{number}"
+        yield ""  # no direction, which CalculiX would take a number without a point for
+        yield f"{each:.12e}"
 
 
-def _material(name: str, modulus: float, poisson: float, density: float) -> Iterable[str]:
-    yield f"*MATERIAL,NAME={name}"
-    yield "*ELASTIC"
-    yield _numbers([modulus, poisson])
-    yield "*DENSITY"
-    yield _numbers([density])
+def _held(freedoms: Integers) -> Iterable[str]:
+    for node, freedom in (freedoms + 1).tolist():
+        yield f"{node},{freedom},{freedom}"
+
+
+def _kept_still(shell: LoadedShell) -> Integers:
+    """Displacements (k, 2) that keep the shell as a whole where its supports do not.
+
+    Loads that are in balance without them move them by nothing: there is no force on them.
+    """
+    points = shell.points - shell.points.mean(axis=0)
+    points = points / np.abs(points).max()
+    axes = np.broadcast_to(np.eye(3), (len(points), 3, 3))
+    moved = np.concatenate([axes, np.cross(points[:, None], axes)], axis=2)
+    turned = np.concatenate([np.zeros_like(axes), axes], axis=2)
+    by_motion = np.concatenate([moved, turned], axis=1)  # (N, 6, 6)
+    rows = by_motion[*shell.held.T]
+    more: list[tuple[int, int]] = []
+    while len(more) < 6:
+        _, sizes, motions = np.linalg.svd(np.concatenate([rows, np.zeros((6, 6))]))
+        free = motions[sizes < RIGID]
+        if not len(free):
+            break
+        by_free = np.linalg.norm(moved @ free.T, axis=2)
+        node, axis = divmod(int(by_free.argmax()), 3)
+        more.append((node, axis))
+        rows = np.concatenate([rows, moved[node, axis][None]])
+    return np.array(more, np.int64).reshape(-1, 2)
 
 
 def _begin(what: str) -> Iterable[str]:

@@ -1,0 +1,105 @@
+"""A shell under load in the studio: the case that is chosen stays, and the fold at the target."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from node_tools import lacking
+from orishell.studio.app import PAGES
+from studio_server import running_studio
+from viewer_pages import await_frames, pixels, running_browser, wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+DESIGN = """
+[shell]
+family = "parallel-repeating"
+unit = "m"
+
+[target.f]
+formula = "0.4*(1-x**2)"
+range = [-1, 1]
+
+[target.g]
+formula = "0"
+range = [0, 2]
+
+[pattern]
+rows = 5
+columns = 5
+
+[workshop]
+areal_density = 1.9
+
+[structure]
+modulus = 270e6
+thickness = 0.01
+crease_stiffness = "rigid"
+cells = 1
+supports = [{ at = "feet", kind = "pinned" }]
+
+[[load_case]]
+name = "own weight"
+self_weight = true
+
+[[load_case]]
+name = "snow"
+snow = { ground = 500 }
+"""
+IDLE = "window.__orishell !== undefined && window.__orishell.idle"
+SHOWN = "window.__orishell.shell3d.loaded.shown"
+
+
+@pytest.fixture
+def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    """The studio with a design that has a structure, analysed."""
+    if not (PAGES / "index.html").is_file():
+        lacking("the studio's pages have not been built: make pages")
+    design = tmp_path_factory.mktemp("studio") / "loaded.toml"
+    design.write_text(DESIGN)
+    with running_studio(design) as studio, running_browser() as browser:
+        shown = browser.new_page(viewport={"width": 1280, "height": 720})
+        said: list[str] = []
+        shown.on("pageerror", lambda error: said.append(str(error)))
+        shown.goto(studio.address)
+        wait_until(shown, IDLE)
+        yield shown
+        assert said == []
+
+
+def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
+    cases = page.get_by_test_id("load-case")
+    assert cases.locator("option").all_inner_texts() == ["Without loads", "own weight", "snow"]
+    assert "Displaced" in page.get_by_test_id("figures").inner_text()
+    page.get_by_test_id("flat").click()
+    await_frames(page)
+    before = pixels(page, "canvas")
+    cases.select_option("snow")
+    await_frames(page)
+    assert page.evaluate("window.__orishell.fold") == 1
+    assert (np.abs(before - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 0.02
+    report = "window.__orishell.report.structure.cases[1].stands.displacement.size"
+    most = page.evaluate(f"{SHOWN}.most")
+    assert most == pytest.approx(page.evaluate(report), rel=1e-5)
+    page.keyboard.press("Space")  # plays the motion, but not of a loaded shell
+    await_frames(page)
+    assert page.evaluate("window.__orishell.fold") == 1
+
+    page.get_by_test_id("param-rows").fill("7")
+    await_frames(page)
+    wait_until(page, IDLE)
+    await_frames(page)
+    assert cases.input_value() == "snow"
+    assert page.evaluate(f"{SHOWN}.deflection.name") == "snow"
+    assert page.evaluate(f"{SHOWN}.most") == pytest.approx(page.evaluate(report), rel=1e-5)
+    assert page.evaluate(f"{SHOWN}.most") != pytest.approx(most, rel=1e-3)
+
+    cases.select_option("")
+    page.get_by_test_id("flat").click()
+    await_frames(page)
+    assert page.evaluate("window.__orishell.fold") == 0
