@@ -83,7 +83,8 @@ def test_stiffer_creases_give_less(winter: StructureReport) -> None:
     assert rigid.stands.displacement.size < free.stands.displacement.size
 
 
-@pytest.mark.parametrize(("creases", "flap"), [("free", 0), ("rigid", 0), ("rigid", 0.15)])
+@pytest.mark.parametrize("creases", ["free", "rigid"])
+@pytest.mark.parametrize("flap", [0, 0.15])
 def test_wind_along_the_ground_drives_a_shell_on_sliding_feet(creases: str, flap: float) -> None:
     # Without flaps and ties nothing is one-sided; with them rounding must not hold it.
     design = arch("sliding", pattern={"flap": flap}, load_case=case(wind=STORM))
@@ -92,6 +93,20 @@ def test_wind_along_the_ground_drives_a_shell_on_sliding_feet(creases: str, flap
     assert found.stands is None
     assert found.moves is not None
     assert found.moves.startswith("slides or tips as a whole")
+
+
+@pytest.mark.parametrize(
+    ("supports", "loads"),
+    # Wind lifts the shell, and most flaps part; own weight opens it, and nothing ties it.
+    [("pinned", {"self_weight": True, "wind": STORM}), ("sliding", {"self_weight": True})],
+)
+def test_flaps_that_part_hold_nothing(supports: str, loads: dict[str, Any]) -> None:
+    free, rigid = (each.stands for each in analysed(arch(supports, load_case=case(**loads))).cases)
+    assert free is not None
+    assert rigid is not None
+    assert all(each.force == 0 for each in free.flaps)
+    assert 0 < sum(each.force > 0 for each in rigid.flaps) < len(rigid.flaps)
+    assert rigid.displacement.size < 0.1 * free.displacement.size
 
 
 def test_what_panels_weigh_is_asked_for() -> None:
