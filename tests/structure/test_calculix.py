@@ -1,8 +1,9 @@
 """CalculiX runs our decks and finds what the analysis finds: shells with rigid creases.
 
-Both must be converged: CalculiX has 5 x 5 quadratic cells on every panel, the analysis as many of
-two triangles as stand beside each shell. Plates of 10 mm: in thicker ones what CalculiX makes of
-creases, bodies that are rigid over the thickness, buckles later; in thinner ones waves are finer.
+CalculiX has 5 x 5 quadratic cells on every panel, the analysis as many of two triangles as come
+about as near to the limit, which stand beside each shell. Pinned corners and vertices of rigid
+creases are singular, so that both still give way with finer cells: on the shelter by about a tenth.
+Plates of 10 mm: thicker ones buckle later in CalculiX, whose creases are rigid over the thickness.
 """
 
 from __future__ import annotations
