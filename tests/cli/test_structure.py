@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, replace
 from pathlib import Path
 
 import pytest
@@ -71,18 +70,82 @@ def test_the_lines_in_the_summary_of_a_design(report: StructureReport) -> None:
     assert last.startswith("governs ")
 
 
-def test_what_is_written_is_the_report(
-    tmp_path: Path, bare: Shell, report: StructureReport
-) -> None:
-    shell = replace(bare, report=replace(bare.report, structure=report))
-    assert write_structure(shell, tmp_path / "a") == [tmp_path / "a" / "structure.json"]
-    text = (tmp_path / "a" / "structure.json").read_text()
-    assert json.loads(text) == json.loads(json.dumps(asdict(report)))
-    write_structure(shell, tmp_path / "b")
-    assert (tmp_path / "b" / "structure.json").read_text() == text
+ARCH = """
+[shell]
+family = "orthodiagonal"
+unit = "m"
+[target.f]
+formula = "-x**2"
+range = [-1, 1]
+[target.g]
+formula = "0.25*sin(pi*x/2)"
+range = [0, 2]
+[pattern]
+rows = 5
+columns = 5
+flap = 0.15
+depth = 0.12
+heading_deg = 90
+[deployment]
+flap_attachment = "clipped"
+ties = "feet"
+[workshop]
+areal_density = 1.9
+[structure]
+modulus = 270e6
+thickness = 0.01
+cells = 1
+supports = [{ at = "feet", kind = "sliding" }]
+"""
+
+
+def test_what_is_written(tmp_path: Path) -> None:
+    (tmp_path / "arch.toml").write_text(ARCH)
+    first = orishell("structure", "arch.toml", "--out", "one", cwd=tmp_path)
+    assert first.returncode == 0, first.stderr
+    files = ["structure.html", "structure.json", "structure.png"]
+    assert sorted(path.name for path in (tmp_path / "one").iterdir()) == files
+    assert first.stdout.splitlines()[-3:] == [f"wrote     one/{name}" for name in files]
+    printed = orishell("structure", "arch.toml", "--out", "two", "--json", cwd=tmp_path)
+    written = json.loads((tmp_path / "one" / "structure.json").read_text())
+    assert json.loads(printed.stdout) == written
+    assert [case["name"] for case in written["cases"]] == ["self-weight", "self-weight"]
+    for name in files:
+        same = (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
+        assert same, name
 
 
 def test_a_shell_that_was_not_analysed_is_not_written(tmp_path: Path, bare: Shell) -> None:
     with pytest.raises(InputError, match="not analysed"):
         write_structure(bare, tmp_path / "a")
     assert not (tmp_path / "a").exists()
+
+
+ZONE = "zones = [{ rows = [0, 1], coefficient = 1 }]"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where"),
+    [
+        ('at = "feet"', "at = [[9, 0]]", "[structure] supports[0] at"),
+        ("", "points = [{ at = [9, 0], force = [0, 0, 1] }]", '"case": points[0] at'),
+        (
+            "",
+            f'wind = {{ speed = 26, terrain = "II", direction_deg = 0, {ZONE} }}',
+            '"case": wind zones',
+        ),
+        ("areal_density = 1.9", "", "[[load_case]] self_weight"),
+    ],
+)
+@pytest.mark.parametrize("command", ["design", "structure"])
+def test_what_does_not_fit_the_sheet_is_one_message_and_nothing_is_written(
+    tmp_path: Path, command: str, old: str, new: str, where: str
+) -> None:
+    text = ARCH.replace(old, new) if old else f'{ARCH}[[load_case]]\nname = "case"\n{new}\n'
+    (tmp_path / "arch.toml").write_text(text)
+    done = orishell(command, "arch.toml", "--out", "out", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.count("orishell:") == 1
+    assert done.stderr.startswith("orishell: arch.toml: ")
+    assert where in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["arch.toml"]

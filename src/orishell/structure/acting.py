@@ -35,6 +35,8 @@ HUGE = 1e-6
 SOFTER = 1e-9, 1e-7, 1e-11
 """By so much T is made stiffer than it is, so that there is a solution where the shell moves: by
 the first with which the outcome passes its check."""
+NO_GIVE, TRIES = 1e-12, 100
+"""Flexibilities below this are none; so many exchanges by condition are tried."""
 SIDES = 12
 """Of friction's polygon, whose corners are on the circle."""
 
@@ -84,7 +86,10 @@ def respond(held: Held, loads: Array) -> Response:
         assert found is not None
         return found
     for softer in SOFTER:
-        guess = _who_acts(held, loads, softer)
+        if len(held.sliding):
+            guess = _who_acts(held, loads, softer)
+        else:
+            guess = _who_presses(held, loads, softer)
         found = None if guess is None else _exact(held, loads, *guess)
         if found is not None:
             return found
@@ -113,14 +118,40 @@ def _moving(held: Held, loads: Array) -> Array | None:
     cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
-    # Rounding of the motions lets forces balance what they cannot, if they are huge.
-    bound = HUGE * np.linalg.norm(bearing, axis=1).max(initial=0.0) * np.eye(len(bearing))
+    # Rounding of the motions lets forces balance what they cannot, if they are huge. Rows are of
+    # unit vectors: where no motion moves two ends apart, all that is left of them is rounding.
+    bound = HUGE * np.eye(len(bearing))
     aim = np.concatenate([drive, np.zeros(len(bearing))])
     borne = nnls(np.concatenate([bearing.T, bound]), aim)[0] if len(bearing) else np.zeros(0)
     missing = drive - bearing.T @ borne
     if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
         return None
     return np.asarray(motions @ missing)
+
+
+def _who_presses(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]:
+    """Who acts where none rubs: the forces l >= 0 of least energy, a convex problem.
+
+    Loads alone open the gaps W g_f, of which forces take the flexibility A off: l makes
+    l^T A l/2 - l^T W g_f least. With the eigenvectors V and values a of W C W, of which springs are
+    the rest h = 1 - a, both are those of the springs over h, which is kept from 0 by ``softer``:
+    A = V a/h V^T, W g_f = V y/h for V y of the springs. So l is the least-squares solution of
+    (a/h)^1/2 V^T l = y/(a h)^1/2 that is not negative.
+    """
+    from scipy.optimize import nnls
+
+    count, total, root = len(held.conditions), len(held.rows), np.sqrt(held.springs)
+    a, v = np.linalg.eigh(root[:, None] * held.flexibility * root)
+    a, v = a[a > NO_GIVE], v[:, a > NO_GIVE]
+    h = np.maximum(1 - a, 0.0) + softer
+    y = v.T @ (root * (held.rows @ held.spring_solve(loads)))
+    give = np.diag(np.sqrt(held.conditions.compliance * held.springs[:count]))
+    matrix = np.concatenate([np.sqrt(a / h)[:, None] * v[:count].T, give])
+    aim = np.concatenate([y / np.sqrt(a * h), np.zeros(count)])
+    force = nnls(matrix, aim / (np.abs(aim).max() or 1.0), maxiter=TRIES * count)[0]
+    acting = np.zeros(total, dtype=bool)
+    acting[:count] = force > TOLERANCE * force.max()
+    return acting, np.zeros((total, total))
 
 
 def _polygon() -> Array:
