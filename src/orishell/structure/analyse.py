@@ -119,6 +119,9 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
         return _moving(model, case, forces, response.moves)
     moved = np.zeros(mesh.count)
     moved[held.free] = response.displacements
+    shape = moved[mesh.translations()]
+    if np.linalg.norm(shape, axis=1).max() > model.size:
+        return _moving(model, case, forces, response.displacements)
     pulls = held.pulls(response.forces)
     residual = held.stiffness @ moved + pulls - loads
     reactions, balance = _reactions(model, forces, residual, response)
@@ -141,7 +144,7 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
         loads=forces,
         motion=None,
         balance=balance,
-        displacements=moved[: forces.size].reshape(-1, 3),
+        displacements=shape,
         reactions=reactions,
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
@@ -206,8 +209,7 @@ def _reactions(
     both = forces + at_nodes
     missing = both.sum(axis=0)
     moment = np.cross(points - middle, both).sum(axis=0) + turning.sum(axis=0)
-    size = float(np.linalg.norm(np.ptp(points, axis=0)))
     scale = float(np.linalg.norm(forces, axis=1).sum())
-    worst = max(float(np.linalg.norm(missing)), float(np.linalg.norm(moment)) / size)
+    worst = max(float(np.linalg.norm(missing)), float(np.linalg.norm(moment)) / model.size)
     balance = Balance(forces.sum(axis=0), at_nodes.sum(axis=0), worst / scale if scale else 0.0)
     return at_nodes[model.supports.vertices()], balance

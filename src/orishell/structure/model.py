@@ -107,6 +107,11 @@ class Model:
         """Vertices (rows, columns, 3) of the sheet without its flaps, at the target."""
         return self.sheet.positions(self.sheet.target_drive)
 
+    @property
+    def size(self) -> float:
+        """Diagonal of its bounding box (length)."""
+        return float(np.linalg.norm(np.ptp(self.positions, axis=(0, 1))))
+
     @cached_property
     def mesh(self) -> SheetMesh:
         """The meshed sheet."""

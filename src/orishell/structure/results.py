@@ -41,7 +41,9 @@ Hold = Literal["ties", "pinned"]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FreeMotion:
-    """A motion that nothing resists, and that the loads drive.
+    """A motion that the loads drive, and that nothing resists.
+
+    Or next to nothing: they would displace the shell by more than its size.
 
     Parameters
     ----------
