@@ -34,12 +34,16 @@ NOT_COVERED = (
 
 def motion_in_words(motion: FreeMotion) -> str:
     """How a shell moves under its loads, what does not hold it, and what would."""
-    if not motion.folding:
+    if motion.soft:
+        words = "gives way under its loads, by more than its own size: it is far too soft for them"
+    elif not motion.folding:
         words = "slides or tips as a whole under its loads: its supports do not hold it"
     elif motion.opens:
         words = "opens under its loads: nothing holds the feet together"
     else:
         words = "closes under its loads: nothing holds the feet apart"
+    if motion.soft and not motion.holds:
+        return words
     if not motion.holds:
         return f"{words}; neither ties between its feet nor pinned supports would"
     return f"{words}; {' or '.join(HOLDS[each] for each in motion.holds)} would"

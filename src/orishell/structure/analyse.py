@@ -71,7 +71,8 @@ def _displaced(design: Design, structure: Structure, frame: Frame, cells: int) -
     for model in models(design, structure, frame, cells):
         for case in structure.analysed:
             forces = case_forces(model.exposure, case, structure.cases)
-            found.append(_largest(_moved(model, respond(model.held, _loads(model, forces)))))
+            response = respond(model.held, model.free_loads(forces))
+            found.append(model.furthest(response.displacements))
     return np.array(found)
 
 
@@ -83,20 +84,6 @@ def _change(coarse: Array, fine: Array) -> float:
     """The largest relative change of the cases that stand."""
     change = np.abs(fine - coarse) / np.where(fine, fine, 1.0)
     return float(np.max(change, where=np.isfinite(change), initial=0.0))
-
-
-def _loads(model: Model, forces: Array) -> Array:
-    """Loads on free freedoms (n,) of forces on nodes (N, 3)."""
-    loads = np.zeros(model.mesh.count)
-    loads[: forces.size] = forces.ravel()
-    return np.asarray(loads[model.held.free])
-
-
-def _moved(model: Model, response: Response) -> Array:
-    """Displacements (N, 3) of nodes."""
-    moved = np.zeros(model.mesh.count)
-    moved[model.held.free] = response.displacements
-    return np.asarray(moved[model.mesh.translations()])
 
 
 def _require_mass(structure: Structure, frame: Frame) -> None:
@@ -146,14 +133,12 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
     """One case with one stiffness of creases."""
     mesh, held = model.mesh, model.held
     forces = case_forces(model.exposure, case, model.structure.cases)
-    response = respond(held, _loads(model, forces))
+    response = respond(held, model.free_loads(forces))
     if response.moves is not None:
         return _moving(model, case, forces, response.moves)
-    shape = _moved(model, response)
-    if _largest(shape) > model.size:
-        return _moving(model, case, forces, response.displacements)
-    moved = np.zeros(mesh.count)
-    moved[held.free] = response.displacements
+    if model.furthest(response.displacements) > model.size:
+        return _moving(model, case, forces, response.displacements, soft=True)
+    moved = model.moved(response.displacements)
     residual = held.stiffness @ moved + held.pulls(response.forces)
     residual[: forces.size] -= forces.ravel()
     reactions, balance = _reactions(model, forces, residual, response)
@@ -169,27 +154,29 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
     frequencies, modes = np.zeros(0), np.zeros((0, *forces.shape))
     if model.frame.areal_mass:
         frequencies, found = find_frequencies(inverse, model.inertia()[held.free], FREQUENCIES)
-        modes = np.stack([_shape(model, mode) for mode in found.T])
+        modes = np.stack([_unit(model, mode) for mode in found.T])
     return CaseResult(
         name=case.name,
         stiffness=model.stiffness,
         loads=forces,
         motion=None,
         balance=balance,
-        displacements=shape,
+        displacements=model.shape(response.displacements),
         reactions=reactions,
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else (buckling[0], _shape(model, buckling[1])),
+        buckling=None if buckling is None else (buckling[0], _unit(model, buckling[1])),
         frequencies=frequencies,
         modes=modes,
     )
 
 
-def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseResult:
+def _moving(
+    model: Model, case: LoadCase, forces: Array, moves: Array, *, soft: bool = False
+) -> CaseResult:
     """A case that nothing balances."""
     nodes, triangles = len(forces), len(model.mesh.facets.triangles)
     unknown = np.full(3, np.nan)
@@ -198,7 +185,7 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
         name=case.name,
         stiffness=model.stiffness,
         loads=forces,
-        motion=describe_motion(model, _shape(model, moves), forces),
+        motion=describe_motion(model, _unit(model, moves), forces, soft=soft),
         balance=Balance(forces.sum(axis=0), unknown, float("nan")),
         displacements=np.full((nodes, 3), np.nan),
         reactions=np.full((len(model.supports.vertices()), 3), np.nan),
@@ -213,12 +200,9 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
     )
 
 
-def _shape(model: Model, mode: Array) -> Array:
+def _unit(model: Model, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
-    moved = np.zeros(model.mesh.count)
-    moved[model.held.free] = mode
-    shape = moved[model.mesh.translations()]
-    return np.asarray(shape / np.linalg.norm(shape, axis=1).max())
+    return model.shape(mode) / model.furthest(mode)
 
 
 def _reactions(

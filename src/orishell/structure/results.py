@@ -41,9 +41,7 @@ Hold = Literal["ties", "pinned"]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FreeMotion:
-    """A motion that the loads drive, and that nothing resists.
-
-    Or next to nothing: they would displace the shell by more than its size.
+    """A motion that the loads drive, and that nothing resists, or next to nothing.
 
     Parameters
     ----------
@@ -55,12 +53,15 @@ class FreeMotion:
         Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
     holds
         What would hold the shell: each was tried with these loads.
+    soft
+        Whether something resists it, but so little that it goes beyond the size of the shell.
     """
 
     displacements: Array
     folding: bool
     opens: bool | None
     holds: tuple[Hold, ...] = ()
+    soft: bool = False
 
     __repr__ = in_one_line
 
