@@ -10,8 +10,8 @@ force l_t in the ground within a polygon about the circle of radius mu l_n,
 
     mu l_n - d_k l_t >= 0    and    slip along d_k >= 0,    one of them with equality,
 
-d_k square on its sides. What that says of who acts is then taken exactly, circle and all, and
-checked.
+d_k square on its sides. What that says of who acts, and of friction where feet slip, is then taken
+exactly, and checked.
 """
 
 from __future__ import annotations
@@ -30,11 +30,16 @@ DRIVEN = 1e-6
 """Loads drive a motion if more than this share of them works on it."""
 TOLERANCE = 1e-7
 """Forces below this share of all loads are none, and gaps below it of the displacements."""
-HUGE = 1e-6
+HUGE = 1e-8
 """Forces of conditions are not huge up to about the loads over this."""
-SOFTER = 1e-9, 1e-7, 1e-11
-"""By so much T is made stiffer than it is, so that there is a solution where the shell moves: by
-the first with which the outcome passes its check."""
+BALANCED = 1e-8
+"""Forces that miss this share of the loads at most are in balance."""
+ROUGHER = 1e-3
+"""By this share of it friction may be more than it is, once it balances the loads exactly."""
+TRIES = (0.0, 1e-5), (0.0, 1e-7), (1e-8, 1e-7), (1e-8, 1e-5), (1e-8, 1e-9)
+"""By so much of what springs do, conditions give that do not, for several may hold the same; and by
+so much T is stiffer than it is, so that there is a solution where the shell moves. The first with
+which the outcome passes its check are taken."""
 SIDES = 12
 """Of friction's polygon, whose corners are on the circle."""
 
@@ -78,8 +83,8 @@ def respond(held: Held, loads: Array) -> Response:
     if moves is not None:
         still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
         return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
-    for softer in SOFTER:
-        guess = _who_acts(held, loads, softer)
+    for give, stiffer in TRIES:
+        guess = _who_acts(held, loads, give, stiffer)
         found = None if guess is None else _exact(held, loads, *guess)
         if found is not None:
             return found
@@ -109,7 +114,8 @@ def _moving(held: Held, loads: Array) -> Array | None:
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
     # Rounding of the motions lets forces balance what they cannot, if they are huge.
-    bound = HUGE * np.linalg.norm(bearing, axis=1).max() * np.eye(len(bearing))
+    largest = np.linalg.norm(motions[held.free < 3 * held.nodes], axis=1).max()
+    bound = HUGE * largest * np.eye(len(bearing))
     aim = np.concatenate([drive, np.zeros(len(bearing))])
     missing = drive - bearing.T @ nnls(np.concatenate([bearing.T, bound]), aim)[0]
     if np.linalg.norm(missing) <= DRIVEN * np.linalg.norm(loads):
@@ -123,13 +129,16 @@ def _polygon() -> Array:
     return np.stack([np.cos(turn), np.sin(turn)])
 
 
-def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array] | None:
-    """Which rows act (M,), and by what share of what presses on them others slip (M, M)."""
+def _who_acts(
+    held: Held, loads: Array, least_give: float, stiffer: float
+) -> tuple[Booleans, Array] | None:
+    """Which rows act (M,), and friction (M,) in those that slip."""
     count, total, sliding = len(held.conditions), len(held.rows), held.sliding
     root = np.sqrt(held.springs)
     own = count + len(sliding)
     give = np.zeros(total)
     give[:count] = held.conditions.compliance * held.springs[:count]
+    give[:own] = np.maximum(give[:own], least_give)
     # Unknown: l of the conditions and of friction, h of the rest.
     stiff = np.eye(total) - root[:, None] * held.flexibility * root
     system = np.eye(total) - stiff + stiff * give
@@ -137,7 +146,7 @@ def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]
     known = root * (held.rows @ held.spring_solve(loads))
     solved = np.linalg.pinv(system, rcond=FREE) @ np.column_stack([known, stiff[:, :own]])
     first, by_opening = solved[:own, 0], solved[:own, 1:]
-    by_opening[np.diag_indices(own)] += softer * np.abs(by_opening).max()
+    by_opening[np.diag_indices(own)] += stiffer
 
     corners = _polygon()
     ways = 0.5 * (corners + np.roll(corners, 1, axis=1)) / np.cos(np.pi / SIDES)
@@ -146,39 +155,50 @@ def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]
     # Rows: l_n, or mu l_n - d l_t; columns: o, or slips -o_t.
     rows = np.zeros((count + slides.shape[1], own))
     rows[:count, :count] = np.eye(count)
-    friction = held.conditions.friction[feet] * np.cos(np.pi / SIDES)
-    rows[count + np.arange(slides.shape[1]), np.repeat(feet, SIDES)] = np.repeat(friction, SIDES)
+    limit = held.conditions.friction[feet] * np.cos(np.pi / SIDES)
+    rows[count + np.arange(slides.shape[1]), np.repeat(feet, SIDES)] = np.repeat(limit, SIDES)
     rows[count:, count:] = -slides.T
     columns = np.zeros((own, len(rows)))
     columns[:count, :count] = np.eye(count)
     columns[count:, count:] = -slides
     vector = rows @ first
-    scale = float(np.abs(vector).max()) or 1.0
+    scale = float(np.abs(vector).max(initial=0.0)) or 1.0
     found = solve_complementarity(rows @ by_opening @ columns, vector / scale)
     if found is None:
         return None
     force = first / scale + by_opening @ (columns @ found)
-    least = TOLERANCE * np.abs(force).max()
-    acting, slip = np.zeros(total, dtype=bool), np.zeros((total, total))
+    least = TOLERANCE * np.abs(first).max(initial=0.0) / scale
+    acting, friction = np.zeros(total, dtype=bool), np.zeros(total)
     acting[:count] = force[:count] > least
     slips = np.abs(slides @ found[count:]).reshape(-1, 2).max(axis=1) > 0
-    for number, foot in enumerate(feet):
-        here = count + 2 * number + np.arange(2)
-        if acting[foot] and slips[number]:
-            slip[here, foot] = force[here] / force[foot]
-        else:
-            acting[here] = acting[foot]
-    return acting, slip
+    stands = acting[sliding]
+    acting[count:own] = stands & ~slips.repeat(2)
+    friction[count:own] = np.where(
+        stands & slips.repeat(2), (root[:own] * force * scale)[count:], 0
+    )
+    return acting, friction
 
 
-def _exact(held: Held, loads: Array, acting: Booleans, slip: Array) -> Response | None:
-    """The response while some rows act; None where that is not right."""
-    count = len(held.conditions)
-    one_sided = np.arange(len(held.rows)) < count
+def _exact(held: Held, loads: Array, acting: Booleans, friction: Array) -> Response | None:
+    """The response while some rows act, and friction (M,) in others; None where it is not right."""
+    count, slips = len(held.conditions), friction != 0
     motions = held.motions(acting)
-    found, gaps, forces = held.respond(loads, acting, slip)
+    by_row = held.rows @ motions
+    # Friction is given but for rounding, and must balance what nothing else does.
+    missing = motions.T @ loads - by_row.T @ friction
+    friction = friction.copy()
+    friction[slips] += np.linalg.lstsq(by_row[slips].T, missing, rcond=FREE)[0]
+    found, gaps, forces = held.respond(loads, acting, friction)
     found -= motions @ (motions.T @ found)
-    least = TOLERANCE * float(np.abs(loads).sum())
-    open_ = TOLERANCE * float(np.abs(held.rows @ found).max())
+    unbalanced = np.linalg.norm(motions.T @ loads - by_row.T @ forces)
+    total = float(np.abs(loads).sum())
+    least, open_ = TOLERANCE * total, TOLERANCE * float(np.abs(held.rows @ found).max())
+    one_sided, sliding = np.arange(len(held.rows)) < count, held.sliding
+    rubs = np.linalg.norm(forces[count:][: len(sliding)].reshape(-1, 2), axis=1)
+    presses = forces[held.conditions.rough] * held.conditions.friction[held.conditions.rough]
     wrong = one_sided & ((acting & (forces < -least)) | (~acting & (gaps > open_)))
-    return None if wrong.any() else Response(None, found, acting, forces, motions)
+    if unbalanced > BALANCED * total or wrong.any():
+        return None
+    if (rubs > (1 + ROUGHER) * presses + least).any():
+        return None
+    return Response(None, found, acting, forces, motions)

@@ -61,6 +61,8 @@ def find_buckling(inverse: Inverse, geometric: csr_array) -> tuple[float, Array]
     geometric
         K_g (n, n) of free freedoms.
     """
+    if not geometric.count_nonzero():  # nothing is loaded
+        return None
     values, modes = largest(inverse, lambda moved: -(geometric @ moved), 1)
     if values[0] <= NEVER:
         return None
