@@ -13,9 +13,7 @@ from orishell.numerics.arrays import Array
 PIVOT = 1e-9
 """Entries below this, relative to the largest of their column, are none."""
 LEVEL = 1e-10
-"""Variables that come this near to 0, relative to what they were, come to 0."""
-ROUNDING = 1e-14
-"""The same, relative to the largest of all."""
+"""Ratios that differ by less than this, relative to the largest, are equal."""
 PIVOTS = 10
 """Pivots that are tried at most, by the size of the problem."""
 FRESH = 16
@@ -75,11 +73,8 @@ def _tightest(table: Array, column: int, artificial: Array) -> int | None:
     if not len(rows):
         return None
     for key in range(size + 1):
-        value, slope = table[rows, key], entry[rows]
-        step = (value / slope).min()
-        sizes = np.abs(value) + np.abs(step) * slope
-        rounding = ROUNDING * np.abs(table[:, key]).max()
-        rows = rows[value - step * slope <= LEVEL * sizes + rounding]
+        ratio = table[rows, key] / entry[rows]
+        rows = rows[ratio <= ratio.min() + LEVEL * np.abs(ratio).max()]
         if artificial[rows].any():
             return int(rows[artificial[rows]][0])
         if len(rows) == 1:
