@@ -10,18 +10,19 @@ force l_t in the ground within a polygon about the circle of radius mu l_n,
 
     mu l_n - d_k l_t >= 0    and    slip along d_k >= 0,    one of them with equality,
 
-d_k square on its sides. What that says of who acts is then taken exactly, circle and all, and
-checked.
+d_k square on its sides. What that says of who acts, and of friction where feet slip, is then taken
+exactly, and checked.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
-from orishell.errors import VerificationError
+from orishell.errors import DesignError, VerificationError
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.complementarity import solve_complementarity
 from orishell.structure.held import FREE, Held
@@ -30,12 +31,19 @@ DRIVEN = 1e-6
 """Loads drive a motion if more than this share of them works on it."""
 TOLERANCE = 1e-7
 """Forces below this share of all loads are none, and gaps below it of the displacements."""
-HUGE = 1e-6
+HUGE = 1e-8
 """Forces of conditions are not huge up to about the loads over this."""
+BALANCED = 1e-6
+"""Forces that miss this share of the loads at most are in balance."""
+ROUGHER = 1e-3
+"""By this share of it friction may be more than it is, once it balances the loads exactly."""
+TRIES = (0.0, 1e-5), (0.0, 1e-7), (1e-8, 1e-7)
+"""By so much of what springs do, conditions give that do not, for several may hold the same; and by
+so much T is stiffer than it is, so that there is a solution where the shell moves. The first with
+which the outcome passes its check are taken."""
 SOFTER = 1e-9, 1e-7, 1e-11
-"""By so much T is made stiffer than it is, so that there is a solution where the shell moves: by
-the first with which the outcome passes its check."""
-NO_GIVE, TRIES = 1e-12, 100
+"""The same of T where nothing rubs."""
+NO_GIVE, EXCHANGES = 1e-12, 100
 """Flexibilities below this are none; so many exchanges by condition are tried."""
 SIDES = 12
 """Of friction's polygon, whose corners are on the circle."""
@@ -73,6 +81,8 @@ def respond(held: Held, loads: Array) -> Response:
 
     Raises
     ------
+    DesignError
+        If it is not found how feet slip.
     VerificationError
         If no set of acting conditions is found: a fault of the program.
     """
@@ -80,22 +90,28 @@ def respond(held: Held, loads: Array) -> Response:
     if moves is not None:
         still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
         return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
-    if not len(held.conditions):
-        everyone = np.zeros(len(held.rows), dtype=bool), np.zeros((len(held.rows), len(held.rows)))
-        found = _exact(held, loads, *everyone)
-        assert found is not None
-        return found
-    for softer in SOFTER:
-        if len(held.sliding):
-            guess = _who_acts(held, loads, softer)
-        else:
-            guess = _who_presses(held, loads, softer)
+    for guess in _guesses(held, loads):
         found = None if guess is None else _exact(held, loads, *guess)
         if found is not None:
             return found
+    if len(held.sliding):
+        raise DesignError(
+            "no balance was found between the loads and the friction of feet on the ground",
+            keys=("structure.supports",),
+        )
     raise VerificationError(
         "no set of ties, flaps and feet that act was found: this is a fault of the program"
     )
+
+
+def _guesses(held: Held, loads: Array) -> Iterator[tuple[Booleans, Array] | None]:
+    """Which rows may act (M,), and friction (M,) in those that slip."""
+    if not len(held.conditions):
+        yield np.zeros(len(held.rows), dtype=bool), np.zeros(len(held.rows))
+        return
+    for softer in SOFTER:
+        yield _who_presses(held, loads, softer)
+    yield from (_who_acts(held, loads, give, stiffer) for give, stiffer in TRIES)
 
 
 def _moving(held: Held, loads: Array) -> Array | None:
@@ -118,9 +134,9 @@ def _moving(held: Held, loads: Array) -> Array | None:
     cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
-    # Rounding of the motions lets forces balance what they cannot, if they are huge. Rows are of
-    # unit vectors: where no motion moves two ends apart, all that is left of them is rounding.
-    bound = HUGE * np.eye(len(bearing))
+    # Rounding of the motions lets forces balance what they cannot, if they are huge.
+    largest = np.linalg.norm(motions[held.free < 3 * held.nodes], axis=1).max()
+    bound = HUGE * largest * np.eye(len(bearing))
     aim = np.concatenate([drive, np.zeros(len(bearing))])
     borne = nnls(np.concatenate([bearing.T, bound]), aim)[0] if len(bearing) else np.zeros(0)
     missing = drive - bearing.T @ borne
@@ -130,13 +146,14 @@ def _moving(held: Held, loads: Array) -> Array | None:
 
 
 def _who_presses(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]:
-    """Who acts where none rubs: the forces l >= 0 of least energy, a convex problem.
+    """Who acts (M,) where no foot slips, and no friction (M,): the forces l of least energy.
 
     Loads alone open the gaps W g_f, of which forces take the flexibility A off: l makes
     l^T A l/2 - l^T W g_f least. With the eigenvectors V and values a of W C W, of which springs are
     the rest h = 1 - a, both are those of the springs over h, which is kept from 0 by ``softer``:
     A = V a/h V^T, W g_f = V y/h for V y of the springs. So l is the least-squares solution of
-    (a/h)^1/2 V^T l = y/(a h)^1/2 that is not negative.
+    (a/h)^1/2 V^T l = y/(a h)^1/2: not negative in the conditions, of either sign in friction, which
+    feet that lift have none of.
     """
     from scipy.optimize import nnls
 
@@ -146,12 +163,20 @@ def _who_presses(held: Held, loads: Array, softer: float) -> tuple[Booleans, Arr
     h = np.maximum(1 - a, 0.0) + softer
     y = v.T @ (root * (held.rows @ held.spring_solve(loads)))
     give = np.diag(np.sqrt(held.conditions.compliance * held.springs[:count]))
-    matrix = np.concatenate([np.sqrt(a / h)[:, None] * v[:count].T, give])
     aim = np.concatenate([y / np.sqrt(a * h), np.zeros(count)])
-    force = nnls(matrix, aim / (np.abs(aim).max() or 1.0), maxiter=TRIES * count)[0]
-    acting = np.zeros(total, dtype=bool)
-    acting[:count] = force > TOLERANCE * force.max()
-    return acting, np.zeros((total, total))
+    aim /= np.abs(aim).max() or 1.0
+    acting = np.arange(total) < count + len(held.sliding)
+    while True:
+        rubs = np.flatnonzero(acting[count:]) + count
+        by_row = np.sqrt(a / h)[:, None] * v.T
+        columns = np.concatenate([by_row[:, :count], by_row[:, rubs], -by_row[:, rubs]], axis=1)
+        below = np.concatenate([give, np.zeros((count, 2 * len(rubs)))], axis=1)
+        force = nnls(np.concatenate([columns, below]), aim, maxiter=EXCHANGES * columns.shape[1])[0]
+        acting[:count] = force[:count] > TOLERANCE * force.max()
+        lifted = ~acting[held.sliding] & acting[count : count + len(held.sliding)]
+        if not lifted.any():
+            return acting, np.zeros(total)
+        acting[count : count + len(held.sliding)] &= ~lifted
 
 
 def _polygon() -> Array:
@@ -160,13 +185,16 @@ def _polygon() -> Array:
     return np.stack([np.cos(turn), np.sin(turn)])
 
 
-def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array] | None:
-    """Which rows act (M,), and by what share of what presses on them others slip (M, M)."""
+def _who_acts(
+    held: Held, loads: Array, least_give: float, stiffer: float
+) -> tuple[Booleans, Array] | None:
+    """Which rows act (M,), and friction (M,) in those that slip."""
     count, total, sliding = len(held.conditions), len(held.rows), held.sliding
     root = np.sqrt(held.springs)
     own = count + len(sliding)
     give = np.zeros(total)
     give[:count] = held.conditions.compliance * held.springs[:count]
+    give[:own] = np.maximum(give[:own], least_give)
     # Unknown: l of the conditions and of friction, h of the rest.
     stiff = np.eye(total) - root[:, None] * held.flexibility * root
     system = np.eye(total) - stiff + stiff * give
@@ -174,7 +202,7 @@ def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]
     known = root * (held.rows @ held.spring_solve(loads))
     solved = np.linalg.pinv(system, rcond=FREE) @ np.column_stack([known, stiff[:, :own]])
     first, by_opening = solved[:own, 0], solved[:own, 1:]
-    by_opening[np.diag_indices(own)] += softer * np.abs(by_opening).max()
+    by_opening[np.diag_indices(own)] += stiffer
 
     corners = _polygon()
     ways = 0.5 * (corners + np.roll(corners, 1, axis=1)) / np.cos(np.pi / SIDES)
@@ -183,39 +211,50 @@ def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]
     # Rows: l_n, or mu l_n - d l_t; columns: o, or slips -o_t.
     rows = np.zeros((count + slides.shape[1], own))
     rows[:count, :count] = np.eye(count)
-    friction = held.conditions.friction[feet] * np.cos(np.pi / SIDES)
-    rows[count + np.arange(slides.shape[1]), np.repeat(feet, SIDES)] = np.repeat(friction, SIDES)
+    limit = held.conditions.friction[feet] * np.cos(np.pi / SIDES)
+    rows[count + np.arange(slides.shape[1]), np.repeat(feet, SIDES)] = np.repeat(limit, SIDES)
     rows[count:, count:] = -slides.T
     columns = np.zeros((own, len(rows)))
     columns[:count, :count] = np.eye(count)
     columns[count:, count:] = -slides
     vector = rows @ first
-    scale = float(np.abs(vector).max()) or 1.0
+    scale = float(np.abs(vector).max(initial=0.0)) or 1.0
     found = solve_complementarity(rows @ by_opening @ columns, vector / scale)
     if found is None:
         return None
     force = first / scale + by_opening @ (columns @ found)
-    least = TOLERANCE * np.abs(force).max()
-    acting, slip = np.zeros(total, dtype=bool), np.zeros((total, total))
+    least = TOLERANCE * np.abs(first).max(initial=0.0) / scale
+    acting, friction = np.zeros(total, dtype=bool), np.zeros(total)
     acting[:count] = force[:count] > least
     slips = np.abs(slides @ found[count:]).reshape(-1, 2).max(axis=1) > 0
-    for number, foot in enumerate(feet):
-        here = count + 2 * number + np.arange(2)
-        if acting[foot] and slips[number]:
-            slip[here, foot] = force[here] / force[foot]
-        else:
-            acting[here] = acting[foot]
-    return acting, slip
+    stands = acting[sliding]
+    acting[count:own] = stands & ~slips.repeat(2)
+    friction[count:own] = np.where(
+        stands & slips.repeat(2), (root[:own] * force * scale)[count:], 0
+    )
+    return acting, friction
 
 
-def _exact(held: Held, loads: Array, acting: Booleans, slip: Array) -> Response | None:
-    """The response while some rows act; None where that is not right."""
-    count = len(held.conditions)
-    one_sided = np.arange(len(held.rows)) < count
+def _exact(held: Held, loads: Array, acting: Booleans, friction: Array) -> Response | None:
+    """The response while some rows act, and friction (M,) in others; None where it is not right."""
+    count, slips = len(held.conditions), friction != 0
     motions = held.motions(acting)
-    found, gaps, forces = held.respond(loads, acting, slip)
+    by_row = held.rows @ motions
+    # Friction is given but for rounding, and must balance what nothing else does.
+    missing = motions.T @ loads - by_row.T @ friction
+    friction = friction.copy()
+    friction[slips] += np.linalg.lstsq(by_row[slips].T, missing, rcond=FREE)[0]
+    found, gaps, forces = held.respond(loads, acting, friction)
     found -= motions @ (motions.T @ found)
-    least = TOLERANCE * float(np.abs(loads).sum())
-    open_ = TOLERANCE * float(np.abs(held.rows @ found).max())
+    unbalanced = np.linalg.norm(motions.T @ loads - by_row.T @ forces)
+    total = float(np.abs(loads).sum())
+    least, open_ = TOLERANCE * total, TOLERANCE * float(np.abs(held.rows @ found).max())
+    one_sided, sliding = np.arange(len(held.rows)) < count, held.sliding
+    rubs = np.linalg.norm(forces[count:][: len(sliding)].reshape(-1, 2), axis=1)
+    presses = forces[held.conditions.rough] * held.conditions.friction[held.conditions.rough]
     wrong = one_sided & ((acting & (forces < -least)) | (~acting & (gaps > open_)))
-    return None if wrong.any() else Response(None, found, acting, forces, motions)
+    if unbalanced > BALANCED * total or wrong.any():
+        return None
+    if (rubs > (1 + ROUGHER) * presses + least).any():
+        return None
+    return Response(None, found, acting, forces, motions)

@@ -10,12 +10,14 @@ import numpy as np
 
 from orishell.numerics.arrays import Array
 
-PIVOT = 1e-11
+PIVOT = 1e-9
 """Entries below this, relative to the largest of their column, are none."""
-LEVEL = 1e-12
+LEVEL = 1e-10
 """Ratios that differ by less than this, relative to the largest, are equal."""
-PIVOTS = 50
+PIVOTS = 10
 """Pivots that are tried at most, by the size of the problem."""
+FRESH = 16
+"""After so many pivots the table is made afresh, so that rounding does not add up."""
 
 
 def solve_complementarity(matrix: Array, vector: Array) -> Array | None:
@@ -32,14 +34,18 @@ def solve_complementarity(matrix: Array, vector: Array) -> Array | None:
     if (vector >= 0).all():
         return np.zeros(size)
     # Columns: q, w, z and the artificial variable.
-    table = np.concatenate([vector[:, None], np.eye(size), -matrix, -np.ones((size, 1))], axis=1)
+    given = np.concatenate([vector[:, None], np.eye(size), -matrix, -np.ones((size, 1))], axis=1)
+    table = given.copy()
     basis = 1 + np.arange(size)
     artificial = 2 * size + 1
     row, entering = int(np.argmin(vector)), artificial
-    for _ in range(PIVOTS * size):
+    for number in range(1, PIVOTS * size + 1):
         leaving = int(basis[row])
-        _pivot(table, row, entering)
         basis[row] = entering
+        if number % FRESH:
+            _pivot(table, row, entering)
+        else:
+            table = np.linalg.solve(given[:, basis], given)
         if leaving == artificial:
             z = np.zeros(2 * size + 2)
             z[basis] = table[:, 0]

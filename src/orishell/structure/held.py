@@ -139,7 +139,9 @@ class Held:
         hard[: len(self.conditions)] = self.conditions.compliance == 0
         return hard
 
-    def respond(self, loads: Array, acting: Booleans, slip: Array) -> tuple[Array, Array, Array]:
+    def respond(
+        self, loads: Array, acting: Booleans, friction: Array
+    ) -> tuple[Array, Array, Array]:
         """What loads do while some rows act.
 
         Parameters
@@ -148,35 +150,33 @@ class Held:
             Loads on free freedoms (n,).
         acting
             Which rows act (M,).
-        slip
-            Force (M, M) of rows that slip, by the force of the row that presses on them.
+        friction
+            Force (M,) of rows that slip.
 
         Returns
         -------
         tuple
             Displacements (n,), gaps (M,) and forces (M,) of the rows.
         """
-        direct = self.spring_solve(loads)
-        p = self.law(acting, slip) @ (self.rows @ direct)
-        gaps = self.rows @ direct + self.flexibility @ p
-        forces = self.springs * gaps - p
-        forces[~acting & ~slip.any(axis=1)] = 0.0
-        return direct + self.spread @ p, gaps, forces
+        law, forces = self.law(acting), friction
+        moved, gaps = np.zeros(len(loads)), np.zeros(len(forces))
+        rest = loads - self.rows.T @ friction
+        for _ in range(2):  # the second time for what rounding left
+            direct = self.spring_solve(rest)
+            p = law @ (self.rows @ direct)
+            opened = self.rows @ direct + self.flexibility @ p
+            moved, gaps = moved + direct + self.spread @ p, gaps + opened
+            forces = forces + np.where(acting, self.springs * opened - p, 0.0)
+            sprung = self.rows.T @ (self.springs * (self.rows @ moved) - forces)
+            rest = loads - self._inner @ moved + sprung
+        return moved, gaps, forces
 
-    def law(self, acting: Booleans, slip: Array | None = None) -> Array:
-        """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
-
-        Parameters
-        ----------
-        acting, slip
-            As for :meth:`respond`.
-        """
-        # g - C p = g_f; open rows: p - S g = 0, or less what friction gives; g = 0 in hard ones.
+    def law(self, acting: Booleans) -> Array:
+        """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act (M,)."""
+        # g - C p = g_f; open rows: p - S g = 0; acting ones: p = 0, or g = 0 if they are hard.
         count = len(self.rows)
         hard, spring = acting & self._hard, np.diag(self.springs)
         by_gap, by_p = -spring, np.eye(count)
-        if slip is not None:
-            by_gap, by_p = by_gap + slip @ spring, by_p - slip
         by_gap[acting], by_p[hard] = 0.0, 0.0
         by_gap[hard] = spring[hard]
         root = np.sqrt(self.springs)

@@ -154,7 +154,8 @@ def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -
     InputError
         As :func:`case_loads` does.
     """
-    return np.asarray(sum(load.forces for load in case_loads(exposure, case, cases)))
+    nothing = np.zeros_like(exposure.mesh.points)
+    return np.asarray(sum((load.forces for load in case_loads(exposure, case, cases)), nothing))
 
 
 def gusts(speed: float, terrain: Terrain, height: float) -> tuple[float, float]:

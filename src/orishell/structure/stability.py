@@ -61,7 +61,7 @@ def find_buckling(inverse: Inverse, geometric: csr_array) -> tuple[float, Array]
     geometric
         K_g (n, n) of free freedoms.
     """
-    if not abs(geometric).max():  # nothing loads it
+    if not geometric.count_nonzero():  # nothing is loaded
         return None
     values, modes = largest(inverse, lambda moved: -(geometric @ moved), 1)
     if values[0] <= NEVER:

@@ -109,8 +109,9 @@ def find_supports(
             friction.append(np.full(len(vertices), support.friction))
         axes = np.array(HELD[support.kind], np.int64)
         held.append(np.stack(np.meshgrid(vertices, axes, indexing="ij"), axis=-1).reshape(-1, 2))
+    standing, first = np.unique(np.concatenate(ground), return_index=True)
     return Supports(
-        np.unique(np.concatenate(held), axis=0), np.concatenate(ground), np.concatenate(friction)
+        np.unique(np.concatenate(held), axis=0), standing, np.concatenate(friction)[first]
     )
 
 

@@ -1,0 +1,112 @@
+"""Whole shells: reactions against loads, symmetry, superposition, and what moves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from orishell.design import Design
+from orishell.design_file import read_design_file
+from orishell.shell.standing import find_feet
+from orishell.structure.analyse import analyse
+from orishell.structure.model import Frame
+from orishell.structure.results import Analysis
+from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+WIND = Wind(10, "II", 0.3, ((0.0, 0.8), (0.5 * np.pi, -0.6), (np.pi, -0.4)))
+CASES = (
+    LoadCase("dead", self_weight=True),
+    LoadCase("snow", snow=Snow(500.0)),
+    LoadCase("wind", wind=WIND),
+    LoadCase("point", self_weight=True, points=(PointLoad((2, 2), (3.0, -2.0, -5.0)),)),
+)
+STRUCTURE = Structure(270e6, 0.3, (Support("feet", "pinned"),), CASES, 0.01, cells=2)
+
+
+@cache
+def designed(name: str, rows: int, columns: int) -> Design:
+    file = read_design_file(EXAMPLES / f"{name}.toml")
+    pattern = file.pattern.sized(rows, columns)
+    return pattern.design(file.f, file.g)
+
+
+def analysed(
+    structure: Structure, shell: tuple[str, int, int] = ("figure2", 7, 9), *, tied: bool = False
+) -> Analysis:
+    design = designed(*shell)
+    feet = find_feet(design)
+    assert feet is not None
+    inner = design.mechanism.inner_columns
+    ends = range(inner.start, inner.stop)
+    ties = tuple(((feet.rows[0], each), (feet.rows[1], each)) for each in ends) if tied else ()
+    return analyse(design, structure, Frame("m", feet.rows, ties, 1.9, None))
+
+
+@pytest.mark.parametrize("tied", [False, True])
+@pytest.mark.parametrize(
+    "support",
+    [
+        Support("feet", "pinned"),
+        Support("feet", "fixed"),
+        Support("feet", "sliding"),
+        Support("feet", "friction", 0.0),
+        Support("ends", "fixed"),
+    ],
+)
+@pytest.mark.parametrize("stiffness", [(0.0, np.inf), (20.0, 20.0)])
+@pytest.mark.parametrize("shell", [("figure1", 3, 4), ("figure2", 7, 9)])
+def test_reactions_balance_loads(
+    shell: tuple[str, int, int], stiffness: tuple[float, float], support: Support, tied: bool
+) -> None:
+    structure = replace(STRUCTURE, supports=(support,), crease_stiffness=stiffness)
+    found = analysed(structure, shell, tied=tied)
+    for case in found.cases:
+        if case.motion is None:
+            assert case.balance.residual < 1e-9, case.name
+            np.testing.assert_allclose(
+                case.balance.reaction, -case.loads.sum(axis=0), atol=1e-9 * np.abs(case.loads).sum()
+            )
+            least = -1e-7 * np.abs(case.loads).sum()
+            assert (case.tie_forces >= least).all()
+            assert (case.flap_forces >= least).all()
+        elif support.kind in ("pinned", "fixed"):
+            pytest.fail(f"{case.name} moves on feet that are held")
+        else:
+            assert case.loads.ravel() @ case.motion.displacements.ravel() > 0
+
+
+def test_wind_pushes_aside_what_nothing_holds() -> None:
+    found = analysed(replace(STRUCTURE, supports=(Support("feet", "sliding"),)))
+    motion = {case.name: case.motion for case in found.cases}["wind"]
+    assert motion is not None
+    assert not motion.folding
+
+
+def test_a_case_without_loads_is_one() -> None:
+    found = analysed(
+        replace(STRUCTURE, cases=(LoadCase("none"), LoadCase("dead", self_weight=True)))
+    )
+    nothing = found.cases[0]
+    assert nothing.motion is None
+    assert nothing.buckling is None
+    assert np.abs(nothing.displacements).max() == 0
+
+
+def test_linear_cases_superpose() -> None:
+    """Rigid creases, pinned feet, and flaps that are left out."""
+    both = LoadCase("both", combine=(("dead", 2.0), ("wind", -3.0)))
+    parts = replace(STRUCTURE, crease_stiffness=(np.inf, np.inf))
+    whole = replace(parts, cases=(*CASES, both))
+    a, b = analysed(parts), analysed(whole)
+    assert all(len(case.flap_forces) == len(a.flaps) for case in a.cases)
+    if all((case.flap_forces == 0).all() for case in (*a.cases, *b.cases)):
+        named = {case.name: case.displacements for case in a.cases}
+        found = {case.name: case.displacements for case in b.cases}["both"]
+        np.testing.assert_allclose(
+            found, 2 * named["dead"] - 3 * named["wind"], atol=1e-9 * np.abs(found).max()
+        )
