@@ -32,6 +32,9 @@ NOT_COVERED = (
 
 def motion_in_words(motion: FreeMotion) -> str:
     """How a shell moves under its loads, what does not hold it, and what would."""
+    if motion.folding and not motion.holds:
+        way = "opens" if motion.opens else "closes"
+        return f"{way} under its loads: neither ties between its feet nor pinned supports hold it"
     if not motion.folding:
         words = "slides or tips as a whole under its loads: its supports do not hold it"
     elif motion.opens:

@@ -69,7 +69,12 @@ class Response:
 
 
 def respond(held: Held, loads: Array) -> Response:
-    """What loads (n,) on free freedoms do to a structure.
+    """What loads do to a structure.
+
+    Parameters
+    ----------
+    loads
+        Loads (n,) on its free freedoms.
 
     Raises
     ------

@@ -256,6 +256,12 @@ class Model:
 
 
 def models(design: Design, structure: Structure, frame: Frame, cells: int) -> Sequence[Model]:
-    """The design with every stiffness of its creases, the least first."""
+    """The design with every stiffness of its creases, the least first.
+
+    Parameters
+    ----------
+    cells
+        Cells along every side of a panel.
+    """
     stiffness = dict.fromkeys(structure.crease_stiffness)
     return [Model(design, structure, frame, cells, each) for each in stiffness]

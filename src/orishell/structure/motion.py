@@ -47,10 +47,10 @@ def describe_motion(model: Model, shape: Array, forces: Array) -> FreeMotion:
 def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
     """What would hold a shell of those things that it lacks."""
     structure, frame = model.structure, model.frame
-    pinned = tuple(Support(each.at, "pinned") for each in structure.supports)
-    tried: dict[Hold, Model] = {
-        "pinned": replace(model, structure=replace(structure, supports=pinned))
-    }
+    tried: dict[Hold, Model] = {}
+    if any(each.kind in {"sliding", "friction"} for each in structure.supports):
+        pinned = tuple(Support(each.at, "pinned") for each in structure.supports)
+        tried["pinned"] = replace(model, structure=replace(structure, supports=pinned))
     if frame.feet is not None and not frame.ties:
         inner = model.sheet.inner_columns
         columns = np.arange(model.grid.columns)[inner] + model.before
