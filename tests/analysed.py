@@ -96,10 +96,7 @@ def analysed() -> Analysis:
         flaps=(((0, 0), (1, 0)), ((1, 0), (2, 0))),
         mass=32.2,
         cases=(
-            moving(
-                case("both", 0.0),
-                FreeMotion(displacements / 0.15, folding=True, opens=True, holds=("ties",)),
-            ),
+            moving(case("both", 0.0), FreeMotion(displacements / 0.15, folding=True, opens=True)),
             case("wind", 0.0),
             case("both", np.inf),
             case("wind", np.inf),

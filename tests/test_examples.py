@@ -311,7 +311,7 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     assert kit.buckling == pytest.approx(0.0197, rel=0.01)
     assert kit.displaced > 1
     assert not kit.carries
-    # With free creases the wind blows it open, pinned as it is.
+    # With free creases it is far too soft for a storm, pinned as it is.
     moving = {(case.name, case.stiffness) for case in boards.analysis.cases if case.motion}
     assert moving == {("storm across", 0.0), ("storm along", 0.0)}
 
@@ -320,10 +320,10 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     assert (rigid.carries, sprung.carries, free.carries) == (True, True, False)
     assert [round(each.buckling, 2) for each in (rigid, sprung, free)] == [4.32, 3.26, 0.48]
     assert [round(each.displaced, 3) for each in (rigid, sprung, free)] == [0.010, 0.014, 0.204]
-    ground = module["on_the_ground"](plywood, 0.5).cases
+    ground = module["on_the_ground"](plywood, 0.3).cases
     assert [case.name for case in ground if case.motion] == ["storm across", "storm along"]
     (snow,) = (case for case in ground if not case.motion)
-    assert snow.tie_forces.max() == pytest.approx(1182, abs=1)
+    assert snow.tie_forces.max() == pytest.approx(1180, abs=1)
     assert snow.tie_forces.argmax() in {0, len(snow.tie_forces) - 1}  # at a gable
 
 

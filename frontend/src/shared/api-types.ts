@@ -380,8 +380,8 @@ export interface ModelReport {
   triangles: number;
   /** Size of the mesh. */
   freedoms: number;
-  /** By what share the largest displacement changed when cells were halved for the last time; None if they were not. */
-  change: number | null;
+  /** By what share the largest displacement of a case changed when cells were halved for the last time. */
+  change: number;
   /** Of all panels (kg). */
   mass: number;
   /** Of the shell between its flaps. */

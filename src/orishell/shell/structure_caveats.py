@@ -11,6 +11,8 @@ from orishell.structure.settings import NO_CODE, LoadCase, Structure
 LARGE = 0.05
 """Displacements above this share of the shell's height are too large for linear theory: the thrust
 of an arch is a moment of its loads over its height, so it is wrong by about as much."""
+COARSE = 0.1
+"""Displacements that change by more than this share with cells half as large are not near."""
 LEAST_BUCKLING = 3.0
 """Below this factor a shell may well buckle: imperfect ones do before linear theory says so."""
 HOLDS: dict[Hold, str] = {"ties": "ties between its feet", "pinned": "pinned supports"}
@@ -32,15 +34,16 @@ NOT_COVERED = (
 
 def motion_in_words(motion: FreeMotion) -> str:
     """How a shell moves under its loads, what does not hold it, and what would."""
-    if motion.folding and not motion.holds:
-        way = "opens" if motion.opens else "closes"
-        return f"{way} under its loads: neither ties between its feet nor pinned supports hold it"
-    if not motion.folding:
+    if motion.soft:
+        words = "gives way under its loads, by more than its own size: it is far too soft for them"
+    elif not motion.folding:
         words = "slides or tips as a whole under its loads: its supports do not hold it"
     elif motion.opens:
         words = "opens under its loads: nothing holds the feet together"
     else:
         words = "closes under its loads: nothing holds the feet apart"
+    if motion.soft and not motion.holds:
+        return words
     if not motion.holds:
         return f"{words}; neither ties between its feet nor pinned supports would"
     return f"{words}; {' or '.join(HOLDS[each] for each in motion.holds)} would"
@@ -64,7 +67,9 @@ def name_of(case: CaseReport, cases: Sequence[CaseReport]) -> str:
     )
 
 
-def warn_of_structure(structure: Structure, cases: Sequence[CaseReport]) -> Iterator[str]:
+def warn_of_structure(
+    structure: Structure, cases: Sequence[CaseReport], change: float
+) -> Iterator[str]:
     """Warnings of what moves, of what bears too much, and of where the analysis ends.
 
     Parameters
@@ -73,7 +78,14 @@ def warn_of_structure(structure: Structure, cases: Sequence[CaseReport]) -> Iter
         What was asked.
     cases
         What was found.
+    change
+        By what share displacements changed when cells were halved for the last time.
     """
+    if change > COARSE:
+        yield (
+            f"displacements changed by {100 * change:.3g} % when cells were halved: finer ones "
+            f"(cells, or refine, in [structure]) come nearer"
+        )
     for case in cases:
         found = [f"the shell {case.moves}"] if case.moves is not None else []
         if case.stands is not None:

@@ -60,12 +60,8 @@ def _rows(model: ModelReport, said: Quantities) -> Iterator[tuple[str, str]]:
         "Mesh",
         f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} freedoms",
     )
-    change = model.change
-    refined = "not refined: how far the figures depend on the mesh was not found"
-    if change is not None:
-        refined = "cells were halved until the largest displacement changed by " + quantity(
-            100 * change, "%", 3
-        )
+    changed = quantity(100 * model.change, "%", 3)
+    refined = f"displacements changed by {changed} when cells were halved for the last time"
     yield "Refinement", refined
 
 

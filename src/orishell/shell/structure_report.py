@@ -45,8 +45,8 @@ class ModelReport:
     nodes, triangles, freedoms
         Size of the mesh.
     change
-        By what share the largest displacement changed when cells were halved for the last time;
-        None if they were not.
+        By what share the largest displacement of a case changed when cells were halved for the last
+        time.
     mass
         Of all panels (kg).
     height
@@ -73,7 +73,7 @@ class ModelReport:
     nodes: int
     triangles: int
     freedoms: int
-    change: float | None
+    change: float
     mass: float
     height: float
     thickness: float
@@ -158,7 +158,7 @@ def describe_structure(
         model=model,
         cases=cases,
         governs=_governing(cases),
-        warnings=tuple(warn_of_structure(structure, cases)),
+        warnings=tuple(warn_of_structure(structure, cases, analysis.change)),
         not_covered=NOT_COVERED,
     )
 

@@ -170,8 +170,6 @@ def _who_acts(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array]
     count, total, sliding = len(held.conditions), len(held.rows), held.sliding
     root = np.sqrt(held.springs)
     own = count + len(sliding)
-    if not own:
-        return np.zeros(total, dtype=bool), np.zeros((total, total))
     give = np.zeros(total)
     give[:count] = held.conditions.compliance * held.springs[:count]
     # Unknown: l of the conditions and of friction, h of the rest.

@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.conventions.progress import Progress, stretch, unwatched
 from orishell.design import Design
-from orishell.errors import InputError
+from orishell.errors import InputError, VerificationError
 from orishell.numerics.arrays import Array
 from orishell.structure.acting import Response, respond
 from orishell.structure.crease_moments import crease_moments
@@ -26,6 +26,8 @@ FREQUENCIES = 3
 """How many frequencies are found."""
 FINEST = 32
 """Cells are not halved beyond so many along a side."""
+UNBALANCED = 1e-6
+"""Loads and reactions that balance no better than this mean that the program is wrong."""
 
 
 def analyse(
@@ -44,19 +46,44 @@ def analyse(
     ------
     InputError
         If supports or loads do not fit the sheet, or its own weight is asked for and not known.
+    VerificationError
+        If loads and reactions do not balance: a fault of the program.
     """
     _require_mass(structure, frame)
-    cells, before = structure.cells, None
+    cells = structure.cells
+    coarse = _displaced(design, structure, frame, max(cells // 2, 1))
     while True:
-        found = _analysed(design, structure, frame, cells, progress)
-        largest = _largest(found)
-        change = None if before is None else abs(largest - before) / largest
-        found = replace(found, change=change)
-        if not structure.refine or 2 * cells > FINEST or not largest > 0:
-            return found
-        if change is not None and change < structure.refine:
-            return found
-        cells, before = 2 * cells, largest
+        halves = [stretch(progress, 0.0, 0.5), stretch(progress, 0.5, 1.0)]
+        if structure.refine and 2 * cells <= FINEST:
+            halves[0](0.0, f"with {cells} x {cells} cells to a panel")
+            fine = _displaced(design, structure, frame, cells)
+            if _change(coarse, fine) > structure.refine:
+                coarse, cells = fine, 2 * cells
+                continue
+        found = _analysed(design, structure, frame, cells, halves[1])
+        fine = np.array([_largest(case.displacements) for case in found.cases])
+        return replace(found, change=_change(coarse, fine))
+
+
+def _displaced(design: Design, structure: Structure, frame: Frame, cells: int) -> Array:
+    """The largest displacement of every case, not a number where it moves."""
+    found = []
+    for model in models(design, structure, frame, cells):
+        for case in structure.analysed:
+            forces = case_forces(model.exposure, case, structure.cases)
+            response = respond(model.held, model.free_loads(forces))
+            found.append(model.furthest(response.displacements))
+    return np.array(found)
+
+
+def _largest(displacements: Array) -> float:
+    return float(np.linalg.norm(displacements, axis=1).max())
+
+
+def _change(coarse: Array, fine: Array) -> float:
+    """The largest relative change of the cases that stand."""
+    change = np.abs(fine - coarse) / np.where(fine, fine, 1.0)
+    return float(np.max(change, where=np.isfinite(change), initial=0.0))
 
 
 def _require_mass(structure: Structure, frame: Frame) -> None:
@@ -66,12 +93,6 @@ def _require_mass(structure: Structure, frame: Frame) -> None:
             where="[[load_case]] self_weight",
             remedy="give density in [panel], or areal_density in [workshop]",
         )
-
-
-def _largest(analysis: Analysis) -> float:
-    """The largest displacement of all cases that stand."""
-    standing = [case for case in analysis.cases if case.motion is None]
-    return max((float(np.abs(case.displacements).max()) for case in standing), default=0.0)
 
 
 def _analysed(
@@ -99,7 +120,7 @@ def _analysed(
         cases=tuple(results),
         exposure=model.exposure,
         held=model.supports.as_if_pinned(),
-        change=None,
+        change=0.0,
     )
 
 
@@ -112,18 +133,14 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
     """One case with one stiffness of creases."""
     mesh, held = model.mesh, model.held
     forces = case_forces(model.exposure, case, model.structure.cases)
-    loads = np.zeros(mesh.count)
-    loads[: forces.size] = forces.ravel()
-    response = respond(held, loads[held.free])
+    response = respond(held, model.free_loads(forces))
     if response.moves is not None:
         return _moving(model, case, forces, response.moves)
-    moved = np.zeros(mesh.count)
-    moved[held.free] = response.displacements
-    shape = moved[mesh.translations()]
-    if np.linalg.norm(shape, axis=1).max() > model.size:
-        return _moving(model, case, forces, response.displacements)
-    pulls = held.pulls(response.forces)
-    residual = held.stiffness @ moved + pulls - loads
+    if model.furthest(response.displacements) > model.size:
+        return _moving(model, case, forces, response.displacements, soft=True)
+    moved = model.moved(response.displacements)
+    residual = held.stiffness @ moved + held.pulls(response.forces)
+    residual[: forces.size] -= forces.ravel()
     reactions, balance = _reactions(model, forces, residual, response)
     ties, flaps = len(model.ties()), len(model.flaps())
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.freedoms()])
@@ -137,27 +154,29 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
     frequencies, modes = np.zeros(0), np.zeros((0, *forces.shape))
     if model.frame.areal_mass:
         frequencies, found = find_frequencies(inverse, model.inertia()[held.free], FREQUENCIES)
-        modes = np.stack([_shape(model, mode) for mode in found.T])
+        modes = np.stack([_unit(model, mode) for mode in found.T])
     return CaseResult(
         name=case.name,
         stiffness=model.stiffness,
         loads=forces,
         motion=None,
         balance=balance,
-        displacements=shape,
+        displacements=model.shape(response.displacements),
         reactions=reactions,
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else (buckling[0], _shape(model, buckling[1])),
+        buckling=None if buckling is None else (buckling[0], _unit(model, buckling[1])),
         frequencies=frequencies,
         modes=modes,
     )
 
 
-def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseResult:
+def _moving(
+    model: Model, case: LoadCase, forces: Array, moves: Array, *, soft: bool = False
+) -> CaseResult:
     """A case that nothing balances."""
     nodes, triangles = len(forces), len(model.mesh.facets.triangles)
     unknown = np.full(3, np.nan)
@@ -166,7 +185,7 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
         name=case.name,
         stiffness=model.stiffness,
         loads=forces,
-        motion=describe_motion(model, _shape(model, moves), forces),
+        motion=describe_motion(model, _unit(model, moves), forces, soft=soft),
         balance=Balance(forces.sum(axis=0), unknown, float("nan")),
         displacements=np.full((nodes, 3), np.nan),
         reactions=np.full((len(model.supports.vertices()), 3), np.nan),
@@ -181,12 +200,9 @@ def _moving(model: Model, case: LoadCase, forces: Array, moves: Array) -> CaseRe
     )
 
 
-def _shape(model: Model, mode: Array) -> Array:
+def _unit(model: Model, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
-    moved = np.zeros(model.mesh.count)
-    moved[model.held.free] = mode
-    shape = moved[model.mesh.translations()]
-    return np.asarray(shape / np.linalg.norm(shape, axis=1).max())
+    return model.shape(mode) / model.furthest(mode)
 
 
 def _reactions(
@@ -212,4 +228,9 @@ def _reactions(
     scale = float(np.linalg.norm(forces, axis=1).sum())
     worst = max(float(np.linalg.norm(missing)), float(np.linalg.norm(moment)) / model.size)
     balance = Balance(forces.sum(axis=0), at_nodes.sum(axis=0), worst / scale if scale else 0.0)
+    if balance.residual > UNBALANCED:
+        raise VerificationError(
+            f"loads and reactions do not balance, {balance.residual:.2g} of the loads are missing: "
+            "this is a fault of the program"
+        )
     return at_nodes[model.supports.vertices()], balance

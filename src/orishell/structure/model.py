@@ -239,6 +239,26 @@ class Model:
         supported = self.supports.freedoms(mesh)
         return hold(stiffness, mesh, supported, self.conditions(), self.grid)
 
+    def free_loads(self, forces: Array) -> Array:
+        """Loads on free freedoms (n,) of forces on nodes (N, 3)."""
+        loads = np.zeros(self.mesh.count)
+        loads[: forces.size] = forces.ravel()
+        return np.asarray(loads[self.held.free])
+
+    def moved(self, displacements: Array) -> Array:
+        """Displacements and rotations (D,), by displacements of free freedoms (n,)."""
+        moved = np.zeros(self.mesh.count)
+        moved[self.held.free] = displacements
+        return moved
+
+    def shape(self, displacements: Array) -> Array:
+        """Displacements (N, 3) of nodes, by displacements of free freedoms (n,)."""
+        return np.asarray(self.moved(displacements)[self.mesh.translations()])
+
+    def furthest(self, displacements: Array) -> float:
+        """The largest displacement of a node, by displacements of free freedoms (n,)."""
+        return float(np.linalg.norm(self.shape(displacements), axis=1).max())
+
     def mass(self) -> Array:
         """Mass (N,) at every node (kg)."""
         exposure = self.exposure

@@ -18,7 +18,7 @@ SHARE = 0.1
 """A motion that takes this share of its vertices' displacements from folding is a folding one."""
 
 
-def describe_motion(model: Model, shape: Array, forces: Array) -> FreeMotion:
+def describe_motion(model: Model, shape: Array, forces: Array, *, soft: bool = False) -> FreeMotion:
     """Say of a free motion what it is, and what would hold the shell: that has been tried.
 
     Parameters
@@ -27,6 +27,8 @@ def describe_motion(model: Model, shape: Array, forces: Array) -> FreeMotion:
         Displacements (N, 3) of nodes.
     forces
         Forces (N, 3) on them.
+    soft
+        Whether something resists it, but too little.
     """
     drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
     near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))
@@ -41,16 +43,17 @@ def describe_motion(model: Model, shape: Array, forces: Array) -> FreeMotion:
     found = shape[: len(points)].reshape(-1)
     part = float(folding @ found)
     folds = abs(part) > SHARE * float(np.linalg.norm(found))
-    return FreeMotion(shape, folds, part < 0 if folds else None, _holds(model, forces))
+    holds = _holds(model, forces)
+    return FreeMotion(shape, folds, part < 0 if folds else None, holds, soft)
 
 
 def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
     """What would hold a shell of those things that it lacks."""
     structure, frame = model.structure, model.frame
-    tried: dict[Hold, Model] = {}
-    if any(each.kind in {"sliding", "friction"} for each in structure.supports):
-        pinned = tuple(Support(each.at, "pinned") for each in structure.supports)
-        tried["pinned"] = replace(model, structure=replace(structure, supports=pinned))
+    pinned = tuple(Support(each.at, "pinned") for each in structure.supports)
+    tried: dict[Hold, Model] = {
+        "pinned": replace(model, structure=replace(structure, supports=pinned))
+    }
     if frame.feet is not None and not frame.ties:
         inner = model.sheet.inner_columns
         columns = np.arange(model.grid.columns)[inner] + model.before
@@ -61,6 +64,5 @@ def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
 
 
 def _stands(model: Model, forces: Array) -> bool:
-    loads = np.zeros(model.mesh.count)
-    loads[: forces.size] = forces.ravel()
-    return respond(model.held, loads[model.held.free]).moves is None
+    response = respond(model.held, model.free_loads(forces))
+    return response.moves is None and model.furthest(response.displacements) <= model.size

@@ -41,9 +41,7 @@ Hold = Literal["ties", "pinned"]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FreeMotion:
-    """A motion that the loads drive, and that nothing resists.
-
-    Or next to nothing: they would displace the shell by more than its size.
+    """A motion that the loads drive, and that nothing resists, or next to nothing.
 
     Parameters
     ----------
@@ -55,12 +53,15 @@ class FreeMotion:
         Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
     holds
         What would hold the shell: each was tried with these loads.
+    soft
+        Whether something resists it, but so little that it goes beyond the size of the shell.
     """
 
     displacements: Array
     folding: bool
     opens: bool | None
     holds: tuple[Hold, ...] = ()
+    soft: bool = False
 
     __repr__ = in_one_line
 
@@ -101,7 +102,8 @@ class CaseResult:
         Factor of all loads at which the shell buckles, by linear theory; None if it does not, and
         the mode (N, 3), the largest displacement is 1.
     frequencies
-        Lowest natural frequencies (M,), loaded as it is: ties that are slack are left out (Hz).
+        Lowest natural frequencies (M,), loaded as it is: ties that are slack are left out, and free
+        motions, which have none (Hz).
     modes
         Their modes (M, N, 3), the largest displacement is 1.
     """
@@ -156,8 +158,8 @@ class Analysis:
         Supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation
         along x, y, z; feet on the ground as if they were pinned.
     change
-        By what share the largest displacement changed when cells were halved for the last time;
-        None if they were not.
+        By what share the largest displacement of a case changed when cells were halved for the last
+        time.
     """
 
     grid: Grid
@@ -171,6 +173,6 @@ class Analysis:
     cases: tuple[CaseResult, ...]
     exposure: Exposure
     held: Integers
-    change: float | None
+    change: float
 
     __repr__ = in_one_line

@@ -12,7 +12,7 @@ from orishell.structure.inverse import Inverse, largest
 
 
 def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
-    """Lowest frequencies (count,), 0 for every free motion, and their modes (n, count) (Hz).
+    """Lowest frequencies (count,) but those of free motions, and their modes (n, count) (Hz).
 
     Parameters
     ----------
@@ -24,17 +24,11 @@ def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, 
     free = inverse.motions
     heavy = mass[:, None] * free
     held_back = np.linalg.solve(free.T @ heavy, heavy.T) if free.size else heavy.T
-    still = min(free.shape[1], count)
 
     def apply(moved: Array) -> Array:
         # Without the free motions' share, so that what is left is in balance.
         bare = moved - free @ (held_back @ moved)
         return np.asarray(mass * bare - heavy @ (held_back @ bare))
 
-    frequencies, modes = np.zeros(count), np.zeros((len(mass), count))
-    modes[:, :still] = free[:, :still]
-    if still < count:
-        values, found = largest(inverse, apply, count - still)
-        frequencies[still:] = 1 / np.sqrt(values) / (2 * np.pi)
-        modes[:, still:] = found - free @ (held_back @ found)
-    return frequencies, modes
+    values, modes = largest(inverse, apply, count)
+    return 1 / np.sqrt(values) / (2 * np.pi), modes - free @ (held_back @ modes)
