@@ -104,8 +104,9 @@ assert report is not None
 print("\n".join(summarize_structure(report, "m", [])))
 
 # %%
-# **Not anchored** it does not stay: wind lifts more than it weighs, and carries it off.
-# Under snow alone, on ground with a coefficient of friction of 0.3, ties do their work: the first one, at a gable, most.
+# **Not anchored** it does not stay: wind lifts more than it weighs, and carries it off. Under snow
+# alone, on ground with a coefficient of friction of 0.3, ties do their work: the first one, at a
+# gable, most.
 
 for case in on_the_ground(plywood, 0.3).cases:
     answer = "is carried off" if case.motion else f"stands, ties bear {case.tie_forces.max():.0f} N"
