@@ -14,8 +14,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "src" / "orishell"
 PICTURE = ROOT / "docs" / "images" / "house.svg"
-WIDTH, ROOM, HEIGHT, STEP = 1080, 246, 62, 92
-"""Of the picture, of a room, and from floor to floor (pixels)."""
+WIDTH, ROOM, HEIGHT, STEP, GAP, LETTER = 1080, 246, 62, 92, 8, 5.3
+"""Of the picture, of a room at most, from floor to floor, between rooms, of a letter (pixels)."""
 STYLE = """
 .room { fill: #f5f1e8; stroke: #1f4e79; }
 .name { font: bold 14px monospace; fill: #1f4e79; }
@@ -89,6 +89,7 @@ def draw_house() -> str:
         for floor, row in enumerate(floors)
         for k, room in enumerate(row)
     }
+    widths = {room: min(ROOM, WIDTH // len(row) - GAP) for row in floors for room in row}
     parts = []
     for room, asked in sorted(leave_out_what_follows(read_imports()).items()):
         x, y = places[room]
@@ -100,14 +101,14 @@ def draw_house() -> str:
                 f'{middle:.0f} {u:.0f} {v:.0f}"/>'
             )
     for room, (x, y) in places.items():
-        left = x - ROOM / 2
+        left = x - widths[room] / 2
         parts.append(
-            f'<rect class="room" x="{left:.0f}" y="{y:.0f}" width="{ROOM}" height="{HEIGHT}" '
-            'rx="3"/>'
+            f'<rect class="room" x="{left:.0f}" y="{y:.0f}" width="{widths[room]}" '
+            f'height="{HEIGHT}" rx="3"/>'
         )
         parts.append(f'<text class="name" x="{left + 8:.0f}" y="{y + 17:.0f}">{room}</text>')
         what = ast.get_docstring(ast.parse(rooms[room][0].read_text(encoding="utf-8"))) or ""
-        for k, line in enumerate(textwrap.wrap(what.splitlines()[0], 46)):
+        for k, line in enumerate(textwrap.wrap(what.splitlines()[0], int(widths[room] / LETTER))):
             parts.append(
                 f'<text class="what" x="{left + 8:.0f}" y="{y + 32 + 12 * k:.0f}">{line}</text>'
             )

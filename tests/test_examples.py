@@ -14,6 +14,7 @@ from orishell import Shell
 from orishell.deployment import find_pack
 from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
+from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.solids import drive_for_height
 
@@ -293,6 +294,78 @@ def test_shelter_of_boards(
         "64 kg of boards from 41 sheets, 24 kg of fabric, 159 m of hinges",
         "flaps stop 5.55 degrees short of folding flat, and bear on 7.4 m of edges",
     ]
+
+
+@pytest.mark.slow
+def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
+    """The kit of boards does not carry snow and wind; plywood of 15 mm with locked creases does."""
+    module = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
+    design, judge, with_creases = (module[name] for name in ("design", "judge", "with_creases"))
+    boards = design()
+    report = boards.report.structure
+    assert report is not None
+    assert report.governs is not None
+    assert (report.governs.part, report.governs.case) == ("buckling", "storm across")
+    kit = judge(boards, with_creases(boards))
+    assert kit.mass == pytest.approx(86.8, abs=0.05)
+    assert kit.buckling == pytest.approx(0.0197, rel=0.01)
+    assert kit.displaced > 1
+    assert not kit.carries
+    # With free creases it is far too soft for a storm, pinned as it is.
+    moving = {(case.name, case.stiffness) for case in boards.analysis.cases if case.motion}
+    assert moving == {("storm across", 0.0), ("storm along", 0.0)}
+
+    plywood = design(module["PLYWOOD"])
+    rigid, sprung, free = (judge(plywood, with_creases(plywood, k)) for k in (math.inf, 2e4, 0.0))
+    assert (rigid.carries, sprung.carries, free.carries) == (True, True, False)
+    assert [round(each.buckling, 2) for each in (rigid, sprung, free)] == [4.32, 3.26, 0.48]
+    assert [round(each.displaced, 3) for each in (rigid, sprung, free)] == [0.010, 0.014, 0.204]
+    ground = module["on_the_ground"](plywood, 0.3).cases
+    assert [case.name for case in ground if case.motion] == ["storm across", "storm along"]
+    (snow,) = (case for case in ground if not case.motion)
+    assert snow.tie_forces.max() == pytest.approx(1180, abs=1)
+    assert snow.tie_forces.argmax() in {0, len(snow.tie_forces) - 1}  # at a gable
+
+
+def test_loads_of_the_shelter_by_hand() -> None:
+    """Snow on the plan, wind on the faces, reactions against both: from areas and formulas."""
+    module = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
+    plywood = module["design"](module["PLYWOOD"])
+    found = module["with_creases"](plywood, cells=1)
+    by_name = {case.name: case for case in found.cases}
+    positions = plywood.design.mechanism.positions(plywood.design.mechanism.target_drive)
+    across = positions[1:, 1:] - positions[:-1, :-1]
+    down = positions[1:, :-1] - positions[:-1, 1:]
+    area = 0.5 * np.cross(across, down).reshape(-1, 3)
+    area *= np.sign(area[:, 2].sum())
+    size = np.linalg.norm(area, axis=1)
+    rise = np.ptp(positions[..., 2])
+    # mu_3 = 0.2 + 10 h/b, at most 2, on what is less steep than 60 degrees; b is 3.1 m.
+    assert 0.2 + 10 * rise / 3.1 > 2
+    snow = 500 * 2 * area[:, 2][area[:, 2] / size > 0.5].sum()
+    # EN 1991-1-4, terrain II: z0 = 0.05 m, 0.19 ln(z/z0), I = 1/ln(z/z0); air of 1.25 kg/m3.
+    log = math.log(rise / 0.05)
+    pressure = (1 + 7 / log) * 0.5 * 1.25 * (26 * 0.19 * log) ** 2
+
+    def wind(x: float, y: float) -> Array:
+        facing = np.degrees(np.arccos(-(area @ [x, y, 0]) / size))
+        return np.asarray(-pressure * np.interp(facing, [0, 90, 180], [0.8, -1, -0.4]) @ area)
+
+    weight = np.array([0, 0, -9.81 * found.mass])
+    expected = {
+        "winter": 1.35 * weight + [0, 0, -1.5 * snow] + 0.9 * wind(0, 1),
+        "storm across": weight + 1.5 * wind(0, 1),
+        "storm along": weight + 1.5 * wind(1, 0),
+    }
+    assert set(by_name) == set(expected)
+    for name, load in expected.items():
+        balance = by_name[name].balance
+        assert balance.load == pytest.approx(load, rel=1e-6, abs=1e-3)
+        assert balance.reaction == pytest.approx(-load, rel=1e-6, abs=1e-3)
+        assert balance.residual < 1e-9
+    # Panels and flaps, 10.2 kg per square metre; wind alone lifts more than that weighs.
+    assert found.mass > 10.2 * size.sum()
+    assert wind(0, 1)[2] > -weight[2]
 
 
 @pytest.mark.slow

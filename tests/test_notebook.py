@@ -17,6 +17,7 @@ from documents import demo_document
 from orishell import (
     Design,
     FoldingMotion,
+    analyse_structure,
     curve_from_formulas,
     design_parallel_repeating,
     notebook,
@@ -29,7 +30,7 @@ from orishell.io.all_formats import FORMATS
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.notebook import show
-from orishell.shell.export import write_format, write_shell
+from orishell.shell.export import write_format, write_shell, write_structure
 from orishell.shell.overlay import lay_surface
 from public_names import public_callables
 from viewer_pages import pixels, require_viewer, running_browser, watched_page
@@ -94,6 +95,10 @@ def test_what_has_too_little_to_be_shown_or_written_says_what_to_call(tmp_path: 
         write_shell(design, tmp_path / "out")
     with pytest.raises(InputError, match="document_of_design"):
         write_format(design, html, tmp_path, DEFAULT_SETTINGS)
+    with pytest.raises(InputError, match=r"got Design, .* design_shell"):
+        write_structure(design, tmp_path / "out")
+    with pytest.raises(InputError, match=r"got Design, .* design_shell"):
+        analyse_structure(design)
     assert not list(tmp_path.iterdir())
     with pytest.raises(InputError, match=r"got Design, .* take design\.mechanism"):
         FoldingMotion(design, 3)
@@ -116,6 +121,8 @@ def test_every_function_that_takes_a_shell_is_among_these() -> None:
         "orishell.notebook.show",
         "orishell.shell.write_shell",
         "orishell.shell.write_format",
+        "orishell.shell.write_structure",
+        "orishell.shell.analyse_structure",
     }
 
 

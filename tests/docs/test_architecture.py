@@ -16,12 +16,12 @@ from house_picture import (
     upward,
 )
 
-MOST_ROOMS = 25
+MOST_ROOMS = 26
 """More than these nobody keeps in mind.
 
-Two more than before: how a shell travels and what holds it, ``deployment``, and what its panels are
-as boards, ``solids``, are subjects of their own. Both ask the motion, and nothing of families,
-proof or files.
+How a shell travels and what holds it, ``deployment``, what its panels are as boards, ``solids``,
+and whether it stands, ``structure``, are subjects of their own. They ask the motion, and nothing
+of families, proof or files.
 """
 
 

@@ -16,6 +16,7 @@ LINKED = {
     "families/vertex.py": "vertex",
     "clash/__init__.py": "locking-and-clash",
     "solids/__init__.py": "thickness",
+    "structure/__init__.py": "structure",
     "deviation/__init__.py": "deviation",
     "families/parallel_repeating/__init__.py": "parallel-repeating",
     "families/orthodiagonal/__init__.py": "orthodiagonal",

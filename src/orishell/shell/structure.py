@@ -64,9 +64,17 @@ def analyse_structure(
     Raises
     ------
     InputError
-        If there is no structure to analyse, supports or loads do not fit the sheet, or own weight
-        is asked for and not known.
+        If this is no shell, there is no structure to analyse, supports or loads do not fit the
+        sheet, or own weight is asked for and not known.
     """
+    from orishell.shell.make import Shell
+
+    if not isinstance(shell, Shell):
+        raise InputError(
+            "only a shell is analysed as a structure",
+            got=type(shell).__name__,
+            expected="a Shell, which design_shell makes from a design file",
+        )
     structure = structure or shell.file.structure
     if structure is None:
         raise InputError(

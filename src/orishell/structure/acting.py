@@ -45,6 +45,8 @@ SOFTER = 1e-9, 1e-7, 1e-11
 """The same of T where nothing rubs."""
 NO_GIVE, EXCHANGES = 1e-12, 100
 """Flexibilities below this are none; so many exchanges by condition are tried."""
+LOWERINGS, SETTLED = 200, 1e-6
+"""So often are feet let down that slip, until slips change by less than this share of all gaps."""
 SIDES = 12
 """Of friction's polygon, whose corners are on the circle."""
 
@@ -77,7 +79,12 @@ class Response:
 
 
 def respond(held: Held, loads: Array) -> Response:
-    """What loads (n,) on free freedoms do to a structure.
+    """What loads do to a structure.
+
+    Parameters
+    ----------
+    loads
+        Loads (n,) on its free freedoms.
 
     Raises
     ------
@@ -111,6 +118,9 @@ def _guesses(held: Held, loads: Array) -> Iterator[tuple[Booleans, Array] | None
         return
     for softer in SOFTER:
         yield _who_presses(held, loads, softer)
+    if len(held.sliding):
+        for softer in SOFTER:
+            yield _who_rubs(held, loads, softer)
     yield from (_who_acts(held, loads, give, stiffer) for give, stiffer in TRIES)
 
 
@@ -177,6 +187,59 @@ def _who_presses(held: Held, loads: Array, softer: float) -> tuple[Booleans, Arr
         if not lifted.any():
             return acting, np.zeros(total)
         acting[count : count + len(held.sliding)] &= ~lifted
+
+
+def _who_rubs(held: Held, loads: Array, softer: float) -> tuple[Booleans, Array] | None:
+    """Which rows act (M,), and friction (M,) in those that slip; None if that is not found.
+
+    Forces of a foot are sums of forces along the edges of its cone, n + mu t. Taken as they are,
+    slip would lift a foot by mu times as much; so it is let down by that, again and again until
+    slips stay as they are.
+    """
+    from scipy.optimize import nnls
+
+    count, total, root = len(held.conditions), len(held.rows), np.sqrt(held.springs)
+    feet, own = held.conditions.rough, count + len(held.sliding)
+    a, v = np.linalg.eigh(root[:, None] * held.flexibility * root)
+    a, v = a[a > NO_GIVE], v[:, a > NO_GIVE]
+    h = np.maximum(1 - a, 0.0) + softer
+    y = v.T @ (root * (held.rows @ held.spring_solve(loads)))
+    smooth = np.setdiff1d(np.arange(count), feet)
+    cones = np.zeros((total, len(feet), SIDES))
+    cones[feet, np.arange(len(feet))] = 1.0
+    # Springs of friction are those of the feet, so that forces compare.
+    ways, mu = _polygon(), held.conditions.friction[feet]
+    for axis in range(2):
+        rows = count + 2 * np.arange(len(feet)) + axis
+        cones[rows, np.arange(len(feet))] = mu[:, None] * ways[axis]
+    edges = np.concatenate([np.eye(total)[:, smooth], cones.reshape(total, -1)], axis=1)
+    give = np.zeros(total)
+    give[:count] = held.conditions.compliance * held.springs[:count]
+    matrix = np.concatenate(
+        [np.sqrt(a / h)[:, None] * (v.T @ edges), np.sqrt(give)[:, None] * edges]
+    )
+    aim = y / np.sqrt(a * h)
+    scale = float(np.abs(aim).max()) or 1.0
+    lowered, slips = np.zeros(total), np.zeros((len(feet), 2))
+    for _ in range(LOWERINGS):
+        aimed = (aim - np.sqrt(h / a) * (v.T @ lowered)) / scale
+        whole = np.concatenate([aimed, np.zeros(total)])
+        force = scale * edges @ nnls(matrix, whole, maxiter=EXCHANGES * edges.shape[1])[0]
+        opened = v @ ((y - a * (v.T @ force)) / h)
+        before, slips = slips, opened[count:own].reshape(-1, 2)
+        lowered[feet] = mu * np.linalg.norm(slips, axis=1)
+        if np.abs(slips - before).max() <= SETTLED * np.abs(opened).max():
+            break
+    else:
+        return None
+    largest = np.abs(force).max()
+    acting, friction = np.zeros(total, dtype=bool), np.zeros(total)
+    acting[:count] = force[:count] > TOLERANCE * largest
+    moving = np.linalg.norm(slips, axis=1) > SETTLED * np.abs(opened).max()
+    stands = acting[feet]
+    acting[count:own] = (stands & ~moving).repeat(2)
+    friction[count:own] = np.where((stands & moving).repeat(2), (root * force)[count:own], 0.0)
+    return acting, friction
 
 
 def _polygon() -> Array:

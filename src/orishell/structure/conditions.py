@@ -57,7 +57,15 @@ class Conditions:
 
 
 def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
-    """Fill rows (m, D) with directions (m, 3) at nodes (m, 2), and return them."""
+    """Fill rows of conditions, and return them (m, D).
+
+    Parameters
+    ----------
+    rows
+        Rows (m, D) of the freedoms, as yet 0.
+    nodes, directions
+        Nodes (m, 2) and unit vectors (m, 3), as of :class:`Conditions`.
+    """
     number = np.arange(len(nodes))[:, None]
     apart = (nodes[:, 0] != nodes[:, 1])[:, None]
     rows[number, 3 * nodes[:, :1] + np.arange(3)] = np.where(apart, -directions, directions)
@@ -89,13 +97,27 @@ def between(points: Array, pairs: Integers, stiffness: Array, *, approach: bool)
 
 
 def on_ground(nodes: Integers, friction: Array) -> Conditions:
-    """Conditions that keep nodes (m,) from sinking, with their coefficients of friction (m,)."""
+    """Conditions that keep feet from sinking.
+
+    Parameters
+    ----------
+    nodes
+        Nodes (m,) on the ground.
+    friction
+        Its coefficient of friction (m,) under each.
+    """
     down = np.tile([0.0, 0.0, -1.0], (len(nodes), 1))
     pairs = np.stack([nodes, nodes], axis=1)
     return Conditions(pairs, down, np.zeros(len(nodes)), friction, friction >= 0)
 
 
 def joined(parts: list[Conditions]) -> Conditions:
-    """All conditions one after the other."""
+    """All conditions one after the other.
+
+    Parameters
+    ----------
+    parts
+        Those of ties, of flaps, of the ground.
+    """
     names = ("nodes", "directions", "compliance", "friction", "grounded")
     return Conditions(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

@@ -1,4 +1,4 @@
-"""Moments that creases pass on, from what the facets beside them bear."""
+"""Moments that creases pass on, from what the triangles beside them bear."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Flat triangular facets in space: stiffness of membrane and bending, assembled.
+"""Flat triangles in space: stiffness of membrane and bending, assembled.
 
 Every node has six freedoms, three translations and three rotations, in the world's axes.
 """
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 FREEDOMS = 6
 IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
-"""Freedoms of a node in its facet's axes: u, v, rotation about z; w, rotations about x and y."""
+"""Freedoms of a node in its triangle's axes: u, v, rotation about z; w, rotations about x and y."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,7 +42,7 @@ class Facets:
     __repr__ = in_one_line
 
     def axes(self) -> Array:
-        """Axes (T, 3, 3) of every facet, as rows: along its first side, in its plane, normal."""
+        """Axes (T, 3, 3) of every triangle, as rows: along its first side, in its plane, normal."""
         corners = self.points[self.triangles]
         x = corners[:, 1] - corners[:, 0]
         z = np.cross(x, corners[:, 2] - corners[:, 0])
@@ -50,19 +50,19 @@ class Facets:
         return np.stack([x, np.cross(z, x), z], axis=1)
 
     def flat(self) -> Array:
-        """Corners (T, 3, 2) of every facet in its own axes, the first in the origin."""
+        """Corners (T, 3, 2) of every triangle in its own axes, the first in the origin."""
         corners = self.points[self.triangles]
         away = corners - corners[:, :1]
         return np.asarray(np.einsum("tij,tkj->tki", self.axes(), away)[..., :2])
 
     def areas(self) -> Array:
-        """Area (T,) of every facet."""
+        """Area (T,) of every triangle."""
         corners = self.points[self.triangles]
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         return np.asarray(0.5 * np.linalg.norm(normal, axis=1))
 
     def element_stiffness(self, section: Section) -> Array:
-        """Stiffness (T, 18, 18) of every facet in the world's axes."""
+        """Stiffness (T, 18, 18) of every triangle in the world's axes."""
         axes, flat = self.axes(), self.flat()
         local = np.zeros((len(flat), 18, 18))
         membrane = membrane_stiffness(flat, section.matrix(section.membrane), section.poisson)
@@ -76,7 +76,7 @@ class Facets:
         return np.asarray(turned.swapaxes(1, 2) @ local @ turned)
 
     def freedoms(self) -> Integers:
-        """Freedoms (T, 18) of the corners of every facet, where no node has rotations apart."""
+        """Freedoms (T, 18) of the corners of every triangle, where no node has rotations apart."""
         places = FREEDOMS * self.triangles[..., None] + np.arange(FREEDOMS)
         return np.asarray(places.reshape(-1, 18))
 

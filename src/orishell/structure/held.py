@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.conventions.formatting import in_one_line
 from orishell.errors import DesignError
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.grid import Grid
@@ -88,9 +89,11 @@ class Held:
     _inner: csr_array
     _factors: Any
 
+    __repr__ = in_one_line
+
     @property
     def sliding(self) -> Integers:
-        """The foot on the ground that every row of friction belongs to (2 G,)."""
+        """The foot on the ground (2G,) that every row of friction belongs to."""
         return np.repeat(self.conditions.rough, 2)
 
     def pulls(self, forces: Array) -> Array:
@@ -98,7 +101,7 @@ class Held:
         return np.asarray(self.every_row.T @ forces)
 
     def ground_forces(self, forces: Array) -> Array:
-        """Forces (N, 3) of the ground on nodes, from those (M,) of all rows."""
+        """Forces (N, 3) of the ground on nodes, from the forces (M,) of all rows."""
         which = np.zeros(len(self.rows), dtype=bool)
         which[: len(self.conditions)] = self.conditions.grounded
         which[len(self.conditions) :][: len(self.sliding)] = True
@@ -111,16 +114,19 @@ class Held:
         return np.asarray(found + self._factors.solve(loads - self._inner @ found))
 
     def quick_solve(self, loads: Array) -> Array:
-        """A^-1 f (n,), not refined."""
+        """A^-1 f (n,) of loads (n,), not refined."""
         return np.asarray(self._factors.solve(loads))
 
     def soft_stiffness(self, moved: Array, acting: Booleans) -> Array:
-        """Forces (n,) of panels, hinges and those rows that act and give."""
+        """Forces (n,) of panels, hinges and those rows that are acting (M,) and give.
+
+        The structure is moved (n,).
+        """
         taken = np.where(acting & ~self._hard, 0.0, self.springs)
         return np.asarray(self._inner @ moved - self.rows.T @ (taken * (self.rows @ moved)))
 
     def motions(self, acting: Booleans) -> Array:
-        """What nothing resists (n, k) while some rows act (M,); orthonormal."""
+        """What nothing resists (n, k) while some rows are acting (M,); orthonormal."""
         hard = acting & self._hard
         loose = ~acting
         root = np.sqrt(self.springs[loose])
@@ -203,7 +209,7 @@ def hold(
     mesh
         Its mesh.
     supported
-        Freedoms that are supported.
+        Freedoms (H,) that are supported.
     conditions
         The one-sided conditions.
     grid

@@ -64,7 +64,7 @@ def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> cs
 def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:
     """Edges (C,) that are creases, places (C, cells+1) beside them on both sides, and nodes there.
 
-    Places are those of :attr:`SheetMesh.places`.
+    Places are those of :class:`~orishell.structure.sheet.SheetMesh`.
     """
     places, edges = np.arange(mesh.nodes.size).reshape(mesh.nodes.shape), grid.faces_edges()
     # In the order of Grid.faces_edges.

@@ -39,7 +39,7 @@ class Inverse:
 
     @classmethod
     def of(cls, held: Held, acting: Booleans, motions: Array) -> Inverse:
-        """The same, prepared."""
+        """The same, prepared, of rows that are acting (M,) and free motions (n, k)."""
         return cls(held, acting, motions, held.law(acting))
 
     def solve(self, loads: Array) -> Array:
@@ -50,7 +50,7 @@ class Inverse:
         return np.asarray(moved - self.motions @ (self.motions.T @ moved))
 
     def stiffness(self, moved: Array) -> Array:
-        """Forces (n,) of displacements (n,) that rows which act allow."""
+        """Forces (n,) of a structure that is moved (n,) as rows which act allow."""
         return np.asarray(self.held.soft_stiffness(moved, self.acting))
 
 
@@ -61,6 +61,8 @@ def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tu
     ----------
     apply
         Products of the symmetric matrix with vectors (n,).
+    count
+        How many.
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 

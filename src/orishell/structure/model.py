@@ -246,17 +246,17 @@ class Model:
         return np.asarray(loads[self.held.free])
 
     def moved(self, displacements: Array) -> Array:
-        """Displacements and rotations (D,) by those that are free (n,)."""
+        """Displacements and rotations (D,), by displacements of free freedoms (n,)."""
         moved = np.zeros(self.mesh.count)
         moved[self.held.free] = displacements
         return moved
 
     def shape(self, displacements: Array) -> Array:
-        """Displacements (N, 3) of nodes by those of free freedoms (n,)."""
+        """Displacements (N, 3) of nodes, by displacements of free freedoms (n,)."""
         return np.asarray(self.moved(displacements)[self.mesh.translations()])
 
     def furthest(self, displacements: Array) -> float:
-        """The largest displacement of a node, by those of free freedoms (n,)."""
+        """The largest displacement of a node, by displacements of free freedoms (n,)."""
         return float(np.linalg.norm(self.shape(displacements), axis=1).max())
 
     def mass(self) -> Array:
@@ -276,6 +276,12 @@ class Model:
 
 
 def models(design: Design, structure: Structure, frame: Frame, cells: int) -> Sequence[Model]:
-    """The design with every stiffness of its creases, the least first."""
+    """The design with every stiffness of its creases, the least first.
+
+    Parameters
+    ----------
+    cells
+        Cells along every side of a panel.
+    """
     stiffness = dict.fromkeys(structure.crease_stiffness)
     return [Model(design, structure, frame, cells, each) for each in stiffness]

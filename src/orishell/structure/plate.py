@@ -28,22 +28,23 @@ def plate_stiffness(corners: Array, rigidity: Array) -> Array:
     """
     area = _area(corners)
     total = np.zeros((len(corners), 9, 9))
-    for xi, eta in MIDDLES:
-        curvature = curvatures(corners, xi, eta)
+    for middle in MIDDLES:
+        curvature = curvatures(corners, middle)
         total += curvature.swapaxes(1, 2) @ rigidity @ curvature
     return np.asarray(total * (area / 3)[:, None, None])
 
 
-def curvatures(corners: Array, xi: float, eta: float) -> Array:
+def curvatures(corners: Array, at: tuple[float, float]) -> Array:
     """Curvatures (T, 3, 9) xx, yy and twice xy at a place of every triangle.
 
     Parameters
     ----------
     corners
         Corners (T, 3, 2), counter-clockwise (length).
-    xi, eta
+    at
         Area coordinates of the second and the third corner.
     """
+    xi, eta = at
     x, y = corners[..., 0], corners[..., 1]
     # Sides 4, 5, 6 of the paper: from corner 2 to 3, 3 to 1, 1 to 2.
     dx = np.stack([x[:, 1] - x[:, 2], x[:, 2] - x[:, 0], x[:, 0] - x[:, 1]])

@@ -21,20 +21,21 @@ from orishell.structure.settings import Structure
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Section:
-    """Sections of facets (T,), or one for all, isotropic.
+    """Sections of triangles (T,), or one for all, isotropic.
 
     Parameters
     ----------
     membrane
-        Force per length by strain, E t/(1 - nu^2) of a solid plate (force per length).
+        Force per length by strain (T,), E t/(1 - nu^2) of a solid plate (force per length).
     bending
-        Moment per length by curvature, E t^3/12/(1 - nu^2) of a solid plate (force times length).
+        Moment per length by curvature (T,), E t^3/12/(1 - nu^2) of a solid plate (force times
+        length).
     poisson
         Poisson's ratio.
     modulus
         Young's modulus at the outermost fibres (force per area).
     reach
-        Distance of the outermost fibres from the middle (length).
+        Distance (T,) of the outermost fibres from the middle (length).
     """
 
     membrane: ArrayLike
@@ -47,13 +48,13 @@ class Section:
 
     @classmethod
     def solid(cls, modulus: float, thickness: float, poisson: float) -> Section:
-        """That of a solid plate (force per area, length)."""
+        """That of a solid plate: modulus (force per area), thickness (length), poisson's ratio."""
         plane = modulus / (1 - poisson**2)
         bending = plane * thickness**3 / 12
         return cls(plane * thickness, bending, poisson, modulus, 0.5 * thickness)
 
     def matrix(self, stiffness: ArrayLike) -> Array:
-        """The matrices (..., 3, 3) of plane stress with one of its stiffnesses (...)."""
+        """The matrices (..., 3, 3) of plane stress with one of its two, a stiffness (...)."""
         nu = self.poisson
         plane = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
         return np.asarray(np.asarray(stiffness, np.float64)[..., None, None] * plane)

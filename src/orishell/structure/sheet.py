@@ -1,4 +1,4 @@
-"""The shell as facets: every panel meshed, panels tied along their creases.
+"""The shell as triangles: every panel meshed, panels tied along their creases.
 
 Panels that share a crease have its translations in common; rotations are every panel's own, so that
 creases are free hinges until springs are put on them.

@@ -1,6 +1,6 @@
 """Linear buckling: by which factor all loads may grow until the shell gives way sideways.
 
-With K_g the stiffness that forces in the plane of facets, in ties and in flaps have by turning,
+With K_g the stiffness that forces in the plane of triangles, in ties and in flaps have by turning,
 
     (K + factor K_g) mode = 0.
 
@@ -25,9 +25,16 @@ NEVER = 1e-9
 
 
 def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
-    """The matrix (D, D) of facets that turn under membrane forces (T, 3).
+    """The matrix (D, D) of triangles that turn under membrane forces.
 
-    Displacements are linear in a facet; freedoms begin with those of nodes.
+    Displacements are linear in a triangle; freedoms begin with those of nodes.
+
+    Parameters
+    ----------
+    forces
+        Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
+    count
+        Number of all freedoms D.
     """
     flat, area = facets.flat(), facets.areas()
     ahead, behind = np.roll(flat, -1, axis=1), np.roll(flat, 1, axis=1)
@@ -40,7 +47,19 @@ def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
 
 
 def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) -> csr_array:
-    """The matrix (D, D) of straight ties or struts between pairs (m, 2) of nodes that pull (m,)."""
+    """The matrix (D, D) of straight ties and struts.
+
+    Parameters
+    ----------
+    points
+        Nodes (N, 3).
+    pairs
+        Nodes (m, 2) between which they are.
+    pulls
+        With which force they pull (m,); struts push, less than 0 (N).
+    count
+        Number of all freedoms D.
+    """
     away = points[pairs[:, 1]] - points[pairs[:, 0]]
     length = np.linalg.norm(away, axis=1)
     along = away / length[:, None]

@@ -1,4 +1,4 @@
-"""Strains, forces and stresses of facets under displacements."""
+"""Strains, forces and stresses of triangles under displacements."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from orishell.structure.membrane import strains
 from orishell.structure.plate import curvatures
 from orishell.structure.sections import Section
 
-MIDDLE = 1 / 3
+MIDDLE = 1 / 3, 1 / 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FacetStresses:
-    """What facets bear, in their own axes.
+    """What triangles bear, in their own axes.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class FacetStresses:
 
 
 def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetStresses:
-    """What facets bear.
+    """What triangles bear.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetStres
     local = np.einsum("tij,tkj->tki", facets.axes(), moved.reshape(-1, 6, 3)).reshape(-1, 3, 6)
     stretch = np.einsum("tij,tj->ti", strains(flat), local[..., IN_PLANE].reshape(-1, 9))
     bend = np.einsum(
-        "tij,tj->ti", curvatures(flat, MIDDLE, MIDDLE), local[..., OUT_OF_PLANE].reshape(-1, 9)
+        "tij,tj->ti", curvatures(flat, MIDDLE), local[..., OUT_OF_PLANE].reshape(-1, 9)
     )
     reach = np.broadcast_to(np.asarray(section.reach), len(flat))[:, None] * bend
     plane = section.matrix(section.modulus / (1 - section.poisson**2))

@@ -53,7 +53,7 @@ class Supports:
         return np.unique(np.concatenate([self.held, ground]), axis=0)
 
     def freedoms(self, mesh: SheetMesh) -> Integers:
-        """Freedoms of a mesh that are held: a rotation is held of all panels at a vertex."""
+        """Freedoms (H,) of a mesh that are held: a rotation is held of all panels at a vertex."""
         node, axis = self.held.T
         straight = axis < 3
         moved = mesh.translations()[node[straight], axis[straight]]

@@ -18,6 +18,8 @@ def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, 
     ----------
     mass
         Of every free freedom (n,), in force by acceleration in the unit of the sheet.
+    count
+        How many.
     """
     free = inverse.motions
     heavy = mass[:, None] * free

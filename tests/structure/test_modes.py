@@ -1,0 +1,129 @@
+"""What moves freely, what vibrates and what buckles, against closed forms."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from orishell.deployment import feet_ties
+from orishell.design import Design
+from orishell.design_file import read_design_file
+from orishell.numerics.arrays import Array
+from orishell.sheet.grid import Grid
+from orishell.shell.standing import find_feet
+from orishell.structure.conditions import joined, on_ground
+from orishell.structure.facets import assemble
+from orishell.structure.held import hold
+from orishell.structure.inverse import Inverse
+from orishell.structure.model import Frame, Model
+from orishell.structure.sections import Section
+from orishell.structure.settings import Structure, Support
+from orishell.structure.sheet import mesh_sheet
+from orishell.structure.stability import find_buckling, geometric_stiffness
+from orishell.structure.vibration import find_frequencies
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
+
+
+def designed(name: str, rows: int, columns: int) -> Design:
+    file = read_design_file(EXAMPLES / f"{name}.toml")
+    pattern = file.pattern.sized(rows, columns)
+    if name == "figure3":
+        pattern = pattern.model_copy(update={"column_lengths": "auto"})
+    return pattern.design(file.f, file.g)
+
+
+@pytest.mark.parametrize("share", [0.2, 0.35, 0.5, 0.65, 0.8])
+@pytest.mark.parametrize(
+    ("name", "rows", "columns"), [("figure1", 3, 4), ("figure2", 5, 6), ("figure3", 2, 4)]
+)
+def test_hinged_panels_have_one_motion_of_their_own(
+    name: str, rows: int, columns: int, share: float
+) -> None:
+    """Seven modes without energy, and the derivative of the closed form is among them."""
+    mechanism = designed(name, rows, columns).mechanism.without_flaps()
+    size = float(np.ptp(mechanism.positions(0.0), axis=(0, 1)).max())
+    drive = share * mechanism.target_drive
+    mesh = mesh_sheet(mechanism.positions(drive), mechanism.grid, 2)
+    section = Section.solid(1.0, 0.05 * size, 0.3)
+    elements = mesh.facets.element_stiffness(section)
+    stiffness = assemble(elements, mesh.freedoms(), mesh.count).toarray()
+    scale = np.ones(mesh.count)
+    scale[3 * len(mesh.facets.points) :] = 10 / size  # rotations as lengths
+    values, modes = np.linalg.eigh(stiffness * scale[:, None] * scale)
+    assert np.abs(values[:7]).max() < 1e-14 * values[-1]
+    assert values[7] > 10 * np.abs(values[:7]).max()
+    step = 1e-5
+    moved = mechanism.positions(drive + step) - mechanism.positions(drive - step)
+    velocity = moved.ravel() / (2 * step)
+    free = modes[: velocity.size, :7]
+    rest = velocity - free @ np.linalg.lstsq(free, velocity, rcond=None)[0]
+    assert np.linalg.norm(rest) < 1e-6 * np.linalg.norm(velocity)
+
+
+@pytest.mark.parametrize("name", ["figure1", "figure2"])
+def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
+    """Free hinges, no supports, at the target: 7 motions; 6 with flaps in contact and ties taut."""
+    design = designed(name, 5, 6).with_clipped_flaps()
+    feet = find_feet(design)
+    assert feet is not None
+    ties = tuple(feet_ties(design.mechanism, feet.rows))
+    structure = Structure(1e9, 0.3, (Support("feet", "friction"),), (), thickness=0.01)
+    model = Model(design, structure, Frame("m", feet.rows, ties, 1.0, None), 2, 0.0)
+    count = len(ties) + len(model.flaps())
+    assert count > len(ties)
+    nobody = np.zeros(len(model.held.rows), dtype=bool)
+    assert model.held.motions(nobody).shape[1] == 7
+    for those in (slice(0, len(ties)), slice(len(ties), count), slice(0, count)):
+        acting = nobody.copy()
+        acting[those] = True
+        assert model.held.motions(acting).shape[1] == 6
+
+
+SIDE, PLATE = 2.0, Section.solid(70e9, 0.01, 0.3)
+BENDING = 70e9 * 0.01**3 / 12 / (1 - 0.3**2)
+
+
+def square() -> Array:
+    x, y = np.meshgrid([0.0, SIDE], [SIDE, 0.0])
+    return np.stack([x, y, 0 * x], axis=-1)
+
+
+def plate(cells: int) -> tuple[Inverse, Array, int]:
+    """A panel whose sides are held up, and which stays plane: also areas of nodes and freedoms."""
+    mesh = mesh_sheet(square(), Grid(2, 2), cells)
+    facets, own = mesh.facets, mesh.translations()
+    rim = (np.abs(facets.points[:, :2] - 0.5 * SIDE) == 0.5 * SIDE).any(axis=1)
+    supported = [own[rim][:, 2], own[:, :2].ravel(), mesh.rotations()[..., 2].ravel()]
+    stiffness = assemble(facets.element_stiffness(PLATE), mesh.freedoms(), mesh.count)
+    held = hold(stiffness, mesh, np.unique(np.concatenate(supported)), NOTHING, Grid(2, 2))
+    area = np.zeros(len(facets.points))
+    np.add.at(area, facets.triangles, facets.areas()[:, None] / 3)
+    nobody = np.zeros(len(held.rows), dtype=bool)
+    return Inverse.of(held, nobody, np.zeros((len(held.free), 0))), area, mesh.count
+
+
+def test_frequencies_of_a_plate() -> None:
+    """pi/2 (m^2 + n^2)/a^2 sqrt(D/mass per area), simply supported: 2, 5 and 5 of them."""
+    inverse, area, count = plate(16)
+    mass = np.zeros(count)
+    mass[: 3 * len(area)] = np.repeat(27.0 * area, 3)
+    found, _ = find_frequencies(inverse, mass[inverse.held.free], 3)
+    one = 0.5 * np.pi / SIDE**2 * np.sqrt(BENDING / 27.0)
+    np.testing.assert_allclose(found, one * np.array([2, 5, 5]), rtol=0.01)
+
+
+def test_buckling_of_a_plate() -> None:
+    """4 pi^2 D/a^2 along one of its axes, simply supported."""
+    inverse, _, count = plate(16)
+    facets = mesh_sheet(square(), Grid(2, 2), 16).facets
+    along = facets.axes()[:, 0]  # forces of -1 along the world's x, in every triangle's own axes
+    cos, sin = along[:, 0], -along[:, 1]
+    forces = -np.stack([cos**2, sin**2, cos * sin], axis=1)
+    geometric = geometric_stiffness(facets, forces, count)[inverse.held.free][:, inverse.held.free]
+    found = find_buckling(inverse, geometric)
+    assert found is not None
+    assert found[0] == pytest.approx(4 * np.pi**2 * BENDING / SIDE**2, rel=0.01)
