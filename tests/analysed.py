@@ -76,6 +76,7 @@ def analysed() -> Analysis:
             balance=Balance(total, -total, 1e-12),
             displacements=displacements,
             reactions=np.array([-total / 2, -total / 2]),
+            friction=None,
             tie_forces=np.array([1000.0, 4000.0, 0.0]),
             flap_forces=np.array([0.0, 30.0]),
             crease_moments=moments,

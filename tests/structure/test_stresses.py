@@ -69,8 +69,8 @@ def test_pull_along_a_bar() -> None:
     """F/(b t) in both faces."""
     mesh, moved = strip((5.0, 0.0, 0.0))
     found, middles = stresses(mesh, moved)
-    away = middles[:, 0] < 0.5  # from where the force is spread over nodes
-    np.testing.assert_allclose(found.von_mises()[away], 5.0 / (WIDE * THICK), rtol=1e-3)
+    away = middles[:, 0] < 0.25  # from the crease, which passes on no moments in the plane
+    np.testing.assert_allclose(found.von_mises()[away], 5.0 / (WIDE * THICK), rtol=0.01)
 
 
 @pytest.mark.parametrize("crease", [np.inf, 3.0, 0.2])

@@ -684,6 +684,8 @@ export interface StandingReport {
   displacement: DisplacementReport;
   /** Of all supported vertices. */
   reactions: ReactionReport[];
+  /** The largest share of the friction of the ground that a foot uses; None where none is rough. */
+  friction: number | null;
   /** Forces in ties, the largest first. */
   ties: PairReport[];
   /** Forces of flaps that press on each other, the largest first. */

@@ -178,6 +178,8 @@ class StandingReport:
         The largest.
     reactions
         Of all supported vertices.
+    friction
+        The largest share of the friction of the ground that a foot uses; None where none is rough.
     ties
         Forces in ties, the largest first.
     flaps
@@ -199,6 +201,7 @@ class StandingReport:
     residual: float
     displacement: DisplacementReport
     reactions: tuple[ReactionReport, ...]
+    friction: float | None
     ties: tuple[PairReport, ...]
     flaps: tuple[PairReport, ...]
     crease: CreaseReport | None

@@ -98,6 +98,7 @@ def _standing(structure: Structure, analysis: Analysis, found: CaseResult) -> St
             ReactionReport(at, _vector(force))
             for at, force in zip(analysis.supported, found.reactions, strict=True)
         ),
+        friction=found.friction,
         ties=ties,
         flaps=_pairs(analysis.flaps, found.flap_forces),
         crease=crease,

@@ -109,6 +109,11 @@ def _of_standing(found: StandingReport) -> Iterator[str]:
             f"the shell buckles under {factor:.3g} times its loads by linear theory, and earlier "
             f"with imperfections: less than {LEAST_BUCKLING:g} times is too little"
         )
+    if found.friction is not None and found.friction > 1:
+        yield (
+            f"a foot needs {found.friction:.3g} times the friction that it has: it slips until "
+            "others bear more, which is left out"
+        )
     for name, limit, part in (
         ("panels", "stress", used.panels),
         ("creases", "moment", used.creases),

@@ -44,6 +44,9 @@ LOOSE, LOOSEST = 3e-14, 3
 by which that is found."""
 SWINGING = 400
 """At most so many vertices have springs."""
+GIVE = 1e-7
+"""What does not give at all gives by this share of the springs, so that of several which hold the
+same each bears its part."""
 SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
 
@@ -108,6 +111,15 @@ class Held:
         taken = self.every_row.T @ np.where(which, forces, 0.0)
         return -np.asarray(taken[: 3 * self.nodes].reshape(-1, 3))
 
+    def friction_used(self, forces: Array) -> float | None:
+        """The largest share of friction that a foot uses, by forces (M,); None if none has any."""
+        rough, count = self.conditions.rough, len(self.conditions)
+        if not len(rough):
+            return None
+        rubs = np.linalg.norm(forces[count:][: len(self.sliding)].reshape(-1, 2), axis=1)
+        bears = self.conditions.friction[rough] * forces[rough]
+        return float(np.max(rubs[bears > 0] / bears[bears > 0], initial=0.0))
+
     def spring_solve(self, loads: Array) -> Array:
         """A^-1 f (n, ...) of loads (n, ...), refined once."""
         found = self._factors.solve(loads)
@@ -145,9 +157,7 @@ class Held:
         hard[: len(self.conditions)] = self.conditions.compliance == 0
         return hard
 
-    def respond(
-        self, loads: Array, acting: Booleans, friction: Array
-    ) -> tuple[Array, Array, Array]:
+    def respond(self, loads: Array, acting: Booleans) -> tuple[Array, Array, Array]:
         """What loads do while some rows act.
 
         Parameters
@@ -156,17 +166,14 @@ class Held:
             Loads on free freedoms (n,).
         acting
             Which rows act (M,).
-        friction
-            Force (M,) of rows that slip.
 
         Returns
         -------
         tuple
             Displacements (n,), gaps (M,) and forces (M,) of the rows.
         """
-        law, forces = self.law(acting), friction
-        moved, gaps = np.zeros(len(loads)), np.zeros(len(forces))
-        rest = loads - self.rows.T @ friction
+        law, rest = self.law(acting), loads
+        moved, gaps, forces = np.zeros(len(loads)), *np.zeros((2, len(acting)))
         for _ in range(2):  # the second time for what rounding left
             direct = self.spring_solve(rest)
             p = law @ (self.rows @ direct)
@@ -179,12 +186,12 @@ class Held:
 
     def law(self, acting: Booleans) -> Array:
         """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act (M,)."""
-        # g - C p = g_f; open rows: p - S g = 0; acting ones: p = 0, or g = 0 if they are hard.
+        # g - C p = g_f; open rows: p - S g = 0; acting ones: p = 0, or next to no g if hard.
         count = len(self.rows)
         hard, spring = acting & self._hard, np.diag(self.springs)
         by_gap, by_p = -spring, np.eye(count)
-        by_gap[acting], by_p[hard] = 0.0, 0.0
-        by_gap[hard] = spring[hard]
+        by_gap[acting], by_p[hard] = 0.0, GIVE * by_p[hard]
+        by_gap[hard] = (1 - GIVE) * spring[hard]
         root = np.sqrt(self.springs)
         # p = s q and g = h/s with s^2 = S: forces and gaps by springs count alike.
         flexible = root[:, None] * self.flexibility * root

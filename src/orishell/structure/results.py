@@ -87,6 +87,9 @@ class CaseResult:
         Of nodes (N, 3) (length).
     reactions
         Forces on supported vertices (S, 3), in the order of ``Analysis.supported`` (N).
+    friction
+        The largest share of the friction of rough ground that a foot uses, which sticks as long as
+        it presses; None where no ground is rough.
     tie_forces
         Of ties (K,), 0 where they are slack (N).
     flap_forces
@@ -115,6 +118,7 @@ class CaseResult:
     balance: Balance
     displacements: Array
     reactions: Array
+    friction: float | None
     tie_forces: Array
     flap_forces: Array
     crease_moments: Array
