@@ -185,7 +185,13 @@ class Held:
         return moved, gaps, forces
 
     def law(self, acting: Booleans) -> Array:
-        """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act (M,)."""
+        """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
+
+        Parameters
+        ----------
+        acting
+            Which rows act (M,).
+        """
         # g - C p = g_f; open rows: p - S g = 0; acting ones: p = 0, or next to no g if hard.
         count = len(self.rows)
         hard, spring = acting & self._hard, np.diag(self.springs)
