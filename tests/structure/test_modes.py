@@ -15,7 +15,7 @@ from orishell.sheet.grid import Grid
 from orishell.shell.standing import find_feet
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.facets import assemble
-from orishell.structure.held import hold
+from orishell.structure.factorise import hold
 from orishell.structure.inverse import Inverse
 from orishell.structure.model import Frame, Model
 from orishell.structure.sections import Section

@@ -9,7 +9,8 @@ from orishell.sheet.grid import Grid
 from orishell.structure.acting import Response, respond
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.facets import assemble
-from orishell.structure.held import Held, hold
+from orishell.structure.factorise import hold
+from orishell.structure.held import Held
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh, mesh_sheet
 

@@ -17,7 +17,7 @@ from orishell.sheet.grid import Grid
 from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.facets import assemble
-from orishell.structure.held import hold
+from orishell.structure.factorise import hold
 from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
 from orishell.structure.inverse import Inverse
 from orishell.structure.sections import Section

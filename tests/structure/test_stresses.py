@@ -11,7 +11,7 @@ from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.crease_moments import crease_moments
 from orishell.structure.facets import assemble
-from orishell.structure.held import hold
+from orishell.structure.factorise import hold
 from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh, mesh_sheet

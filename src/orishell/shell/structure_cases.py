@@ -26,17 +26,11 @@ from orishell.shell.case_report import (
 )
 from orishell.shell.lock_report import Panel
 from orishell.shell.structure_caveats import motion_in_words
-from orishell.structure.loads import (
-    Exposure,
-    Load,
-    case_loads,
-    cylinder_coefficient,
-    gusts,
-    wind_height,
-    wind_pressure,
-)
+from orishell.structure.exposure import Exposure
+from orishell.structure.loads import Load, case_loads, cylinder_coefficient
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import NO_CODE, LoadCase, Structure, Wind, Zone
+from orishell.structure.wind import gusts, wind_height, wind_pressure
 
 
 def describe_case(

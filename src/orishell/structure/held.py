@@ -21,34 +21,23 @@ is singular.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
-from orishell.errors import DesignError
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.grid import Grid
-from orishell.structure.conditions import Conditions, put_rows
-from orishell.structure.sheet import SheetMesh
+from orishell.structure.conditions import Conditions
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 FREE = 1e-9
 """A motion that takes less than this share of the springs' energy is one that nothing resists."""
-LOOSE, LOOSEST = 3e-14, 3
-"""A matrix is singular if some shape is less stiff than this share of its largest entry; iterations
-by which that is found."""
-SWINGING = 400
-"""At most so many vertices have springs."""
 GIVE = 1e-7
 """What does not give at all gives by this share of the springs, so that of several which hold the
 same each bears its part."""
-SPRING = 1e-4
-"""Springs at vertices, by the mean stiffness of nodes."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -204,104 +193,3 @@ class Held:
         gap, force = (each / root[:, None] for each in (by_gap / root, by_p * root))
         both = gap @ flexible + force
         return np.asarray(-root[:, None] * (np.linalg.pinv(both, rcond=FREE) @ gap) * root)
-
-
-def hold(
-    stiffness: csr_array,
-    mesh: SheetMesh,
-    supported: Integers,
-    conditions: Conditions,
-    grid: Grid,
-) -> Held:
-    """Factorise a structure.
-
-    Parameters
-    ----------
-    stiffness
-        The matrix (D, D) of panels and hinges.
-    mesh
-        Its mesh.
-    supported
-        Freedoms (H,) that are supported.
-    conditions
-        The one-sided conditions.
-    grid
-        The grid of the sheet. Springs at its corners hold what nothing else does while the matrix
-        is factorised; at all its vertices, where that is not enough because some creases do not
-        fold and let their panels swing.
-
-    Raises
-    ------
-    DesignError
-        If it swings in so many ways.
-    """
-    vertices = grid.vertices()
-    held = _sprung(stiffness, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
-    if held is None and vertices.size <= SWINGING:
-        held = _sprung(stiffness, mesh, supported, conditions, vertices)
-    if held is None:
-        raise DesignError(
-            "the shell is a mechanism of many ways to move: creases that do not fold at the target "
-            "let its panels swing about the others",
-            keys=("structure.crease_stiffness",),
-        )
-    return held
-
-
-def _sprung(
-    stiffness: csr_array,
-    mesh: SheetMesh,
-    supported: Integers,
-    conditions: Conditions,
-    vertices: Integers,
-) -> Held | None:
-    """The structure with springs at some vertices; None if it is singular all the same."""
-    from scipy.sparse import csr_array
-    from scipy.sparse.linalg import splu
-
-    free = np.setdiff1d(np.arange(mesh.count), supported)
-    ground = conditions.nodes[conditions.rough]
-    axes, corners = np.eye(3), vertices.ravel()
-    parts = [
-        (conditions.nodes, conditions.directions),
-        (np.repeat(ground, 2, axis=0), np.tile(axes[:2], (len(ground), 1))),
-        (np.repeat(corners, 3)[:, None].repeat(2, axis=1), np.tile(axes, (len(corners), 1))),
-    ]
-    nodes, directions = (np.concatenate(each) for each in zip(*parts, strict=True))
-    every_row = put_rows(np.zeros((len(nodes), mesh.count)), nodes, directions)
-    rows = every_row[:, free]
-    springs = np.full(len(rows), SPRING * stiffness.diagonal()[: mesh.translations().size].mean())
-    own = np.flatnonzero(conditions.compliance)
-    springs[own] = 1 / conditions.compliance[own]
-    inner = stiffness[free][:, free]
-    sparse = csr_array(rows)
-    sprung = (inner + sparse.T @ (sparse * springs[:, None])).tocsc()
-    factors = splu(
-        sprung, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-    )
-    if _loosest(factors.solve, len(free)) < LOOSE * sprung.diagonal().max():
-        return None
-    spread = factors.solve(np.ascontiguousarray(rows.T))
-    spread += factors.solve(rows.T - sprung @ spread)
-    flexibility = rows @ spread
-    return Held(
-        stiffness,
-        free,
-        conditions,
-        len(mesh.facets.points),
-        csr_array(every_row),
-        rows,
-        springs,
-        spread,
-        0.5 * (flexibility + flexibility.T),
-        sprung,
-        factors,
-    )
-
-
-def _loosest(solve: Callable[[Array], Array], size: int) -> float:
-    """About the least stiffness of all shapes, by inverse iteration."""
-    shape = np.cos(np.arange(size))
-    for _ in range(LOOSEST):
-        shape = solve(shape / np.linalg.norm(shape))
-    return float(1 / np.linalg.norm(shape))

@@ -12,78 +12,18 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
-from orishell.conventions.units import GRAVITY, conversion
+from orishell.conventions.units import GRAVITY
 from orishell.errors import InputError
-from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
-from orishell.structure.facets import Facets
-from orishell.structure.settings import LoadCase, PointLoad, Snow, Terrain, Wind, Zone
+from orishell.numerics.arrays import Array
+from orishell.structure.exposure import Exposure
+from orishell.structure.settings import LoadCase, PointLoad, Snow
+from orishell.structure.wind import wind_load
 
 LoadKind = Literal["self_weight", "pressure", "snow", "wind", "points"]
 """The keys of a case that are loads."""
-TERRAINS: dict[Terrain, tuple[float, float]] = {
-    "0": (0.003, 1.0),
-    "I": (0.01, 1.0),
-    "II": (0.05, 2.0),
-    "III": (0.3, 5.0),
-    "IV": (1.0, 10.0),
-}
-"""Roughness z_0 and least height z_min of EN 1991-1-4, table 4.1 (metres)."""
-AIR = 1.25
-"""Density of air (kg/m^3)."""
 UP = np.array([0.0, 0.0, 1.0])
 FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 """Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Exposure:
-    """What is loaded, and how it stands.
-
-    Parameters
-    ----------
-    mesh
-        Nodes (N, 3) and triangles (T, 3), all panels' cells one way round.
-    panels
-        The panel (T,) of every triangle, as the grid counts it.
-    grid
-        The grid of the sheet between its flaps; its vertices are the first nodes.
-    before
-        Number of columns of folded flaps before its first column, which points are counted with.
-    areal_mass
-        Mass (T,) per area of every triangle (kg per square of the unit).
-    hung
-        Mass (N,) of flaps that hang on nodes (kg).
-    unit
-        The design's unit of length.
-    ground
-        Height of the ground (length).
-    span
-        From foot to foot; None if it does not stand on two feet (length).
-    """
-
-    mesh: Facets
-    panels: Integers
-    grid: Grid
-    before: int
-    areal_mass: Array
-    hung: Array
-    unit: str
-    ground: float
-    span: float | None
-
-    __repr__ = in_one_line
-
-    @property
-    def rise(self) -> float:
-        """Height of its top over the ground (length)."""
-        return float(self.mesh.points[:, 2].max()) - self.ground
-
-    def outer(self) -> Array:
-        """Unit normals (T, 3) of the outer face: that which looks up, all panels together."""
-        normals = self.mesh.axes()[:, 2]
-        up = float(self.mesh.areas() @ normals[:, 2])
-        return -normals if up < 0 else normals
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -158,52 +98,6 @@ def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -
     return np.asarray(sum((load.forces for load in case_loads(exposure, case, cases)), nothing))
 
 
-def gusts(speed: float, terrain: Terrain, height: float) -> tuple[float, float]:
-    """Mean wind (m/s) and its turbulence over flat ground, EN 1991-1-4, 4.3 and 4.4.
-
-    Parameters
-    ----------
-    speed
-        Basic wind speed (m/s).
-    terrain
-        The category of the terrain.
-    height
-        Over the ground (metres).
-    """
-    roughness, least = TERRAINS[terrain]
-    logarithm = float(np.log(max(height, least) / roughness))
-    rough = (roughness / TERRAINS["II"][0]) ** 0.07
-    return float(0.19 * rough * logarithm * speed), 1 / logarithm
-
-
-def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
-    """Peak velocity pressure over flat ground, EN 1991-1-4, 4.5 (N/m^2).
-
-    Parameters
-    ----------
-    speed
-        Basic wind speed (m/s).
-    terrain
-        The category of the terrain.
-    height
-        Over the ground (metres).
-    """
-    mean, turbulence = gusts(speed, terrain, height)
-    return (1 + 7 * turbulence) * 0.5 * AIR * mean**2
-
-
-def wind_height(exposure: Exposure, wind: Wind) -> float:
-    """The height over the ground that wind is given for (length)."""
-    return exposure.rise if wind.height is None else wind.height
-
-
-def wind_pressure(exposure: Exposure, wind: Wind) -> float:
-    """Peak velocity pressure at the height that wind is given for (force per area)."""
-    metres = conversion(exposure.unit, "m")
-    height = wind_height(exposure, wind) * metres
-    return peak_pressure(wind.speed, wind.terrain, height) * metres**2
-
-
 def cylinder_coefficient(exposure: Exposure) -> float:
     """The coefficient mu_3 of snow on a cylinder, by rise and span, EN 1991-1-3, 5.3.5.
 
@@ -233,15 +127,9 @@ def _parts(exposure: Exposure, case: LoadCase) -> Iterator[tuple[LoadKind, Array
     if case.snow is not None:
         yield "snow", _on_corners(exposure, -_snow(exposure, case.snow)[:, None] * UP)
     if case.wind is not None:
-        yield "wind", _on_corners(exposure, _wind(exposure, case.wind))
+        yield "wind", _on_corners(exposure, wind_load(exposure, case.wind))
     if case.points:
         yield "points", _at_points(exposure, case.points)
-
-
-def _wind(exposure: Exposure, wind: Wind) -> Array:
-    """Wind (T, 3) on every triangle (force per area)."""
-    pressure = wind_pressure(exposure, wind) * _coefficients(exposure, wind)
-    return np.asarray(-pressure[:, None] * exposure.outer())
 
 
 def _snow(exposure: Exposure, snow: Snow) -> Array:
@@ -253,31 +141,6 @@ def _snow(exposure: Exposure, snow: Snow) -> Array:
     else:
         share = np.where(slope < NONE, cylinder_coefficient(exposure), 0.0)
     return np.asarray(snow.ground * share * level)
-
-
-def _coefficients(exposure: Exposure, wind: Wind) -> Array:
-    """Pressure coefficients (T,)."""
-    zones = [each for each in wind.coefficients if isinstance(each, Zone)]
-    if not zones:
-        angles, sizes = np.array(wind.coefficients, np.float64).T
-        against = -np.array([np.cos(wind.direction), np.sin(wind.direction), 0.0])
-        facing = np.arccos(np.clip(exposure.outer() @ against, -1, 1))
-        return np.asarray(np.interp(facing, angles, sizes))
-    of_rows = np.full(exposure.grid.rows - 1, np.nan)
-    count = np.zeros(len(of_rows), np.int64)
-    for zone in zones:
-        first, last = zone.rows
-        of_rows[first : last + 1] = zone.coefficient
-        count[first : last + 1] += 1
-    beyond = max(zone.rows[1] for zone in zones) >= len(of_rows)
-    if beyond or (count != 1).any():
-        raise InputError(
-            "zones do not take every row of panels once",
-            where="wind zones",
-            got=", ".join(f"{first} to {last}" for first, last in (zone.rows for zone in zones)),
-            expected=f"rows 0 to {len(of_rows) - 1}",
-        )
-    return np.asarray(of_rows[exposure.panels // (exposure.grid.columns - 1)])
 
 
 def _at_points(exposure: Exposure, points: Sequence[PointLoad]) -> Array:

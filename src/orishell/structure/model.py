@@ -18,10 +18,11 @@ from orishell.sheet.grid import Grid, Vertex, VertexPair
 from orishell.sheet.quads import area_vectors
 from orishell.solids import Built
 from orishell.structure.conditions import Conditions, between, joined, on_ground
+from orishell.structure.exposure import Exposure
 from orishell.structure.facets import assemble
-from orishell.structure.held import Held, hold
+from orishell.structure.factorise import hold
+from orishell.structure.held import Held
 from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
-from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section, panel_sections
 from orishell.structure.settings import Structure
 from orishell.structure.sheet import SheetMesh, mesh_sheet

@@ -8,7 +8,7 @@ from typing import Literal
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid, Vertex, VertexPair
-from orishell.structure.loads import Exposure
+from orishell.structure.exposure import Exposure
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
 
