@@ -69,7 +69,13 @@ def wind_pressure(exposure: Exposure, wind: Wind) -> float:
 
 
 def wind_load(exposure: Exposure, wind: Wind) -> Array:
-    """Wind (T, 3) on every triangle (force per area)."""
+    """Wind (T, 3) on every triangle (force per area).
+
+    Raises
+    ------
+    InputError
+        If zones leave a row of panels out, or take one twice.
+    """
     pressure = wind_pressure(exposure, wind) * _coefficients(exposure, wind)
     return np.asarray(-pressure[:, None] * exposure.outer())
 
