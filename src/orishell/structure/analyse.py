@@ -51,7 +51,7 @@ def analyse(
     """
     _require_mass(structure, frame)
     cells = structure.cells
-    coarse = _displaced(design, structure, frame, max(cells // 2, 1))
+    coarse = _displaced(design, structure, frame, cells // 2 or 2)  # 1 cannot be halved
     while True:
         halves = [stretch(progress, 0.0, 0.5), stretch(progress, 0.5, 1.0)]
         if structure.refine and 2 * cells <= FINEST:
