@@ -16,7 +16,7 @@ SCRIPT = f"""
 import sys
 from pathlib import Path
 sys.path.insert(0, {str(TESTS)!r})
-from documents import FAMILIES, demo_document, thick_document
+from documents import FAMILIES, demo_document, loaded_document, thick_document
 from orishell.io import Settings
 from orishell.io.registry import ALL
 from orishell.io.all_formats import find_formats
@@ -24,7 +24,9 @@ from orishell.workshop import Workshop
 
 out = Path(sys.argv[1])
 for each in find_formats([ALL]):
-    document = thick_document("orthodiagonal") if each.solid else demo_document()
+    document = loaded_document() if each.analysed else demo_document()
+    if each.solid:
+        document = thick_document("orthodiagonal")
     each.write(out / each.file, document, Settings())
 settings = Settings(
     workshop=Workshop(palette="lightburn", creases="dashes", relief_hole=0.005, labels="both")
