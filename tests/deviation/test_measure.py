@@ -310,6 +310,20 @@ def test_random_orthodiagonal_designs_against_dense_samples(
     agrees_with_dense_samples(request.feasible())
 
 
+def test_a_mesh_of_a_flat_surface_ends_short_of_a_curved_border() -> None:
+    """A level line swept along a parabola: all that triangles lack is at the border."""
+    f, g = graph("0*x + 0.2", -0.4, 0.4), graph("0.5*x**2", -1, 2)
+    rail = Turning(Path.of(trace_curve(g)), np.pi / 2)
+    surface = Surface(trace_curve(f), np.zeros(2), rail)
+    for samples in (200, 2_000):
+        mesh, short = mesh_surface(surface, samples)
+        u = np.linspace(0, surface.rail.stop, 4_001)
+        border = surface.points(u[:, None], surface.profile.t[None, [0, -1]]).reshape(-1, 3)
+        assert np.ptp(border[:, 2]) < 1e-12
+        away = float(mesh.nearest(border).distances.max())
+        assert 1e-6 < away <= short * (1 + 1e-6)
+
+
 @pytest.mark.parametrize("share", [0.5, 0.9, 0.99, 1.01, 1.1, 2.0])
 def test_whether_a_limit_is_exceeded(share: float) -> None:
     design = figure_1()

@@ -127,7 +127,10 @@ def mesh_surface(surface: Surface, samples: int) -> tuple[Triangles, float]:
 
 
 def sagitta(surface: Surface, lattice: Lattice) -> float:
-    """How far a lattice's triangles leave the surface, measured at the middles of their edges."""
+    """How far a lattice's triangles leave the surface, measured at the middles of their edges.
+
+    Within the surface that is across them; at its border they may also end short of it, or beyond.
+    """
     u, v, points = lattice.u, lattice.v, lattice.points
     middle_u, middle_v = 0.5 * (u[1:] + u[:-1]), 0.5 * (v[1:] + v[:-1])
     a, b, c, d = points[:-1, :-1], points[:-1, 1:], points[1:, 1:], points[1:, :-1]
@@ -137,7 +140,14 @@ def sagitta(surface: Surface, lattice: Lattice) -> float:
         surface.points(u[:-1, None], middle_v[None, :]) - 0.5 * (a + b),
         surface.points(middle_u[:, None], v[None, :-1]) - 0.5 * (a + d),
     )
-    return max(float(np.abs(np.einsum("...i,...i->...", gap, normals)).max()) for gap in gaps)
+    across = (np.abs(np.einsum("...i,...i->...", gap, normals)).max() for gap in gaps)
+    ends_u, ends_v = points[[0, -1]], points[:, [0, -1]]
+    border = (
+        surface.points(u[[0, -1], None], middle_v[None, :])
+        - 0.5 * (ends_u[:, 1:] + ends_u[:, :-1]),
+        surface.points(middle_u[:, None], v[None, [0, -1]]) - 0.5 * (ends_v[1:] + ends_v[:-1]),
+    )
+    return float(max(*across, *(lengths(gap).max() for gap in border)))
 
 
 def _turning(points: Array) -> tuple[Array, Array]:
