@@ -50,6 +50,7 @@ def shelter() -> Shell:
     return make_shell(read_design_file(SHELTER), clash="unexamined", measured=False, nested=False)
 
 
+@pytest.mark.benchmark(min_rounds=1, max_time=0.0)
 @pytest.mark.parametrize("cells", [2, 4, 8])
 def test_four_load_cases(benchmark: BenchmarkFixture, cells: int) -> None:
     """Growth with the number of elements, and how much of it is one factorisation."""
@@ -72,6 +73,7 @@ def test_four_load_cases(benchmark: BenchmarkFixture, cells: int) -> None:
     assert whole < 4.5 * one
 
 
+@pytest.mark.benchmark(min_rounds=1, max_time=0.0)
 def test_memory_of_four_load_cases(benchmark: BenchmarkFixture) -> None:
     def peak() -> float:
         call = [sys.executable, "-c", PEAK, str(Path(__file__).parent)]
