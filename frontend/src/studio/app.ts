@@ -13,6 +13,7 @@ import { PanelControls } from "./panel.ts";
 import { Parameters } from "./parameters.ts";
 import { publishProbe } from "./probe.ts";
 import { Results } from "./results.ts";
+import { saidElement } from "./said.ts";
 import { listenForShortcuts } from "./shortcuts.ts";
 import { Stage } from "./stage.ts";
 import type { Store } from "./store.ts";
@@ -51,6 +52,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const toolbar = new Toolbar(store, exportMenu.element, {
     open: () => void files.open(),
     save: () => void files.save(),
+    link: () => void files.link(),
     help: () => help.open(),
     example,
   });
@@ -80,6 +82,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
       stage.element,
       results.element,
     ),
+    saidElement(store),
     help.element,
   );
   // Only now are the drawings in the page, whose colours they take.

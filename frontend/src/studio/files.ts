@@ -2,8 +2,10 @@
 
 import { formatDesign, parseDesign } from "./api.ts";
 import { download, pickFile } from "./dom.ts";
-import { faultOf } from "./faults.ts";
+import { ServerFault, faultOf, ownFault } from "./faults.ts";
+import { fragmentOf } from "./link.ts";
 import type { Store } from "./store.ts";
+import { tomlOf } from "./toml.ts";
 
 export class Files {
   constructor(
@@ -37,14 +39,34 @@ export class Files {
       const design = await parseDesign(text);
       this.opening();
       this.store.name.set(name);
+      this.store.saved.set(design);
       this.store.change(design, `open ${name}`);
     });
   }
 
   async save(): Promise<void> {
+    const design = this.store.design.value;
     await this.guarded(async () => {
-      const text = await formatDesign(this.store.design.value);
+      const text = await formatDesign(design).catch((error: unknown) => {
+        // Work is saved without the server, too.
+        if (faultOf(error).kind !== "network") throw error;
+        return tomlOf(design);
+      });
       download(new Blob([text], { type: "application/toml" }), `${this.store.name.value}.toml`);
+      this.store.saved.set(design);
+    });
+  }
+
+  /** Put a link that holds the design on the clipboard. */
+  async link(): Promise<void> {
+    await this.guarded(async () => {
+      const { name, design } = this.store;
+      const fragment = await fragmentOf({ name: name.value, design: design.value });
+      if (!fragment) {
+        throw new ServerFault(ownFault("input", "This design is too long for a link", "save it as a file"));
+      }
+      await navigator.clipboard.writeText(new URL(fragment, location.href).href);
+      this.store.said.set("The link is on the clipboard");
     });
   }
 

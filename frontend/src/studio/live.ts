@@ -12,6 +12,8 @@ import type { Design, Report } from "./types.ts";
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
 const STATES = 25;
+/** A server that does not answer is asked again after so many milliseconds. */
+const AGAIN = 2000;
 /** Sheets of more vertices get fewer states while they change, and all of them when they rest. */
 const QUICK = 500;
 const MEDIUM = 3000;
@@ -160,6 +162,16 @@ export class Live {
     store.fault.set(fault);
     // What would be admissible is worth knowing just then.
     if (fault.kind === "design") this.restLater(null);
+    if (fault.kind === "network") this.tryAgain(this.sequence);
+  }
+
+  /** Ask until the server is back, or the design changes. */
+  private tryAgain(sequence: number): void {
+    window.setTimeout(() => {
+      if (sequence !== this.sequence || this.running) return;
+      const { store } = this;
+      this.request({ design: store.design.value, changedAt: performance.now(), states: this.liveStates() });
+    }, AGAIN);
   }
 
   private restLater(shown: Pending | null): void {
@@ -263,7 +275,9 @@ export class Live {
       store.proof.set({ state: "done", refusal: refusal && { ...refusal, searching: false } });
     } catch (error) {
       if (signal.aborted) return;
-      store.proof.set({ state: "failed", fault: faultOf(error) });
+      const fault = faultOf(error);
+      store.proof.set({ state: "failed", fault });
+      if (fault.kind === "network") this.tryAgain(this.sequence);
     }
   }
 }

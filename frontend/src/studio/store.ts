@@ -18,6 +18,8 @@ export type Freshness = "current" | "computing" | "outdated";
 
 export class Store {
   readonly design: Signal<Design>;
+  /** The design as it is in a file: as it was opened or saved last. */
+  readonly saved: Signal<Design>;
   /** The name that files get. */
   readonly name = new Signal("shell");
   readonly view = new Signal<View | null>(null);
@@ -29,6 +31,8 @@ export class Store {
   readonly freshness = new Signal<Freshness>("computing");
   /** Sizes are being chosen: what is done, in words. */
   readonly busy = new Signal<string | null>(null);
+  /** What was done, in a few words, for a moment. */
+  readonly said = new Signal("");
   /** Files that are being read or written. */
   readonly files = new Signal(0);
   /** Changes when undo or redo become possible or impossible. */
@@ -44,6 +48,12 @@ export class Store {
   ) {
     this.history = new History(first);
     this.design = new Signal(first);
+    this.saved = new Signal(first);
+  }
+
+  /** Whether the design is in no file. */
+  get unsaved(): boolean {
+    return !Object.is(this.design.value, this.saved.value);
   }
 
   get undoable(): string | null {

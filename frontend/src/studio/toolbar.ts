@@ -9,6 +9,7 @@ import { theme, toggleTheme } from "./theme.ts";
 export interface ToolbarEvents {
   open(): void;
   save(): void;
+  link(): void;
   help(): void;
   example(name: string): void;
 }
@@ -51,6 +52,7 @@ export class Toolbar {
         { class: "group" },
         button({ label: "Open a design file", icon: "open", text: "Open", keys: "Ctrl+O", testid: "open", act: events.open }),
         button({ label: "Save the design file", icon: "save", text: "Save", keys: "Ctrl+S", testid: "save", act: events.save }),
+        button({ label: "Copy a link that holds this design", icon: "link", testid: "link", act: events.link }),
       ),
       h("div", { class: "group" }, undo, redo),
       h("span", { class: "spacer" }, name),

@@ -1,0 +1,43 @@
+// A design as a link: its tables, compressed, in the fragment of the address, which browsers keep to
+// themselves.
+
+import type { Kept } from "./kept.ts";
+import type { Design } from "./types.ts";
+
+const PREFIX = "#design=";
+/** Longer ones are refused by programs that links are sent with. */
+const LONGEST = 16_000;
+
+/** The fragment that stands for a design; null where it would be too long. */
+export async function fragmentOf(kept: Kept): Promise<string | null> {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify(kept)), new CompressionStream("deflate-raw"));
+  const text = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  return text.length > LONGEST ? null : PREFIX + text;
+}
+
+/** The design of a fragment; null if it is none, or broken. */
+export async function designOf(fragment: string): Promise<Kept | null> {
+  if (!fragment.startsWith(PREFIX)) return null;
+  try {
+    const text = atob(fragment.slice(PREFIX.length).replaceAll("-", "+").replaceAll("_", "/"));
+    const bytes = Uint8Array.from(text, (each) => each.charCodeAt(0));
+    const plain = await through(bytes, new DecompressionStream("deflate-raw"));
+    return keptOf(JSON.parse(new TextDecoder().decode(plain)));
+  } catch {
+    return null;
+  }
+}
+
+/** What was kept, if it is that. */
+export function keptOf(value: unknown): Kept | null {
+  const found = value as Partial<Kept> | null;
+  const design = found?.design as Partial<Design> | undefined;
+  if (typeof found?.name !== "string" || typeof design?.shell?.family !== "string") return null;
+  if (typeof design.pattern !== "object" || typeof design.target !== "object") return null;
+  return { name: found.name, design: design as Design };
+}
+
+async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
+  const piped = new Blob([bytes]).stream().pipeThrough(stream);
+  return new Uint8Array(await new Response(piped).arrayBuffer());
+}

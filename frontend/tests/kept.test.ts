@@ -1,0 +1,82 @@
+import { beforeEach, expect, test } from "vitest";
+
+import { type Kept, readKept, writeKept } from "../src/studio/kept.ts";
+import { designOf, fragmentOf } from "../src/studio/link.ts";
+
+const kept: Kept = {
+  name: "Zelt – 3 × 6 m",
+  design: {
+    shell: { family: "orthodiagonal", unit: "m" },
+    target: { f: { formula: ["cos(t)", "sin(t)"], range: [0, 3.14] }, g: { points: [[0, 0], [1, 0.5]] } },
+    pattern: { rows: 11, columns: 13 },
+  },
+};
+
+class Room implements Storage {
+  readonly texts = new Map<string, string>();
+  full = false;
+  get length(): number {
+    return this.texts.size;
+  }
+  clear(): void {
+    this.texts.clear();
+  }
+  getItem(key: string): string | null {
+    return this.texts.get(key) ?? null;
+  }
+  key(): string | null {
+    return null;
+  }
+  removeItem(key: string): void {
+    this.texts.delete(key);
+  }
+  setItem(key: string, text: string): void {
+    if (this.full) throw new DOMException("full", "QuotaExceededError");
+    this.texts.set(key, text);
+  }
+}
+
+let room: Room;
+beforeEach(() => {
+  room = new Room();
+});
+
+test("what is kept comes back, and is gone when it is saved", () => {
+  expect(readKept(room)).toBeNull();
+  writeKept(room, kept);
+  expect(readKept(room)).toEqual(kept);
+  writeKept(room, null);
+  expect(readKept(room)).toBeNull();
+});
+
+test("nothing is made of what is no design", () => {
+  for (const text of ["", "{", "null", '{"name": "x"}', '{"name": "x", "design": {"shell": {}}}']) {
+    room.texts.set("orishell.design", text);
+    expect(readKept(room)).toBeNull();
+  }
+});
+
+test("a browser that is full, or keeps nothing, does not hold another design", () => {
+  writeKept(room, kept);
+  room.full = true;
+  writeKept(room, { ...kept, name: "later" });
+  expect(readKept(room)).toBeNull();
+  writeKept(null, kept);
+  expect(readKept(null)).toBeNull();
+});
+
+test("a link brings the design with its name", async () => {
+  const fragment = await fragmentOf(kept);
+  expect(fragment).toMatch(/^#design=[A-Za-z0-9_-]+$/);
+  expect(await designOf(fragment!)).toEqual(kept);
+});
+
+test("a broken link is none, a very long one is not made", async () => {
+  const fragment = (await fragmentOf(kept))!;
+  for (const broken of ["", "#", "#design=", "#design=%%", fragment.slice(0, -9), `#x${fragment.slice(1)}`]) {
+    expect(await designOf(broken)).toBeNull();
+  }
+  const points = Array.from({ length: 4000 }, (_, k): [number, number] => [Math.sin(k), Math.cos(k * k)]);
+  const long = { ...kept, design: { ...kept.design, target: { ...kept.design.target, f: { points } } } };
+  expect(await fragmentOf(long)).toBeNull();
+});
