@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -15,117 +14,18 @@ import pytest
 from command_line import orishell
 from node_tools import PACKAGES, lacking
 from orishell.design_file import starter_file
-from orishell.studio.app import PAGES
-from studio_server import running_studio
+from studio_pages import choose, drag, drawn, figures, fold, opened, settle, type_into
 from viewer_pages import (
     await_frames,
     keep_picture,
     pixels,
     require_apart,
-    running_browser,
     wait_until,
     watched_page,
 )
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
-
-IDLE = "window.__orishell !== undefined && window.__orishell.idle"
-DRAWN = "window.__orishell.store.freshness.value !== 'computing'"
-READ = "window.__orishell.store.files.value === 0"
-
-
-@pytest.fixture(scope="module")
-def address() -> Iterator[str]:
-    if not (PAGES / "index.html").is_file():
-        lacking("the studio's pages have not been built: make pages")
-    with running_studio() as studio:
-        yield studio.address
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with running_browser() as found:
-        yield found
-
-
-@contextmanager
-def opened(
-    browser: Browser, address: str, *, width: int = 1280, height: int = 720, **options: Any
-) -> Iterator[Page]:
-    """The studio's page; at the end it must have printed no error and asked no other machine."""
-    page = browser.new_page(viewport={"width": width, "height": height}, **options)
-    said: list[str] = []
-    asked: list[str] = []
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: asked.append(request.url))
-
-    def hear(message: Any) -> None:
-        # A design that cannot be made is answered with status 422, which the browser prints.
-        if message.type in {"error", "warning"} and "status of 422" not in message.text:
-            said.append(message.text)
-
-    page.on("console", hear)
-    page.goto(address)
-    wait_until(page, IDLE)
-    yield page
-    page.close()
-    assert said == []
-    assert [url for url in asked if not url.startswith((address, "blob:", "data:"))] == []
-
-
-@pytest.fixture(scope="module")
-def page(browser: Browser, address: str) -> Iterator[Page]:
-    """A page that tests use one after the other, each beginning with an example."""
-    with opened(browser, address) as shared:
-        yield shared
-
-
-def settle(page: Page) -> None:
-    """Wait until all is known of the design, the proof too."""
-    await_frames(page)  # what was typed or dragged has been taken up
-    wait_until(page, IDLE)
-
-
-def drawn(page: Page) -> None:
-    """Wait until the shell of the design is drawn, or refused."""
-    await_frames(page)
-    wait_until(page, f"{READ} && {DRAWN}")
-    await_frames(page)
-
-
-def choose(page: Page, family: str) -> None:
-    page.get_by_test_id("example-select").select_option(family)
-    drawn(page)
-    assert page.evaluate("window.__orishell.report.family") == family
-
-
-def figures(page: Page) -> str:
-    return page.get_by_test_id("figures").inner_text()
-
-
-def drag(page: Page, test_id: str, right: float, down: float) -> None:
-    box = page.get_by_test_id(test_id).bounding_box()
-    assert box is not None
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
-    for step in range(1, 11):
-        page.mouse.move(x + right * step / 10, y + down * step / 10)
-        await_frames(page)
-    page.mouse.up()
-
-
-def fold(page: Page, share: float) -> None:
-    slider = page.get_by_test_id("fold-slider")
-    slider.evaluate(
-        "(box, share) => { box.value = Number(box.min || 0)"
-        " + share * (Number(box.max || 1) - Number(box.min || 0));"
-        " box.dispatchEvent(new Event('input', { bubbles: true })); }",
-        share,
-    )
-    wait_until(page, f"Math.abs(window.__orishell.fold - {share}) < 1e-3")
-    await_frames(page)
 
 
 @pytest.mark.parametrize("family", ["parallel-repeating", "orthodiagonal"])
@@ -346,12 +246,6 @@ def test_panels_with_a_thickness(page: Page) -> None:
     drawn(page)
     assert page.evaluate(table) is None
     assert switch.is_hidden()
-
-
-def type_into(page: Page, test_id: str, text: str) -> None:
-    """Fill a box, and wait for the proof of what it asks for."""
-    page.get_by_test_id(test_id).fill(text)
-    settle(page)
 
 
 def test_boards_are_drawn_as_they_are_cut(page: Page) -> None:

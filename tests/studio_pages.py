@@ -1,0 +1,101 @@
+"""The studio's page in a real browser, for the tests that use it: open it, wait, drag, fold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from viewer_pages import await_frames, wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+SIZES: dict[str, dict[str, Any]] = {
+    "laptop": {"width": 1280, "height": 720},
+    "desktop": {"width": 1920, "height": 1080},
+    "tablet": {"width": 820, "height": 1180, "has_touch": True},
+    "phone": {"width": 390, "height": 844, "has_touch": True, "is_mobile": True},
+}
+"""Sizes at which the studio is tested, as arguments of :func:`opened`."""
+IDLE = "window.__orishell !== undefined && window.__orishell.idle"
+DRAWN = "window.__orishell.store.freshness.value !== 'computing'"
+READ = "window.__orishell.store.files.value === 0"
+
+
+@contextmanager
+def opened(
+    browser: Browser, address: str, *, width: int = 1280, height: int = 720, **options: Any
+) -> Iterator[Page]:
+    """The studio's page; at the end it must have printed no error and asked no other machine."""
+    page = browser.new_page(viewport={"width": width, "height": height}, **options)
+    said: list[str] = []
+    asked: list[str] = []
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+
+    def hear(message: Any) -> None:
+        # A design that cannot be made is answered with status 422, which the browser prints.
+        if message.type in {"error", "warning"} and "status of 422" not in message.text:
+            said.append(message.text)
+
+    page.on("console", hear)
+    page.goto(address)
+    wait_until(page, IDLE)
+    yield page
+    page.close()
+    assert said == []
+    assert [url for url in asked if not url.startswith((address, "blob:", "data:"))] == []
+
+
+def settle(page: Page) -> None:
+    """Wait until all is known of the design, the proof too."""
+    await_frames(page)  # what was typed or dragged has been taken up
+    wait_until(page, IDLE)
+
+
+def drawn(page: Page) -> None:
+    """Wait until the shell of the design is drawn, or refused."""
+    await_frames(page)
+    wait_until(page, f"{READ} && {DRAWN}")
+    await_frames(page)
+
+
+def choose(page: Page, family: str) -> None:
+    page.get_by_test_id("example-select").select_option(family)
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.family") == family
+
+
+def figures(page: Page) -> str:
+    return page.get_by_test_id("figures").inner_text()
+
+
+def drag(page: Page, test_id: str, right: float, down: float) -> None:
+    box = page.get_by_test_id(test_id).bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for step in range(1, 11):
+        page.mouse.move(x + right * step / 10, y + down * step / 10)
+        await_frames(page)
+    page.mouse.up()
+
+
+def fold(page: Page, share: float) -> None:
+    slider = page.get_by_test_id("fold-slider")
+    slider.evaluate(
+        "(box, share) => { box.value = Number(box.min || 0)"
+        " + share * (Number(box.max || 1) - Number(box.min || 0));"
+        " box.dispatchEvent(new Event('input', { bubbles: true })); }",
+        share,
+    )
+    wait_until(page, f"Math.abs(window.__orishell.fold - {share}) < 1e-3")
+    await_frames(page)
+
+
+def type_into(page: Page, test_id: str, text: str) -> None:
+    """Fill a box, and wait for the proof of what it asks for."""
+    page.get_by_test_id(test_id).fill(text)
+    settle(page)
