@@ -44,9 +44,10 @@ def running_studio(
     *arguments: str | Path,
     python: str | Path = sys.executable,
     environment: Mapping[str, str] | None = None,
+    port: int | None = None,
 ) -> Iterator[Studio]:
     """A studio that runs as long as the context lasts, of the orishell that a Python has."""
-    port = _free_port()
+    port = port or _free_port()
     built = python != sys.executable or viewer_is_built()
     program = ["-m", "orishell"] if built else ["-c", WITHOUT_PAGES]
     command = [str(python), *program, "studio", "--no-browse", "--port", str(port)]

@@ -1,9 +1,10 @@
 import { beforeEach, expect, test } from "vitest";
 
-import { type Kept, readKept, writeKept } from "../src/studio/kept.ts";
+import { Keeper, readKept } from "../src/studio/kept.ts";
 import { designOf, fragmentOf } from "../src/studio/link.ts";
+import type { Named } from "../src/studio/store.ts";
 
-const kept: Kept = {
+const kept: Named = {
   name: "Zelt – 3 × 6 m",
   design: {
     shell: { family: "orthodiagonal", unit: "m" },
@@ -42,11 +43,21 @@ beforeEach(() => {
 });
 
 test("what is kept comes back, and is gone when it is saved", () => {
+  const keeper = new Keeper(room);
   expect(readKept(room)).toBeNull();
-  writeKept(room, kept);
+  keeper.write(kept);
   expect(readKept(room)).toEqual(kept);
-  writeKept(room, null);
+  keeper.remove();
   expect(readKept(room)).toBeNull();
+});
+
+test("what another page keeps is not removed", () => {
+  const keeper = new Keeper(room);
+  keeper.write(kept);
+  new Keeper(room).write({ ...kept, name: "other" });
+  keeper.remove();
+  new Keeper(room).remove();
+  expect(readKept(room)?.name).toBe("other");
 });
 
 test("nothing is made of what is no design", () => {
@@ -57,11 +68,14 @@ test("nothing is made of what is no design", () => {
 });
 
 test("a browser that is full, or keeps nothing, does not hold another design", () => {
-  writeKept(room, kept);
+  const keeper = new Keeper(room);
+  keeper.write(kept);
   room.full = true;
-  writeKept(room, { ...kept, name: "later" });
+  keeper.write({ ...kept, name: "later" });
   expect(readKept(room)).toBeNull();
-  writeKept(null, kept);
+  const nowhere = new Keeper(null);
+  nowhere.write(kept);
+  nowhere.remove();
   expect(readKept(null)).toBeNull();
 });
 

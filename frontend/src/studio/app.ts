@@ -89,6 +89,8 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   announceTheme();
   publishProbe(store, live, stage);
   live.changed();
+  window.addEventListener("hashchange", () => void files.follow());
+  void files.follow();
 }
 
 function linkHover(stage: Stage, results: Results): void {

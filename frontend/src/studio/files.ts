@@ -3,7 +3,7 @@
 import { formatDesign, parseDesign } from "./api.ts";
 import { download, pickFile } from "./dom.ts";
 import { ServerFault, faultOf, ownFault } from "./faults.ts";
-import { fragmentOf } from "./link.ts";
+import { designOf, fragmentOf, isLink } from "./link.ts";
 import type { Store } from "./store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -38,9 +38,8 @@ export class Files {
     await this.guarded(async () => {
       const design = await parseDesign(text);
       this.opening();
-      this.store.name.set(name);
+      this.store.open({ name, design });
       this.store.saved.set(design);
-      this.store.change(design, `open ${name}`);
     });
   }
 
@@ -65,9 +64,30 @@ export class Files {
       if (!fragment) {
         throw new ServerFault(ownFault("input", "This design is too long for a link", "save it as a file"));
       }
-      await navigator.clipboard.writeText(new URL(fragment, location.href).href);
-      this.store.said.set("The link is on the clipboard");
+      try {
+        await navigator.clipboard.writeText(new URL(fragment, location.href).href);
+        this.store.said.set("The link is on the clipboard");
+      } catch {
+        // Pages of other machines may not write there.
+        history.replaceState(null, "", fragment);
+        this.store.said.set("The link is in the address bar");
+      }
     });
+  }
+
+  /** Take the design that the address holds, if it holds one; undo brings the present one back. */
+  async follow(): Promise<void> {
+    if (!isLink(location.hash)) return;
+    const brought = await designOf(location.hash);
+    // Taken once: a reload is to bring back what was made of it.
+    history.replaceState(null, "", location.pathname + location.search);
+    if (!brought) {
+      const remedy = "copy the whole of it; some programs cut long links";
+      return this.store.fault.set(ownFault("input", "The link of this design is broken", remedy));
+    }
+    this.opening();
+    this.store.open(brought, "the design of the link");
+    this.store.said.set("The design of the link; undo brings back the one before");
   }
 
   private async guarded(act: () => Promise<void>): Promise<void> {

@@ -1,13 +1,7 @@
 // What the browser keeps of unsaved work, so that a page that was closed loses nothing.
 
-import { keptOf } from "./link.ts";
-import type { Store } from "./store.ts";
-import type { Design } from "./types.ts";
-
-export interface Kept {
-  name: string;
-  design: Design;
-}
+import { namedOf } from "./link.ts";
+import type { Named, Store } from "./store.ts";
 
 const KEY = "orishell.design";
 /** Rest after a change before it is kept, in milliseconds. */
@@ -22,41 +16,53 @@ export function storageOf(page: Window): Storage | null {
   }
 }
 
-export function readKept(storage: Storage | null): Kept | null {
+export function readKept(storage: Storage | null): Named | null {
   const text = storage?.getItem(KEY);
   if (!text) return null;
   try {
-    return keptOf(JSON.parse(text));
+    return namedOf(JSON.parse(text));
   } catch {
     return null;
   }
 }
 
-export function writeKept(storage: Storage | null, kept: Kept | null): void {
-  if (!kept) return storage?.removeItem(KEY);
-  try {
-    storage?.setItem(KEY, JSON.stringify(kept));
-  } catch {
-    // The browser's room is full: what was kept before would be another design.
-    storage?.removeItem(KEY);
+/** Keeps one page's design; what another page keeps in its place is not removed. */
+export class Keeper {
+  private mine: string | null = null;
+
+  constructor(private readonly storage: Storage | null) {}
+
+  write(named: Named): void {
+    this.mine = JSON.stringify(named);
+    try {
+      this.storage?.setItem(KEY, this.mine);
+    } catch {
+      // The browser's room is full: what was kept before would be another design.
+      this.storage?.removeItem(KEY);
+    }
+  }
+
+  remove(): void {
+    if (this.storage?.getItem(KEY) === this.mine) this.storage?.removeItem(KEY);
+    this.mine = null;
   }
 }
 
 /** Keep the store's design while it is not saved, and ask before the page is left. */
 export function keepUnsaved(store: Store, page: Window): void {
-  const storage = storageOf(page);
+  const keeper = new Keeper(storageOf(page));
   let timer = 0;
   const keep = (): void => {
     page.clearTimeout(timer);
     timer = 0;
-    writeKept(storage, store.unsaved ? { name: store.name.value, design: store.design.value } : null);
+    if (store.unsaved) keeper.write({ name: store.name.value, design: store.design.value });
+    else keeper.remove();
   };
   const later = (): void => {
     page.clearTimeout(timer);
     timer = page.setTimeout(keep, REST);
   };
-  store.design.watch(later);
-  store.saved.watch(later);
+  for (const signal of [store.name, store.design, store.saved]) signal.watch(later);
   page.addEventListener("pagehide", keep);
   page.document.addEventListener("visibilitychange", () => {
     if (page.document.visibilityState === "hidden") keep();
@@ -66,4 +72,5 @@ export function keepUnsaved(store: Store, page: Window): void {
     keep();
     event.preventDefault();
   });
+  keep();
 }

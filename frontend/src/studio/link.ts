@@ -1,7 +1,7 @@
 // A design as a link: its tables, compressed, in the fragment of the address, which browsers keep to
 // themselves.
 
-import type { Kept } from "./kept.ts";
+import type { Named } from "./store.ts";
 import type { Design } from "./types.ts";
 
 const PREFIX = "#design=";
@@ -9,28 +9,32 @@ const PREFIX = "#design=";
 const LONGEST = 16_000;
 
 /** The fragment that stands for a design; null where it would be too long. */
-export async function fragmentOf(kept: Kept): Promise<string | null> {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(kept)), new CompressionStream("deflate-raw"));
+export async function fragmentOf(named: Named): Promise<string | null> {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify(named)), new CompressionStream("deflate-raw"));
   const text = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
   return text.length > LONGEST ? null : PREFIX + text;
 }
 
+export function isLink(fragment: string): boolean {
+  return fragment.startsWith(PREFIX);
+}
+
 /** The design of a fragment; null if it is none, or broken. */
-export async function designOf(fragment: string): Promise<Kept | null> {
-  if (!fragment.startsWith(PREFIX)) return null;
+export async function designOf(fragment: string): Promise<Named | null> {
+  if (!isLink(fragment)) return null;
   try {
     const text = atob(fragment.slice(PREFIX.length).replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(text, (each) => each.charCodeAt(0));
     const plain = await through(bytes, new DecompressionStream("deflate-raw"));
-    return keptOf(JSON.parse(new TextDecoder().decode(plain)));
+    return namedOf(JSON.parse(new TextDecoder().decode(plain)));
   } catch {
     return null;
   }
 }
 
-/** What was kept, if it is that. */
-export function keptOf(value: unknown): Kept | null {
-  const found = value as Partial<Kept> | null;
+/** What was read, if it is a design with its name. */
+export function namedOf(value: unknown): Named | null {
+  const found = value as Partial<Named> | null;
   const design = found?.design as Partial<Design> | undefined;
   if (typeof found?.name !== "string" || typeof design?.shell?.family !== "string") return null;
   if (typeof design.pattern !== "object" || typeof design.target !== "object") return null;

@@ -17,24 +17,24 @@ import { buildStudio } from "./app.ts";
 import { h } from "./dom.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { keepUnsaved, readKept, storageOf } from "./kept.ts";
-import { designOf } from "./link.ts";
-import { Store } from "./store.ts";
+import { type Named, Store } from "./store.ts";
 import type { Design } from "./types.ts";
 
 async function start(root: HTMLElement): Promise<void> {
   const info = await fetchInfo();
   const first = info.start ?? info.examples[0]!;
   const design = "design" in first ? (first.design as unknown as Design) : await parseDesign(first.text);
-  const store = new Store(info, design);
-  store.name.set(first.name);
-  const brought = await designOf(location.hash);
-  const found = brought ?? (info.start ? null : readKept(storageOf(window)));
-  if (found) {
-    store.name.set(found.name);
-    store.change(found.design, brought ? "the design of the link" : "work that was not saved");
-    store.said.set(brought ? "The design of the link" : "Your unsaved work is back; undo leaves it");
-    // A link that was taken does not come back with a reload.
-    if (brought) history.replaceState(null, "", location.pathname + location.search);
+  const named: Named = { name: first.name, design };
+  const kept = readKept(storageOf(window));
+  const other = kept !== null && info.start !== null && kept.name !== first.name;
+  const store = new Store(info, other ? kept : named);
+  if (other) {
+    store.open(named);
+    store.saved.set(design);
+    store.said.set(`Undo brings back your unsaved work on ${kept.name}`);
+  } else if (kept) {
+    store.open(kept, "work that was not saved");
+    store.said.set("Your unsaved work is back; undo leaves it");
   }
   buildStudio(root, store);
   keepUnsaved(store, window);

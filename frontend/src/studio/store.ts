@@ -13,6 +13,12 @@ export type Proof =
   | { state: "done"; refusal: Fault | null }
   | { state: "failed"; fault: Fault };
 
+/** A design and the name of its file. */
+export interface Named {
+  name: string;
+  design: Design;
+}
+
 /** What the shell on the screen is to the design. */
 export type Freshness = "current" | "computing" | "outdated";
 
@@ -20,8 +26,8 @@ export class Store {
   readonly design: Signal<Design>;
   /** The design as it is in a file: as it was opened or saved last. */
   readonly saved: Signal<Design>;
-  /** The name that files get. */
-  readonly name = new Signal("shell");
+  /** The name that files get; undo brings it back with its design. */
+  readonly name: Signal<string>;
   readonly view = new Signal<View | null>(null);
   readonly report = new Signal<Report | null>(null);
   readonly curves = new Signal<Curves | null>(null);
@@ -40,15 +46,16 @@ export class Store {
   /** Time stamp of the input event that made the present design. */
   changedAt = performance.now();
 
-  private readonly history: History<Design>;
+  private readonly history: History<Named>;
 
   constructor(
     readonly info: Info,
-    first: Design,
+    first: Named,
   ) {
     this.history = new History(first);
-    this.design = new Signal(first);
-    this.saved = new Signal(first);
+    this.design = new Signal(first.design);
+    this.name = new Signal(first.name);
+    this.saved = new Signal(first.design);
   }
 
   /** Whether the design is in no file. */
@@ -66,10 +73,17 @@ export class Store {
 
   /** Take a new design as a step of the history; see History.push for gestures. */
   change(design: Design, what: string, gesture = ""): void {
-    if (Object.is(design, this.history.value)) return;
-    this.changedAt = eventTime();
-    this.history.push(design, what, gesture);
-    this.publish();
+    if (Object.is(design, this.history.value.design)) return;
+    this.push({ name: this.name.value, design }, what, gesture);
+  }
+
+  /** Take another design, with its own name, in place of the present one. */
+  open(opened: Named, what = `open ${opened.name}`): void {
+    this.push(opened, what);
+  }
+
+  rename(name: string): void {
+    if (name !== this.name.value) this.push({ name, design: this.design.value }, "name", "name");
   }
 
   rest(): void {
@@ -99,8 +113,16 @@ export class Store {
     this.change({ ...design, target: { ...design.target, [name]: table } }, what, gesture);
   }
 
+  private push(named: Named, what: string, gesture = ""): void {
+    this.changedAt = eventTime();
+    this.history.push(named, what, gesture);
+    this.publish();
+  }
+
   private publish(): void {
-    this.design.set(this.history.value);
+    // First the name: who hears of the design may ask for it.
+    this.name.set(this.history.value.name);
+    this.design.set(this.history.value.design);
     this.steps.set(this.steps.value + 1);
   }
 }

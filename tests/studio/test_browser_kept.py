@@ -1,0 +1,120 @@
+"""Nothing is lost: work comes back after a reload, travels in a link, and outlives the server."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING
+from urllib.parse import urlsplit
+
+from node_tools import lacking
+from orishell.studio.app import PAGES
+from studio_pages import IDLE, choose, drawn, opened, settle
+from studio_server import running_studio
+from viewer_pages import wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Dialog, Page
+
+DESIGN = "window.__orishell.store.design.value"
+COLUMNS = f"{DESIGN}.pattern.columns"
+
+
+def set_columns(page: Page, columns: int) -> None:
+    box = page.get_by_test_id("param-columns")
+    box.fill(str(columns))
+    box.press("Enter")
+
+
+def reload(page: Page) -> list[str]:
+    """Load the page anew, and say what the browser asked before."""
+    asked: list[str] = []
+
+    def leave(dialog: Dialog) -> None:
+        asked.append(dialog.type)
+        dialog.accept()
+
+    page.on("dialog", leave)
+    page.reload()
+    wait_until(page, IDLE)
+    page.remove_listener("dialog", leave)
+    return asked
+
+
+def test_work_comes_back_after_a_reload_until_it_is_saved(
+    browser: Browser, address: str, tmp_path: Path
+) -> None:
+    with opened(browser, address) as page:
+        choose(page, "orthodiagonal")
+        assert reload(page) == []  # nothing to lose
+        choose(page, "orthodiagonal")
+        set_columns(page, 17)
+        drawn(page)
+        assert reload(page) == ["beforeunload"]
+        assert page.evaluate(COLUMNS) == 17
+        assert page.get_by_test_id("design-name").inner_text() == "orthodiagonal"
+        assert "unsaved work is back" in page.get_by_test_id("said").inner_text()
+        with page.expect_download() as download:
+            page.get_by_test_id("save").click()
+        download.value.save_as(tmp_path / "mine.toml")
+        settle(page)
+        assert reload(page) == []
+        assert page.evaluate(COLUMNS) != 17
+    assert tomllib.loads((tmp_path / "mine.toml").read_text())["pattern"]["columns"] == 17
+
+
+def test_undo_brings_a_design_back_with_its_name(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    choose(page, "longitudinal-linear-repeating")
+    page.get_by_test_id("undo").click()
+    assert page.get_by_test_id("design-name").inner_text() == "orthodiagonal"
+    drawn(page)
+
+
+def test_a_link_brings_the_design(browser: Browser, address: str) -> None:
+    with opened(browser, address) as page:
+        page.context.grant_permissions(["clipboard-read", "clipboard-write"], origin=address)
+        choose(page, "orthodiagonal")
+        set_columns(page, 15)
+        drawn(page)
+        page.get_by_test_id("link").click()
+        wait_until(page, "window.__orishell.store.said.value !== ''")
+        link = page.evaluate("navigator.clipboard.readText()")
+        design = page.evaluate(DESIGN)
+    assert urlsplit(link).fragment.startswith("design=")
+    with opened(browser, address) as page:
+        page.goto("about:blank")
+        page.goto(link)
+        wait_until(page, IDLE)
+        assert page.evaluate(DESIGN) == design
+        assert page.url.rstrip("/") == address
+        page.get_by_test_id("undo").click()
+        assert page.evaluate(COLUMNS) != 15
+        # A link that is put into the address of an open page is followed, a broken one told.
+        page.evaluate("(link) => { location.hash = new URL(link).hash }", link)
+        wait_until(page, f"{COLUMNS} === 15")
+        page.evaluate("(link) => { location.hash = new URL(link).hash.slice(0, -9) }", link)
+        wait_until(page, "window.__orishell.store.fault.value !== null")
+        assert "broken" in page.get_by_test_id("banner").inner_text()
+
+
+def test_the_page_outlives_its_server(browser: Browser, tmp_path: Path) -> None:
+    if not (PAGES / "index.html").is_file():
+        lacking("the studio's pages have not been built: make pages")
+    with running_studio() as first:
+        page = browser.new_page()
+        page.goto(first.address)
+        wait_until(page, IDLE)
+    set_columns(page, 13)
+    wait_until(page, "window.__orishell.store.fault.value?.kind === 'network'")
+    assert "orishell studio" in page.get_by_test_id("banner").inner_text()
+    with page.expect_download() as download:
+        page.keyboard.press("Control+s")
+    download.value.save_as(tmp_path / "mine.toml")
+    assert tomllib.loads((tmp_path / "mine.toml").read_text()) == page.evaluate(DESIGN)
+    with running_studio(port=urlsplit(first.address).port):
+        wait_until(page, "window.__orishell.store.fault.value === null")
+        settle(page)
+        assert page.evaluate("window.__orishell.report.columns") == 13
+        assert "proved" in page.get_by_test_id("verify-status").inner_text()
+    page.close()
