@@ -32,6 +32,7 @@ extensions = [
     "sphinx.ext.doctest",
     "sphinx.ext.viewcode",
     "house",
+    "live_shells",
     "mathml",
 ]
 exclude_patterns = ["_ext", "**/GALLERY_HEADER.rst"]
@@ -47,6 +48,8 @@ if tags.has("doctest"):
     suppress_warnings += ["toc", "ref", "myst"]
     nitpicky = False
 elif any(GALLERY.glob("plot_*.py")):
+    from live_shells import keep_shells
+
     extensions.append("sphinx_gallery.gen_gallery")
     sphinx_gallery_conf = {
         "examples_dirs": str(GALLERY),
@@ -55,6 +58,7 @@ elif any(GALLERY.glob("plot_*.py")):
         "ignore_pattern": r"^(?!.*plot_)",
         "run_stale_examples": True,
         "abort_on_example_error": False,
+        "image_scrapers": ("matplotlib", keep_shells),
         "reset_modules": ("matplotlib",),
         "write_computation_times": False,
         "show_memory": False,

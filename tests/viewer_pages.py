@@ -24,7 +24,7 @@ from node_tools import lacking
 from orishell.io.formats.html import viewer_is_built
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Locator, Page
+    from playwright.sync_api import Browser, Frame, Locator, Page
 
 ROOT = Path(__file__).parents[1]
 PICTURES, BUILT = ROOT / "docs" / "images", ROOT / "build" / "pictures"
@@ -89,7 +89,7 @@ def require_apart(page: Page, elements: list[Locator], width: int) -> None:
         )
 
 
-def wait_until(page: Page, expression: str, seconds: float = 60.0) -> None:
+def wait_until(page: Page | Frame, expression: str, seconds: float = 60.0) -> None:
     """Wait for a condition; the page's own policy forbids playwright to wait inside it."""
     for _ in range(int(20 * seconds)):
         if page.evaluate(expression):
@@ -104,7 +104,7 @@ def pixels(page: Page, selector: str) -> NDArray[np.float64]:
     return np.asarray(picture[..., :3], dtype=np.float64)
 
 
-def await_frames(page: Page) -> None:
+def await_frames(page: Page | Frame) -> None:
     """Wait until what has been asked for so far is drawn, however slow the machine is."""
     page.evaluate(
         "new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame("

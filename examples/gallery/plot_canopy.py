@@ -4,6 +4,8 @@ A ring canopy
 
 A rising profile swept along 300 degrees of a circle: ``examples/canopy.toml``, parallel repeating.
 Its sheet is a piece of a ring, too, hardly more than half of one: it winds up as it folds.
+
+.. live:: canopy
 """
 
 import matplotlib.pyplot as plt

@@ -8,6 +8,8 @@ crease closes, boards stand back from it by their height times the tangent of ha
 
 All of Figure 1, with 9 rows and 11 columns, would need sheets several times as large: on A3 boards
 of 2 mm would leave nothing of its narrowest panels.
+
+.. live:: figure1_card
 """
 
 import math

@@ -9,6 +9,8 @@ and that the columns' planes are perpendicular to g.
 *Not given, chosen here*: the angle ξ = 50° (f admits up to 53.13°), flaps 0.3 wide that fold to
 the right, no rotation of f, and where the vertices stand on f and g. So the pattern agrees in
 kind, not edge by edge.
+
+.. live:: figure1
 """
 
 import matplotlib.pyplot as plt

@@ -8,6 +8,8 @@ Figure 2 of the paper: orthodiagonal
 *Not given, chosen here*: the zigzag about f (vertices 0.12 to either side of it, its ends cut
 level), :math:`\alpha_0` (from f's plane being square to g's x axis), flaps 0.15 wide, and where
 the vertices stand on g. So the pattern agrees in kind, not edge by edge.
+
+.. live:: figure2
 """
 
 import matplotlib.pyplot as plt

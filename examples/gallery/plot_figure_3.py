@@ -9,6 +9,8 @@ equation (4) with them; equal lengths down column 1; a radius that grows from r 
 (this one satisfies equation (4) and folds rigidly), 7 rows and 9 columns, and sizes. The paper's
 row lengths are random; here they are the most even ones (a linear program finds them), and the
 line is as long as makes the radius grow 1.67-fold.
+
+.. live:: figure3
 """
 
 import matplotlib.pyplot as plt
@@ -99,6 +101,8 @@ print(f"radius {smallest:.3f} to {largest:.3f}: {largest / smallest:.3f} times a
 # **(c)** The paper's own question: four sector angles, the lengths of a row and of a column, no
 # target. Equal lengths down column 1 and a row of 1.4, 0.23, 1.0, 1.9, repeated, fold until the
 # rims meet, and the radius grows 1.66-fold: ``examples/sectors.toml``.
+#
+# .. live:: sectors
 
 shell = make_shell(read_design_file(EXAMPLES / "sectors.toml"))
 sheet = shell.design.mechanism

@@ -41,10 +41,14 @@ def draw(name: str, view: Camera) -> None:
 
 # %%
 # From ``profile.dxf``, layer PROFILE.
+#
+# .. live:: from_dxf
 
 draw("from_dxf.toml", camera(-68, 30))
 
 # %%
 # From ``profile.svg``, the path called profile.
+#
+# .. live:: from_svg
 
 draw("from_svg.toml", camera(-58, 30))

@@ -6,6 +6,8 @@ A clear floor of 3 m by 6 m, two metres of headroom, level ground: ``examples/sh
 pulled open from a bundle until its ties are taut. The g of this orthodiagonal shell is a zigzag,
 so that its columns turn to and fro: that stiffens it lengthwise, and ties all its rows to one
 motion.
+
+.. live:: shelter
 """
 
 import matplotlib.pyplot as plt

@@ -7,6 +7,8 @@ of 4.75 mm twin-wall polypropylene, glued on both faces of a fabric of 0.5 mm. W
 closes, boards stand back from it by 5 mm times the tangent of half its largest fold angle, so
 neighbours never cross the plane that bisects the crease. That no other two boards meet is proved,
 from the pack over the target to the flat sheet.
+
+.. live:: shelter_boards
 """
 
 import runpy

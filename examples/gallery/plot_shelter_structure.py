@@ -7,6 +7,8 @@ square metre of ground and wind of 26 m/s, across it and along it
 (``examples/shelter_structure.toml``). Its feet are anchored. Loads are combined with factors like
 those of EN 1990; these, and the pressure coefficients of the wind, are for the user to say: the
 program has no code's. The answer is linear theory, a first design that signs nothing.
+
+.. live:: shelter_structure
 """
 
 import runpy

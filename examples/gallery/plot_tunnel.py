@@ -4,6 +4,8 @@ A covered way round a bend
 
 A ridged section swept along a circle of 8 m: ``examples/tunnel.toml``, parallel repeating. The
 rows of a locked shell of this family are level whatever g does, so it stands on even ground.
+
+.. live:: tunnel
 """
 
 import matplotlib.pyplot as plt

@@ -1,0 +1,13 @@
+// What a shell's page does within another: it leaves scrolling to that, and takes its theme.
+if (parent !== window) {
+  document.documentElement.classList.add("within");
+  let used = false;
+  addEventListener("pointerdown", () => { used = true; }, true);
+  document.documentElement.addEventListener("pointerleave", () => { used = false; });
+  addEventListener("wheel", (event) => {
+    if (!used && !event.ctrlKey) event.stopImmediatePropagation();
+  }, { capture: true, passive: true });
+  addEventListener("message", ({ source, data }) => {
+    if (source === parent && (data === "light" || data === "dark")) window.orishell.setTheme(data);
+  });
+}

@@ -1,0 +1,160 @@
+"""Shells of the site's pages fold where they stand, from disk and from a server."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from orishell.io.formats.html import read_viewer
+from viewer_pages import await_frames, pixels, running_browser, wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Frame, Page
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CHANGED = 0.02
+"""Mean difference of two pictures of a stage, from 0 to 1, that shows different shells."""
+OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+
+pytestmark = pytest.mark.slow
+
+
+def live_names(page: Path) -> list[str]:
+    """Names of the shells that a page shows."""
+    return re.findall(r'class="live-poster" href="[^"]*?live/(\w+)\.html"', page.read_text("utf-8"))
+
+
+def test_every_example_of_the_gallery_folds(site: Path) -> None:
+    pages = sorted((site / "gallery").glob("plot_*.html"))
+    assert len(pages) == len(list((EXAMPLES / "gallery").glob("plot_*.py")))
+    names = [live_names(page) for page in pages]
+    assert all(names)
+    assert {name for each in names for name in each} == {p.stem for p in EXAMPLES.glob("*.toml")}
+
+
+def test_pages_share_one_program(site: Path) -> None:
+    live = site / "live"
+    program = (live / "viewer.js").stat().st_size
+    assert len(read_viewer().encode()) - 100 < program < len(read_viewer().encode()) + 5000
+    for page in live.glob("*.html"):
+        text = page.read_text("utf-8")
+        head, _, rest = text.partition('id="orishell-view">')
+        view, _, tail = rest.partition("</script>")
+        assert len(head) + len(tail) < 2000, page
+        assert len(view) > 10_000, page
+        assert 'src="viewer.js"' in tail
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Serves files and says nothing of it."""
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """The address of a folder that is served."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder))) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with running_browser() as running:
+        yield running
+
+
+@contextmanager
+def opened(browser: Browser, base: str, path: str, **options: Any) -> Iterator[Page]:
+    """A page of the site; at the end it must have printed nothing and asked for nothing else."""
+    page = browser.new_page(**options)
+    said: list[str] = []
+    asked: list[str] = []
+    page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(base + path)
+    yield page
+    page.close()
+    assert said == []
+    assert [url for url in asked if not url.startswith(base)] == []
+
+
+def shell_of(page: Page) -> Frame:
+    """The viewer on a page, once it is there."""
+    wait_until(page, "document.querySelector('.live-on') !== null")
+    return page.frames[1]
+
+
+def assert_folds(page: Page, frame: Frame) -> None:
+    """The picture changes with the slider, which keys move."""
+    await_frames(frame)
+    before = pixels(page, ".live-stage")
+    slider = frame.locator(".player input[type=range]")
+    slider.focus()
+    page.keyboard.press("Home")
+    assert frame.evaluate("orishell.shell.fold") == 0
+    await_frames(frame)
+    assert np.abs(pixels(page, ".live-stage") - before).mean() > CHANGED
+
+
+def test_an_example_is_opened_by_a_key_and_folds_from_disk(browser: Browser, site: Path) -> None:
+    base = site.as_uri() + "/"
+    size = {"width": 1280, "height": 720}
+    with opened(browser, base, "gallery/plot_canopy.html", viewport=size) as page:
+        assert len(page.frames) == 1  # a picture, until the viewer is asked for
+        assert page.locator(".live-poster img").evaluate("image => image.naturalWidth") == 1100
+        page.locator(".live-poster").focus()
+        page.keyboard.press("Enter")
+        frame = shell_of(page)
+        assert page.evaluate("document.activeElement.tagName") == "IFRAME"
+        assert_folds(page, frame)
+        for theme in ("dark", "light"):
+            page.evaluate("theme => { document.body.dataset.theme = theme; }", theme)
+            wait_until(frame, f"document.documentElement.dataset.theme === '{theme}'")
+
+
+def test_the_front_page_folds_by_itself(browser: Browser, site: Path) -> None:
+    phone: dict[str, Any] = {
+        "viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True,
+        "color_scheme": "dark",
+    }  # fmt: skip
+    with served(site) as base, opened(browser, base, "index.html", **phone) as page:
+        page.locator(".live-stage").scroll_into_view_if_needed()
+        frame = shell_of(page)
+        assert frame.evaluate("document.documentElement.dataset.theme") == "dark"
+        assert page.evaluate(OVERFLOW) == 0
+        assert frame.evaluate(OVERFLOW) == 0
+        assert_folds(page, frame)
+        assert page.locator(".ways li").count() == 3
+        assert page.locator("article .toctree-wrapper li").count() == 0
+
+
+def test_the_wheel_scrolls_a_page_until_its_shell_is_used(browser: Browser, site: Path) -> None:
+    base = site.as_uri() + "/"
+    with opened(browser, base, "index.html", viewport={"width": 1280, "height": 720}) as page:
+        frame = shell_of(page)
+        box = page.locator(".live-stage").bounding_box()
+        assert box is not None
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 3)
+        page.mouse.wheel(0, 60)
+        wait_until(page, "scrollY > 0")
+        distance = "orishell.shell.camera.position.length()"
+        page.mouse.down()
+        page.mouse.up()
+        before, at = frame.evaluate(distance), page.evaluate("scrollY")
+        page.mouse.wheel(0, -60)
+        wait_until(frame, f"{distance} !== {before}")
+        assert page.evaluate("scrollY") == at
