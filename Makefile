@@ -4,7 +4,7 @@
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
 # make test-pages  their own tests
 # make studio  builds and starts the studio
-# make docs    the documentation, into build/docs/
+# make docs    the documentation, with the viewer in it (builds the pages first), into build/docs/
 # make paper   the paper's figures and numbers beside ours, into build/paper/
 # make cad     build123d for STEP and the tests that ask it, 0.7 GB
 # make node    other people's software for the tests that ask it, into build/node (node, npm)
@@ -39,7 +39,7 @@ test-pages: $(PAGES)
 studio: $(VENV)/.studio $(PAGES)
 	$(BIN)/orishell studio
 
-docs: $(VENV)/.docs
+docs: $(VENV)/.docs $(PAGES)
 	$(BIN)/python -m sphinx -q -W --keep-going -b html -d build/doctrees docs build/docs
 	$(BIN)/python -m sphinx -q -t doctest -b doctest -d build/doctrees-doctest docs build/doctest
 	@echo "build/docs/index.html"

@@ -130,6 +130,7 @@ numfig = True
 
 html_theme = "furo"
 html_title = "orishell"
+html_favicon = "_static/icon.svg"
 html_static_path = ["_static"]
 html_css_files = ["orishell.css"]
 html_math_renderer = "mathml"

@@ -38,7 +38,7 @@ PARTS = HERE / "live"
 """What the pages are made of."""
 FOLDER = "live"
 """Where they stand in the site."""
-NOT_BUILT = "the site shows shells in the viewer, which is not built: make pages, then make docs"
+NOT_BUILT = "the site folds its shells in the viewer, which has not been built: make pages"
 
 POSTER = (11.0, 6.875)
 """Size of a picture (inches), as wide to high as its place on a page."""

@@ -7,8 +7,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from importlib import import_module
 from pathlib import Path
 from threading import Thread
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +22,8 @@ from viewer_pages import await_frames, pixels, running_browser, wait_until
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Frame, Page
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
 CHANGED = 0.02
 """Mean difference of two pictures of a stage, from 0 to 1, that shows different shells."""
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
@@ -52,6 +55,30 @@ def test_pages_share_one_program(site: Path) -> None:
         assert len(head) + len(tail) < 2000, page
         assert len(view) > 10_000, page
         assert 'src="viewer.js"' in tail
+
+
+def test_a_site_without_the_viewer_says_what_to_build(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs" / "_ext"))
+    live_shells = import_module("live_shells")
+    html = SimpleNamespace(builder=SimpleNamespace(format="html"))
+    monkeypatch.setattr(live_shells, "viewer_is_built", lambda: True)
+    live_shells.require_viewer(html)
+    monkeypatch.setattr(live_shells, "viewer_is_built", lambda: False)
+    with pytest.raises(Exception, match="has not been built: make pages"):
+        live_shells.require_viewer(html)
+    live_shells.require_viewer(SimpleNamespace(builder=SimpleNamespace(format="")))  # of doctest
+
+
+def test_the_program_of_all_pages_is_the_viewer_without_exports(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs" / "_ext"))
+    live_shells = import_module("live_shells")
+    program = live_shells.shared_program("const a={};export{a as default};\n")
+    assert "const a={};" in program
+    assert "export" not in program
+    with pytest.raises(Exception, match="no module that ends with its exports"):
+        live_shells.shared_program("const a = 1;")
 
 
 class Quiet(SimpleHTTPRequestHandler):
