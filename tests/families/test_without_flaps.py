@@ -47,7 +47,7 @@ def drive_without_flaps(bare: Sheet, drive: float) -> float:
     sin(drive/2) with flaps and what the bare drive is solved for without.
     """
     kappa, q = np.sin(drive / 2), np.cos(drive / 2)
-    rest = bare._columns().rest
+    rest = bare._columns.rest
     turn = 1.0 if isinstance(bare, ParallelRepeating) else np.sqrt((1 - rest) * (1 + rest))
     return float(2 * np.arctan2(kappa, np.hypot(rest, q * turn)))
 

@@ -38,6 +38,7 @@ def test_report(shell: Shell) -> None:
     assert (report.feasible, report.not_checked) == (True, ())
     (warning,) = report.warnings
     assert "is larger than any board" in warning
+    assert report.residuals is not None
     assert all(value <= 1e-12 for value in astuple(report.residuals))
     lock, contact = report.lock, report.lock.first_contact
     assert contact is not None

@@ -125,6 +125,7 @@ def test_shells_with_boards_on_their_flaps(figure: int, clipped: bool) -> None:
     there = paper.positions(paper.target_drive)[:, paper.inner_columns]
     found = at_target[:, design.mechanism.inner_columns]
     assert np.abs(found - there).max() < 1e-12
+    assert made.report.residuals is not None
     assert made.report.residuals.panel_length < 1e-14
     assert made.report.residuals.fold_angle_rad < 1e-12
     if clipped:

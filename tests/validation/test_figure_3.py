@@ -29,6 +29,7 @@ def test_sector_angles(shell: Shell) -> None:
 
 
 def test_residuals(shell: Shell) -> None:
+    assert shell.report.residuals is not None
     assert all(value <= 1e-12 for value in astuple(shell.report.residuals))
     assert shell.report.assignment.constant
     assert shell.report.assignment.maekawa

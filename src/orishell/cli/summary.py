@@ -38,10 +38,11 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
     else:
         yield _standing(report)
         yield from _deviation(report.deviation, unit)
-    yield (
-        f"rigid     panel lengths to {residuals.panel_length:.1e}, fold angles to "
-        f"{residuals.fold_angle_rad:.1e} rad over {len(shell.motion)} states"
-    )
+    if residuals is not None:
+        yield (
+            f"rigid     panel lengths to {residuals.panel_length:.1e}, fold angles to "
+            f"{residuals.fold_angle_rad:.1e} rad over {len(shell.motion)} states"
+        )
     yield from _held(shell)
     if report.structure is not None:
         yield from brief_structure(report.structure, unit)

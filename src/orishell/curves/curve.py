@@ -241,12 +241,10 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
 
     def jet(t: Array) -> tuple[Array, Array, Array]:
         t = np.asarray(t, dtype=np.float64)
-        across = x.jet(t) if x is not None else (t, np.ones_like(t), np.zeros_like(t))
-        along = y.jet(t)
-        position, first, second = (
-            np.stack(np.broadcast_arrays(u, v), axis=-1) for u, v in zip(across, along, strict=True)
-        )
-        return position, first, second
+        both = np.empty((3, *t.shape, 2))
+        for out, u, v in zip(both, (t, 1.0, 0.0) if x is None else x.jet(t), y.jet(t), strict=True):
+            out[..., 0], out[..., 1] = u, v
+        return both[0], both[1], both[2]
 
     def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
         across = Enclosure.variable(low, high) if x is None else x.enclosure(low, high)

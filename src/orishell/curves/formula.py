@@ -54,7 +54,11 @@ class Formula:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""
         t = np.asarray(t, dtype=np.float64)
         with np.errstate(all="ignore"):
-            value, first, second = self._run((t, np.ones_like(t), np.zeros_like(t)), JETS)
+            value, first, second = (
+                # Constants have no axis for parameters.
+                each if np.shape(each) == t.shape else np.full(t.shape, each)
+                for each in self._run((t, np.ones_like(t), np.zeros_like(t)), JETS)
+            )
         return value, first, second
 
     def enclosure(self, low: Array, high: Array) -> Enclosure:

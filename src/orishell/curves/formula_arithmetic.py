@@ -45,8 +45,9 @@ class Rules(Generic[J]):
     functions: Mapping[str, Callable[[J], J]]
 
 
-def _constant_jet(value: float, t: Jet) -> Jet:
-    return np.full_like(t[0], value), np.zeros_like(t[0]), np.zeros_like(t[0])
+def _constant_jet(value: float, _: Jet) -> Jet:
+    zero = np.zeros(())
+    return np.asarray(value), zero, zero
 
 
 def _jet_power(base: Jet, exponent: float) -> Jet:

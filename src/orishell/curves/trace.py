@@ -14,6 +14,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.curves.checked import checked_jet, least_within, require_length, require_speed
 from orishell.curves.curve import Curve
 from orishell.curves.frames import nearby_origin
+from orishell.curves.memo import remembered
 from orishell.curves.sample_gaps import Samples, missing_samples
 from orishell.errors import CurveError
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -104,19 +105,8 @@ class Trace:
         )
 
     def in_own_frame(self) -> Trace:
-        """The trace in a frame near it, in which points far from the origin keep their digits.
-
-        A curve near the origin of its drawing stays where it is.
-        """
-        shift = nearby_origin(self.points)
-        if not shift.any():
-            return self
-        return replace(
-            self,
-            curve=self.curve.shifted(-shift),
-            points=self.points - shift,
-            origin=self.origin + shift,
-        )
+        """The trace in a frame near it, see :func:`nearby_origin`; itself if it is near already."""
+        return _in_own_frame(self)
 
     def bounding_box(self) -> tuple[Array, Array]:
         """Lower left and upper right corner, (2,) each."""
@@ -178,6 +168,20 @@ def trace_curve(curve: Curve, name: str = "") -> Trace:
         raise error.located(name) from None
 
 
+@remembered
+def _in_own_frame(trace: Trace) -> Trace:
+    shift = nearby_origin(trace.points)
+    if not shift.any():
+        return trace
+    return replace(
+        trace,
+        curve=trace.curve.shifted(-shift),
+        points=trace.points - shift,
+        origin=trace.origin + shift,
+    )
+
+
+@remembered
 def _trace(curve: Curve) -> Trace:
     t = np.union1d(np.linspace(curve.start, curve.stop, FIRST_CELLS + 1), curve.breaks)
     position, first, _ = checked_jet(curve, t)

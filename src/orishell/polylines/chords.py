@@ -109,12 +109,15 @@ def measure_chords(trace: Trace, chords: Chords) -> Closeness:
 def _evened_out(trace: Trace, count: int, spacing: Spacing, placement: Placement) -> Chords:
     """The closest polyline of the first guess and its corrections, sweep by sweep."""
     bend, corners = _bends(trace, count)
+    kept = trace.t[trace.corners]
     offsets = np.zeros(count)
     best, least, gained = None, np.inf, 0
     for sweep in range(SWEEPS):
         t = _equal(trace, count) if spacing == "equal" else _cut(trace, bend, corners, count)
-        offsets = _admissible(trace, t, offsets)
-        vertices = trace.curve.position(t) + offsets[:, None] * _normals(trace, t)
+        vertices = trace.curve.position(t)
+        if placement == "balanced":
+            offsets = _admissible(trace, t, offsets, kept)
+            vertices = vertices + offsets[:, None] * _normals(trace, t)
         errors = measure_edges(trace, t, vertices, offsets)
         distance = float(errors.largest.max())
         if distance < (1 - GAIN) * least:
@@ -184,12 +187,18 @@ def _correction(trace: Trace, t: Array, uneven: Array) -> Array:
     return corrected
 
 
-def _admissible(trace: Trace, t: Array, offsets: Array) -> Array:
-    """The offsets (n,), limited to a share of the pieces beside them, zero at ends and corners."""
+def _admissible(trace: Trace, t: Array, offsets: Array, kept: Array) -> Array:
+    """The offsets (n,), limited to a share of the pieces beside them, zero at ends and where kept.
+
+    Parameters
+    ----------
+    kept
+        Parameters (K,) of corners, whose vertices stay.
+    """
     pieces = np.diff(np.interp(t, trace.t, trace.arc))
     limit = np.zeros(len(t))
     limit[1:-1] = LARGEST_OFFSET * np.minimum(pieces[1:], pieces[:-1])
-    limit[np.isin(t, trace.t[trace.corners])] = 0.0
+    limit[np.isin(t, kept)] = 0.0
     clipped: Array = np.clip(offsets, -limit, limit)
     return clipped
 

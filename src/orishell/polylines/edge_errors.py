@@ -50,19 +50,26 @@ def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> Ed
         Their distances (n,) from the curve, positive to its left.
     """
     part = np.arange(1, SAMPLES_PER_EDGE) / SAMPLES_PER_EDGE
-    between = (t[:-1, None] * (1 - part) + t[1:, None] * part).ravel()
-    samples = np.concatenate([trace.t, between])
-    order = np.argsort(samples, kind="stable")
-    points = np.concatenate([trace.points, trace.curve.position(between)])[order]
-    edge = np.clip(np.searchsorted(t, samples[order], side="right") - 1, 0, len(t) - 2)
-    first = np.searchsorted(edge, np.arange(len(t) - 1))
+    between = trace.curve.position(t[:-1, None] * (1 - part) + t[1:, None] * part)
+    # Edge by edge: the points between its ends, then the samples of the trace on it.
+    begin = np.searchsorted(trace.t, t[1:-1])
+    counts = np.diff(np.concatenate([[0], begin, [len(trace.t)]]))
+    edge = np.repeat(np.arange(len(counts)), counts)
+    counts += len(part)
+    first = np.concatenate([[0], np.cumsum(counts[:-1])])
+    x, y = points = np.empty((2, int(counts.sum())))
+    points[:, first[:, None] + np.arange(len(part))] = np.moveaxis(between, -1, 0)
+    points[:, np.arange(len(edge)) + len(part) * (edge + 1)] = trace.points.T
 
-    span = np.diff(vertices, axis=0)
-    length = np.hypot(*span.T)
-    along, across = _components(points - vertices[edge], (span / length[:, None])[edge])
-    error = -across  # of the edge, positive to the left of the curve
-    beyond = np.maximum(np.maximum(-along, along - length[edge]), 0.0)
-    place = np.clip(along / length[edge], 0.0, 1.0)
+    span = np.diff(vertices, axis=0).T
+    length = np.hypot(*span)
+    ends = np.concatenate([vertices[:-1].T, span / length, [length]])
+    from_x, from_y, unit_x, unit_y, size = np.repeat(ends, counts, axis=1)
+    x -= from_x
+    y -= from_y
+    along, error = x * unit_x + y * unit_y, unit_y * x - unit_x * y  # positive: left of the curve
+    beyond = np.maximum(np.maximum(-along, along - size), 0.0)
+    place = np.clip(along / size, 0.0, 1.0)
     left, right = np.minimum(1.0, REACH * (1 - place)), np.minimum(1.0, REACH * place)
 
     # To the left and to the right of the curve, around the first and the last vertex of each edge.
@@ -77,10 +84,3 @@ def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> Ed
     largest = np.maximum.reduceat(np.hypot(error, beyond), first)
     half_range = np.hypot(0.5 * (high - low).max(axis=0), np.maximum.reduceat(beyond, first))
     return EdgeErrors(np.maximum(largest, np.abs(ends).max(axis=0)), half_range, highest + lowest)
-
-
-def _components(vectors: Array, unit: Array) -> tuple[Array, Array]:
-    """Components (P,) of vectors (P, 2) along unit vectors (P, 2), and to the left of them."""
-    along: Array = (vectors * unit).sum(axis=1)
-    across: Array = unit[:, 0] * vectors[:, 1] - unit[:, 1] * vectors[:, 0]
-    return along, across

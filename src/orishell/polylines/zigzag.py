@@ -9,7 +9,7 @@ vanishes. The first and the last edge are half a step long, as steep then as the
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -49,20 +49,19 @@ class Zigzag:
     feet: Array
     first: int
     depth: float
+    lengths: Array = field(init=False, repr=False)
+    """Edge lengths (m+1,)."""
+    angles: Array = field(init=False, repr=False)
+    """Angles beta (m,) on alternating sides, below pi where it turns as meant (radians)."""
 
     __repr__ = in_one_line
 
-    @property
-    def lengths(self) -> Array:
-        """Edge lengths (m+1,)."""
-        return np.abs(self._edges())
-
-    @property
-    def angles(self) -> Array:
-        """Angles beta (m,) on alternating sides, below pi where it turns as meant (radians)."""
+    def __post_init__(self) -> None:
         edges = self._edges()
         turn = np.angle(edges[1:] * edges[:-1].conj())
-        return np.asarray(np.pi + self.first * alternating(len(turn)) * turn)
+        angles = np.pi + self.first * alternating(len(turn)) * turn
+        object.__setattr__(self, "lengths", np.abs(edges))
+        object.__setattr__(self, "angles", angles)
 
     @property
     def axis(self) -> float:

@@ -35,16 +35,17 @@ class AssignmentReport:
     mountain, valley, unfolded
         Numbers of creases.
     constant
-        Whether no crease changes from one to the other in the whole motion.
+        Whether no crease changes from one to the other in the whole motion; None if that was not
+        measured.
     maekawa
-        Whether Maekawa's condition holds at every inner vertex.
+        Whether Maekawa's condition holds at every inner vertex; None if that was not measured.
     """
 
     mountain: int
     valley: int
     unfolded: int
-    constant: bool
-    maekawa: bool
+    constant: bool | None
+    maekawa: bool | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +148,7 @@ class Report:
     warnings
         Sentences a user should read.
     residuals, assignment
-        How exactly it folds.
+        How exactly it folds; None if that was not measured.
     lock
         How the motion ends.
     not_checked
@@ -176,7 +177,7 @@ class Report:
     chosen: ChosenReport | None
     feasible: bool | None
     warnings: tuple[str, ...]
-    residuals: Residuals
+    residuals: Residuals | None
     assignment: AssignmentReport
     lock: LockReport
     not_checked: tuple[str, ...]
@@ -202,7 +203,7 @@ class Report:
         return tables
 
 
-def describe_assignment(design: Design, check: AssignmentCheck) -> AssignmentReport:
+def describe_assignment(design: Design, check: AssignmentCheck | None) -> AssignmentReport:
     """Mountains and valleys."""
     signs = find_assignment(design.mechanism)
     creases = np.concatenate([signs.row.ravel(), signs.column.ravel()])
@@ -210,8 +211,8 @@ def describe_assignment(design: Design, check: AssignmentCheck) -> AssignmentRep
         mountain=int((creases < 0).sum()),
         valley=int((creases > 0).sum()),
         unfolded=int((creases == 0).sum()),
-        constant=check.constant,
-        maekawa=check.maekawa,
+        constant=None if check is None else check.constant,
+        maekawa=None if check is None else check.maekawa,
     )
 
 

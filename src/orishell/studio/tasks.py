@@ -64,7 +64,7 @@ class Task:
     progress: Progress
 
     def make_view(self) -> bytes:
-        """The view of a design, before contact and distances are examined.
+        """The view of a design, before rigidity, contact and distances are examined.
 
         Raises
         ------
@@ -85,6 +85,7 @@ class Task:
                 replace(file, frames=min(max(frames, FEWEST_STATES), MOST_STATES)),
                 self.progress,
                 clash="unexamined",
+                verified=False,
                 measured=False,
                 nested=False,
                 loaded=False,

@@ -215,15 +215,16 @@ class _Target:
                 candidates=[Remedy({"pattern.solution": 0}), AUTO_SECTORS],
             )
         columns = request.coupled(solution)
-        state = find_target_state(
-            self.profile,
-            columns,
-            request.rows,
-            request.first_row,
-            drive=request.stage,
-            lengths=request.column_lengths,
-        )
-        inner = self._lengths(columns, state)
+        with request.size_blamed(columns):
+            state = find_target_state(
+                self.profile,
+                columns,
+                request.rows,
+                request.first_row,
+                drive=request.stage,
+                lengths=request.column_lengths,
+            )
+            inner = self._lengths(columns, state)
         mechanism = with_fitting_border(
             columns,
             request.first_row,

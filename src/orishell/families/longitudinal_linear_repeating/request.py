@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
 from orishell.design import Parameter
+from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
@@ -64,14 +66,26 @@ class SheetRequest:
         Raises
         ------
         DesignError
-            If no lengths make a sheet of this size of them.
+            If they end before the sheet does.
         """
         if self.couplings == "periodic":
-            columns = repeat_columns(solution, self.columns)
-        else:
-            columns = continue_columns(solution, self.couplings)
-        require_size(columns, self.rows, self.first_row)
-        return columns
+            return repeat_columns(solution, self.columns)
+        return continue_columns(solution, self.couplings)
+
+    @contextmanager
+    def size_blamed(self, columns: Columns) -> Iterator[None]:
+        """Where no sheet is found, say first whether any lengths make one of this size.
+
+        Raises
+        ------
+        DesignError
+            If none do, instead of what was raised.
+        """
+        try:
+            yield
+        except DesignError:
+            require_size(columns, self.rows, self.first_row)
+            raise
 
     def describe(
         self, solution: Solution, mechanism: LongitudinalLinearRepeating

@@ -133,7 +133,7 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
     begin = FIRST * float(np.abs(columns.sectors[0]).max())
 
     def turning(at: float, count: int = rows) -> float:
-        return abs(Section.of(columns, count, first_row, at, profile.side).turning)
+        return float(turnings(columns, count, first_row, np.array([at]), profile.side)[0])
 
     def follows(count: int) -> bool:
         """Whether so many rows turn as much as f somewhere in their motion, all the same way."""

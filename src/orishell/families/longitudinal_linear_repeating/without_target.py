@@ -105,9 +105,10 @@ def design_without_target(
 def _build(request: SheetRequest, solution: Solution) -> LongitudinalLinearRepeating:
     """The sheet that a solution of (4) gives."""
     columns = request.coupled(solution)
-    inner = _inner_lengths(request, columns)
-    if inner is None or inner.shortest <= 0:
-        raise _refusal(request, columns, inner)
+    with request.size_blamed(columns):
+        inner = _inner_lengths(request, columns)
+        if inner is None or inner.shortest <= 0:
+            raise _refusal(request, columns, inner)
     return _with_border(request, columns, inner)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -21,20 +21,21 @@ class Columns:
     k: Array  # along K
     locked: Array  # along n at the target: l sin eps, positive but for flaps that fold flat
     existing: slice  # those that are not missing flaps
+    step: Array = field(init=False, repr=False)
+    """Distances (n+1,) between neighbouring columns in the flat sheet."""
+    _tightest: tuple[float, float] = field(init=False, repr=False)
+    """Of the tightest panel column's step, the shares along n and along K at the target."""
 
-    @property
-    def step(self) -> Array:
-        """Distances (n+1,) between neighbouring columns in the flat sheet."""
-        return np.hypot(self.locked, self.k)
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "step", np.hypot(self.locked, self.k))
+        object.__setattr__(self, "_tightest", self._shares())
 
     @property
     def rest(self) -> float:
         """The smallest share of a step that is along n at the target: of the tightest columns."""
         return self._tightest[0]
 
-    @property
-    def _tightest(self) -> tuple[float, float]:
-        """Of the tightest panel column's step, the shares along n and along K at the target."""
+    def _shares(self) -> tuple[float, float]:
         step = self.step[self.existing]
         along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
         # Nearly straight rows differ in what they take across only, the others along only.

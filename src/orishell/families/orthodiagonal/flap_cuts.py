@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -20,6 +21,8 @@ SMALLEST_KEPT = 0.1
 """A cut flap keeps this share of every row crease: panels that meet along less lock nothing."""
 SHORTEST = 0.2
 """Its end edges keep this share of the column's."""
+KEPT = 32
+"""Mechanisms whose flaps are remembered: each is asked about several times."""
 BEYOND = 1e-9
 """Flaps that reach below the feet by less than this share of the height count as level."""
 
@@ -55,6 +58,7 @@ def depth_below_feet(mechanism: Orthodiagonal) -> float:
     return below if below > BEYOND * np.ptp(inner) else 0.0
 
 
+@lru_cache(KEPT)
 def _ends(mechanism: Orthodiagonal) -> Array:
     """Vertices (m+2, 4, 3) of the first and the last column and their flaps at lock."""
     sheet = replace(mechanism, points=mechanism.points[[0, -1]])

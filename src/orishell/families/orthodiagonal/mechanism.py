@@ -100,15 +100,17 @@ class Orthodiagonal(FlapSheet):
     trims: tuple[float, float] = (0.0, 0.0)
     kept: Array = field(default_factory=lambda: np.ones((2, 1)))
     stop: float = 0.0
+    _columns: Columns = field(init=False, repr=False)
 
     __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
         self._freeze("lengths", "angles", "points", "kept")
+        object.__setattr__(self, "_columns", self._steps())
 
     def shifts(self) -> Array:
         """Shifts K (n+2,) of every column, 0 at column 1; (n,) without flaps."""
-        return running(self._columns().k)[self._existing]
+        return running(self._columns.k)[self._existing]
 
     def column_lengths(self) -> Array:
         """Lengths (m+1, columns of the grid) of all columns' edges: they never change.
@@ -127,7 +129,7 @@ class Orthodiagonal(FlapSheet):
 
         In the paper's order RU, LU, LD, RD. Those at a flap are given even if it is left out.
         """
-        columns = self._columns()
+        columns = self._columns
         right = np.arctan2(columns.step, columns.k * self._tangents()[:, None])  # RD of every panel
         left = np.pi - right[:, :-1]
         right = right[:, 1:]
@@ -142,7 +144,7 @@ class Orthodiagonal(FlapSheet):
         drive 0 and turns evenly with the drive. Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
-        columns = self._columns()
+        columns = self._columns
         kappa, advance = columns.phase(drive)
         level = np.exp(1j * self.tilt * (drive / target_drive(columns.rest)))
         row = self._middle_row(columns, kappa, advance, level)[..., self._existing, :]
@@ -172,7 +174,7 @@ class Orthodiagonal(FlapSheet):
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
-        columns = self._columns()
+        columns = self._columns
         kappa, advance = columns.phase(np.asarray(drive, dtype=np.float64))
         gamma, nu = columns.k / columns.step, advance / columns.step
         c = 1 / self._tangents()
@@ -186,7 +188,7 @@ class Orthodiagonal(FlapSheet):
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the acceleration of edge vectors, see :class:`~orishell.motion.Mechanism`."""
-        columns = self._columns()
+        columns = self._columns
         along, down = bound_edges(
             (start, stop),
             tangents=self._tangents(),
@@ -205,13 +207,13 @@ class Orthodiagonal(FlapSheet):
         self, rows: Integers, columns: Integers, start: Array, stop: Array
     ) -> Enclosure:
         """Squared distances of vertices, see :class:`~orishell.deployment.ColumnDistances`."""
-        whole = self._columns().whole_angle(start[:, None], stop[:, None])
+        whole = self._columns.whole_angle(start[:, None], stop[:, None])
         lengths = self._whole_lengths()[:, columns].T
         return squared_distances(whole, self._tangents(), self._turning(), lengths, rows)
 
     @property
     def _rest(self) -> float:
-        return self._columns().rest
+        return self._columns.rest
 
     def _sharpest_angle(self) -> float:
         return float(self.angles.min())
@@ -238,7 +240,7 @@ class Orthodiagonal(FlapSheet):
         """The signs s of the turns (m,)."""
         return -self.first * alternating(len(self.angles))
 
-    def _columns(self) -> Columns:
+    def _steps(self) -> Columns:
         """The steps of every panel column along K and along n."""
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]

@@ -28,7 +28,7 @@ end. With flaps that fold flat the rest is 0 and the target the end, as in the p
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -80,11 +80,13 @@ class ParallelRepeating(FlapSheet):
     flaps: tuple[float, float]
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
     stop: float = 0.0
+    _columns: Columns = field(init=False, repr=False)
 
     __repr__ = mechanism_in_one_line
 
     def __post_init__(self) -> None:
         self._freeze("lengths", "points", "axes")
+        object.__setattr__(self, "_columns", self._solved())
 
     def with_flaps(self, width: float) -> ParallelRepeating:
         """The sheet with flaps of this width (in its unit), measured square to their column.
@@ -110,7 +112,7 @@ class ParallelRepeating(FlapSheet):
         In the paper's order RU, LU, LD, RD; every row has the same. Those at a flap are given even
         if it is left out.
         """
-        columns = self._columns()
+        columns = self._columns
         w = np.hypot(columns.slope, 1.0)
         right = np.arctan2(w[1:], columns.tau * columns.cos_right)
         left = np.arctan2(w[:-1], columns.tau * columns.cos_left)
@@ -118,7 +120,7 @@ class ParallelRepeating(FlapSheet):
 
     def column_scales(self) -> Array:
         """How many times (n,) as long as in column 1 f is along each column's t, at lock."""
-        tau = self._columns().tau
+        tau = self._columns.tau
         return np.asarray(tau / tau[0])
 
     def row_lengths(self, row: int) -> Array:
@@ -126,7 +128,7 @@ class ParallelRepeating(FlapSheet):
 
         Not positive where neighbouring columns meet before they reach the row.
         """
-        columns = self._columns()
+        columns = self._columns
         # Motion leaves it alone, so take it at lock: reach along t is h tau, h = arc cos(xi/2).
         closing = (columns.tau * columns.cos_right)[:-1] + (columns.tau * columns.cos_left)[1:]
         lengths: Array = (
@@ -142,7 +144,7 @@ class ParallelRepeating(FlapSheet):
         Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
-        columns = self._columns()
+        columns = self._columns
         kappa, tight = self._phase(columns, drive)
         middle, spread = self._row_and_spread(columns, tight[..., None])
         reach, height = self.column_arcs() * np.cos(self.xi / 2), self.locked_heights()
@@ -157,7 +159,7 @@ class ParallelRepeating(FlapSheet):
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
-        columns = self._columns()
+        columns = self._columns
         kappa, tight = self._phase(columns, np.asarray(drive, dtype=np.float64))
         c = kappa[..., None]
         w = np.hypot(columns.slope_beyond, tight[..., None])
@@ -180,7 +182,7 @@ class ParallelRepeating(FlapSheet):
         middle = np.abs(np.diff(self.points))
         longest = np.maximum(self.row_lengths(0), self.row_lengths(len(self.lengths)))
         along, down = bound_edges(
-            self._columns(),
+            self._columns,
             middle,
             np.concatenate([self.flaps[:1], longest, self.flaps[1:]]),
             self.lengths * np.cos(self.xi / 2),
@@ -194,13 +196,13 @@ class ParallelRepeating(FlapSheet):
         """Squared distances of vertices, see :class:`~orishell.deployment.ColumnDistances`."""
         inner = columns - self.inner_columns.start
         edges = self._rising() * self.lengths * np.cos(self.xi / 2)
-        return squared_distances(self._columns(), edges, rows, inner, (start, stop))
+        return squared_distances(self._columns, edges, rows, inner, (start, stop))
 
     def _rising(self) -> Array:
         """+1 for edges of the first column that rise at lock, -1 for those that fall (m+1,)."""
         return self.first * np.where(np.arange(len(self.lengths)) % 2 == 0, 1.0, -1.0)
 
-    def _columns(self) -> Columns:
+    def _solved(self) -> Columns:
         """Equation (2): tau and the cosines of delta per column, the slope per panel column."""
         segment = np.diff(self.points)
         segment = segment / np.abs(segment)
@@ -224,10 +226,10 @@ class ParallelRepeating(FlapSheet):
 
     @property
     def _rest(self) -> float:
-        return self._columns().rest
+        return self._columns.rest
 
     def _sharpest_angle(self) -> float:
-        return float(2 * np.arctan(self._columns().tau[[0, -1]].min()))
+        return float(2 * np.arctan(self._columns.tau[[0, -1]].min()))
 
     def _stopped(self, stop: float) -> ParallelRepeating:
         stopped = replace(self, stop=stop)

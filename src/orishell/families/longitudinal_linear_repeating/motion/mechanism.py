@@ -37,7 +37,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import EdgeLengths
 from orishell.motion import mechanism_in_one_line
-from orishell.numerics.arrays import Array, Booleans, Complex
+from orishell.numerics.arrays import Array, Booleans
 from orishell.sheet.grid import CreaseValues, Grid
 
 
@@ -194,6 +194,7 @@ class LongitudinalLinearRepeating:
         panels = Rotations(np.empty(shape, np.complex128), np.empty(shape, np.complex128))
 
         middle = (rows - 1) // 2 + 1
+        over_rows = Rotations.about(across_row, *halves.row(slice(None)))
         sine, cosine = halves.column(slice(middle, middle + 1))
         crossed = Rotations.about(across_column[middle], sine[..., 0, :], cosine[..., 0, :])
         along = running_products(crossed)
@@ -204,11 +205,11 @@ class LongitudinalLinearRepeating:
         current = (turn @ anchor.inverse() @ along).normalised()
         panels[..., middle, :] = current
         for i in range(middle, rows - 1):
-            current = (current @ _row_rotation(halves, across_row, i, 1)).normalised()
+            current = (current @ over_rows[..., i, :]).normalised()
             panels[..., i + 1, :] = current
         current = panels[..., middle, :]
         for i in range(middle - 1, -1, -1):
-            current = (current @ _row_rotation(halves, across_row, i, -1)).normalised()
+            current = (current @ over_rows[..., i, :].inverse()).normalised()
             panels[..., i, :] = current
         return panels
 
@@ -227,11 +228,6 @@ def crease_end(columns: Columns, rows: int, first_row: RowKind) -> float:
         np.abs(columns.multipliers) * np.sqrt(np.abs(np.sin(gamma - delta))),
     )
     return float(2 * half.min())
-
-
-def _row_rotation(halves: _HalfAngles, across: Complex, row: int, way: int) -> Rotations:
-    sine, cosine = halves.row(slice(row, row + 1))
-    return Rotations.about(across[row], way * sine[..., 0, :], cosine[..., 0, :])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

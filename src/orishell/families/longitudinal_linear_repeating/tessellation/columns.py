@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -26,6 +27,9 @@ from orishell.numerics.arrays import Array, Booleans
 
 RowKind = Literal["F", "S"]
 Coupling = Literal["solve", "parallel"]
+
+KEPT = 2
+"""Sheets whose directions are kept: every state of a sheet asks for them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -148,11 +152,18 @@ class Directions:
     @classmethod
     def of(cls, columns: Columns, rows: int, first_row: RowKind) -> Directions:
         """Directions in a sheet of the given columns."""
-        ru, lu, _, rd = np.moveaxis(sector_table(columns, rows, first_row), -1, 0)
-        down = np.concatenate([[0.0], -np.cumsum(rd[:-1, 0] + ru[1:, 0])])
-        # The crease right of column 1, and from it all others of its row.
-        turns = np.concatenate([np.zeros((rows, 1)), -np.cumsum(ru + lu, axis=1)], axis=1)
-        row = down[:, None] + turns - turns[:, 1:2]
-        row = row - row[rows // 2].mean()
-        column = np.concatenate([row[:1, 1:] + ru[:1], row[:, 1:] - rd])
-        return cls(row, column)
+        return _directions(columns, rows, first_row)
+
+
+@lru_cache(KEPT)
+def _directions(columns: Columns, rows: int, first_row: RowKind) -> Directions:
+    ru, lu, _, rd = np.moveaxis(sector_table(columns, rows, first_row), -1, 0)
+    down = np.concatenate([[0.0], -np.cumsum(rd[:-1, 0] + ru[1:, 0])])
+    # The crease right of column 1, and from it all others of its row.
+    turns = np.concatenate([np.zeros((rows, 1)), -np.cumsum(ru + lu, axis=1)], axis=1)
+    row = down[:, None] + turns - turns[:, 1:2]
+    row = row - row[rows // 2].mean()
+    column = np.concatenate([row[:1, 1:] + ru[:1], row[:, 1:] - rd])
+    for array in (row, column):
+        array.flags.writeable = False
+    return Directions(row, column)
