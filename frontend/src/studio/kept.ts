@@ -57,6 +57,7 @@ export function keepUnsaved(store: Store, page: Window): void {
   };
   store.design.watch(later);
   store.saved.watch(later);
+  store.name.watch(later);
   page.addEventListener("pagehide", keep);
   page.document.addEventListener("visibilitychange", () => {
     if (page.document.visibilityState === "hidden") keep();
