@@ -54,7 +54,7 @@ export class Results {
   }
 
   private showFigures(): void {
-    if (this.store.view.value) renderFigures(this.figures, this.store.view.value);
+    if (this.store.view.value) renderFigures(this.figures, this.store.view.value, (text) => this.store.labels.said(text));
   }
 
   private summary(): string {

@@ -2,6 +2,7 @@
 
 import type { View } from "../shared/view.ts";
 import { History } from "./history.ts";
+import { Labels } from "./labels.ts";
 import { Signal } from "./signal.ts";
 import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, Value } from "./types.ts";
 
@@ -40,6 +41,8 @@ export class Store {
   /** Time stamp of the input event that made the present design. */
   changedAt = performance.now();
 
+  /** Keys in the words of the page. */
+  readonly labels: Labels;
   private readonly history: History<Design>;
 
   constructor(
@@ -49,6 +52,7 @@ export class Store {
     this.history = new History(first);
     this.design = new Signal(first);
     this.saved = new Signal(first);
+    this.labels = new Labels(info.families, () => this.design.value.shell.family);
   }
 
   /** Whether the design is in no file. */
