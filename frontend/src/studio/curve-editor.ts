@@ -210,7 +210,8 @@ export class CurveEditor {
     this.store.setCurve(this.name, { points: fitPoints(samples), smooth }, what);
   }
 
-  private async read(file: File): Promise<void> {
+  /** Take the curve of a CSV, SVG or DXF file. */
+  async read(file: File): Promise<void> {
     try {
       const curve = await readCurve(file, this.store.design.value.shell.unit);
       const table: CurveTable = { points: curve.points, smooth: curve.smooth };

@@ -4,6 +4,7 @@ import { formatDesign, parseDesign } from "./api.ts";
 import { download, pickFile } from "./dom.ts";
 import { ServerFault, faultOf, ownFault } from "./faults.ts";
 import { fragmentOf } from "./link.ts";
+import { ofFile } from "./stale.ts";
 import type { Store } from "./store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -12,17 +13,7 @@ export class Files {
     private readonly store: Store,
     /** Called before another design takes the place of the present one. */
     private readonly opening: () => void,
-  ) {
-    document.addEventListener("dragover", (event) => {
-      if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
-    });
-    document.addEventListener("drop", (event) => {
-      const file = event.dataTransfer?.files[0];
-      if (!file) return;
-      event.preventDefault();
-      if (/\.toml$/i.test(file.name)) void this.read(file);
-    });
-  }
+  ) {}
 
   async open(): Promise<void> {
     const file = await pickFile(".toml");
@@ -76,7 +67,7 @@ export class Files {
     try {
       await act();
     } catch (error) {
-      this.store.fault.set(faultOf(error));
+      this.store.fault.set(ofFile(faultOf(error)));
     } finally {
       files.set(files.value - 1);
     }

@@ -1,6 +1,6 @@
 // What rows and columns count, against panels.
 
-/** `flaps`: what the outermost columns of panels are called; empty where the sheet has none. */
+/** `flaps`: what the outermost columns of panels are; empty where the sheet has none. */
 export function wordsOfSize(rows: number, columns: number, flaps: string): string {
   const down = rows + 1;
   const across = flaps ? columns + 1 : columns - 1;
@@ -9,5 +9,5 @@ export function wordsOfSize(rows: number, columns: number, flaps: string): strin
   const crossing = `${rows} × ${columns} vertices inside`;
   return flaps
     ? `${crossing} the sheet make ${sheet}; the first and last column are ${flaps}.`
-    : `${crossing} the shell make ${sheet}; flaps are put on beside them.`;
+    : `${crossing} a sheet with flaps make ${sheet} without them.`;
 }
