@@ -52,11 +52,12 @@ describe("a remedy changes", () => {
 
 test("what works is listed, or what limits, or that it is being looked for", () => {
   const fault = ownFault("design", "no");
+  const words = (each: typeof fault): string => wordsOfRemedies(each, ({ text }) => text);
   const remedies = [{ text: "xi_deg = 90", changes: {} }, { text: "rows = 3", changes: {} }];
-  expect(wordsOfRemedies(fault)).toBe("");
-  expect(wordsOfRemedies({ ...fault, remedies })).toBe("xi_deg = 90, or rows = 3");
-  expect(wordsOfRemedies({ ...fault, limit: "g is too short" })).toBe("none: g is too short");
-  expect(wordsOfRemedies({ ...fault, remedies, searching: true })).toBe("looking for it…");
+  expect(words(fault)).toBe("");
+  expect(words({ ...fault, remedies })).toBe("xi_deg = 90, or rows = 3");
+  expect(words({ ...fault, limit: "g is too short" })).toBe("none: g is too short");
+  expect(words({ ...fault, remedies, searching: true })).toBe("looking for it…");
 });
 
 test.each([

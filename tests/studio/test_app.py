@@ -251,11 +251,13 @@ def test_export_is_what_the_command_line_writes(
     design = starter("orthodiagonal")
     answer = client.post("/api/export", json={"design": design, "format": name, "name": "mine"})
     assert answer.status_code == 200
-    if answer.headers["content-disposition"].endswith('.zip"'):
+    called = answer.headers["content-disposition"].split('"')[1]
+    assert called == {"csv": "mine-csv.zip"}.get(name, f"mine.{name}")
+    if called.endswith(".zip"):
         with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
             found = {each: archive.read(each) for each in archive.namelist()}
     else:
-        found = {answer.headers["content-disposition"].split('"')[1]: answer.content}
+        found = {{"dxf": "pattern.dxf", "glb": "shell.glb"}[name]: answer.content}
     for each, content in found.items():
         assert content == (written / each).read_bytes()
     assert len(found) == (2 if name == "csv" else 1)
@@ -390,13 +392,25 @@ def test_numbers_beyond_measure_are_refused(client: httpx.Client, key: str, valu
 
 
 @pytest.mark.parametrize(
-    "name", ["../../etc/passwd", "a/b", "x\r\nSet-Cookie: a=b", "\0", "..", ""]
+    ("name", "called"),
+    [
+        ("../../etc/passwd", 'filename="etc passwd.stl"'),
+        ("a/b", 'filename="a b.stl"'),
+        ("x\r\nSet-Cookie: a=b", 'filename="x Set-Cookie a b.stl"'),
+        ("\0", 'filename="shell.stl"'),
+        ("..", 'filename="shell.stl"'),
+        ("", 'filename="shell.stl"'),
+        ("Zelt \u00fcber 3 \u00d7 6", "filename*=utf-8''Zelt%20%C3%BCber%203%206.stl"),
+        ("\u5929\u5e55", "filename*=utf-8''%E5%A4%A9%E5%B9%95.stl"),
+    ],
 )
-def test_a_files_name_leads_nowhere(client: httpx.Client, name: str) -> None:
+def test_a_files_name_is_the_designs_and_leads_nowhere(
+    client: httpx.Client, name: str, called: str
+) -> None:
     request = {"design": starter("orthodiagonal"), "format": "stl", "name": name}
     answer = client.post("/api/export", json=request)
     assert answer.status_code == 200
-    assert answer.headers["content-disposition"] == 'attachment; filename="shell.stl"'
+    assert answer.headers["content-disposition"] == f"attachment; {called}"
     assert "set-cookie" not in answer.headers
 
 

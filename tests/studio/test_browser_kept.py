@@ -49,7 +49,7 @@ def test_work_comes_back_after_a_reload_until_it_is_saved(
         drawn(page)
         assert reload(page)
         assert page.evaluate(COLUMNS) == 17
-        assert page.get_by_test_id("design-name").inner_text() == "orthodiagonal"
+        assert page.get_by_test_id("design-name").input_value() == "orthodiagonal"
         assert "unsaved work is back" in page.get_by_test_id("said").inner_text()
         with page.expect_download() as download:
             page.get_by_test_id("save").click()
@@ -64,7 +64,7 @@ def test_undo_brings_a_design_back_with_its_name(page: Page) -> None:
     choose(page, "orthodiagonal")
     choose(page, "longitudinal-linear-repeating")
     page.get_by_test_id("undo").click()
-    assert page.get_by_test_id("design-name").inner_text() == "orthodiagonal"
+    assert page.get_by_test_id("design-name").input_value() == "orthodiagonal"
     drawn(page)
 
 

@@ -96,6 +96,23 @@ export function placeCamera(camera: PerspectiveCamera, clouds: Float32Array[], t
   return target;
 }
 
+/** How far points reach in the picture, from its middle (0) to its rim (1) and beyond. */
+export function reachIn(camera: PerspectiveCamera, clouds: Float32Array[]): number {
+  camera.updateMatrixWorld();
+  const at = new Vector3();
+  let reach = 0;
+  for (const points of clouds) {
+    const stride = 3 * Math.max(1, Math.floor(points.length / 3 / ASKED));
+    for (let i = 0; i < points.length; i += stride) {
+      at.set(points[i]!, points[i + 1]!, points[i + 2]!).applyMatrix4(camera.matrixWorldInverse);
+      if (at.z >= 0) return Infinity;
+      at.applyMatrix4(camera.projectionMatrix);
+      reach = Math.max(reach, Math.abs(at.x), Math.abs(at.y));
+    }
+  }
+  return reach;
+}
+
 /** 1, 2 or 5 times a power of ten, about a given size. */
 export function roundLength(size: number): number {
   const power = 10 ** Math.floor(Math.log10(size));

@@ -15,8 +15,8 @@ const CAUSES = {
   boards: "boards close no further",
 };
 
-/** A list of names and figures; `container` is emptied first. */
-export function renderFigures(container: HTMLElement, view: View): void {
+/** A list of names and figures; `container` is emptied first. `said` puts warnings into the page's words. */
+export function renderFigures(container: HTMLElement, view: View, said = (text: string): string => text): void {
   const { report } = view.header;
   const known = Object.keys(report).length > 0;
   const unit = view.header.unit;
@@ -42,11 +42,12 @@ export function renderFigures(container: HTMLElement, view: View): void {
       const mean = surface && `mean ${length(surface.mean, unit)}`;
       add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
     }
-    const name = !report.lock || report.lock.cause === "flaps" ? "Lock" : "Closes to";
-    add(list, name, lockOf(report), lockNote(report), "lock");
+    const { flap_attachment: flaps, start } = report.deployment ?? {};
+    const locked = report.lock ? report.lock.cause === "flaps" : flaps === "folded";
+    add(list, locked ? "Locks at" : "Closes to", lockOf(report), lockNote(report), "lock");
     const { packed, weight, ties } = report.deployment ?? {};
-    add(list, "Packed", packed ? [packed.length, packed.width].map(threeDigits).join(" \u00d7 ") + ` \u00d7 ${length(packed.height, unit)}` : UNKNOWN,
-      packed ? `at ${threeDigits(packed.drive_deg)}\u00b0, ${packed.layers} panels deep` : "");
+    add(list, start === "pack" ? "Pack" : "Smallest box", packed ? [packed.length, packed.width].map(threeDigits).join(" \u00d7 ") + ` \u00d7 ${length(packed.height, unit)}` : UNKNOWN,
+      packed ? `at ${threeDigits(packed.drive_deg)}\u00b0, ${packed.layers} ${packed.layers === 1 ? "panel" : "panels"} deep` : "");
     if (weight) {
       const force = weight.force_unit === "N" ? `${threeDigits(Math.abs(weight.at_feet))} N` : `${threeDigits(100 * Math.abs(weight.at_feet))} % of it`;
       add(list, "Own weight", force, `at the feet: ${weight.at_feet > 0 ? "opens" : "closes"} the shell`);
@@ -61,7 +62,7 @@ export function renderFigures(container: HTMLElement, view: View): void {
   for (const warning of new Set([...(report.warnings ?? []), ...(report.structure?.warnings ?? [])])) {
     const line = document.createElement("p");
     line.className = "orishell-warning";
-    line.textContent = warning;
+    line.textContent = sentenceOf(said(warning));
     container.append(line);
   }
 }
@@ -81,6 +82,12 @@ function lockNote(report: Known): string {
   const aim = report.deviation === null ? "stage" : "target";
   const held = report.deployment?.closing === "clipped flaps" ? ", held by clipped flaps" : "";
   return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg)}\u00b0${held}` : cause;
+}
+
+function sentenceOf(text: string): string {
+  // Names of curves keep their small letter.
+  const whole = /^[a-z]{2,}/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+  return /[.!?]$/.test(whole) ? whole : `${whole}.`;
 }
 
 function area(value: number, unit: string): string {

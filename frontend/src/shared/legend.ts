@@ -12,41 +12,67 @@ export interface LegendFacts {
   counts: number[];
   /** The load case drawn, if there is one. */
   loaded: Drawn | null;
+  /** What else is seen. */
+  marks: Iterable<Mark>;
 }
 
 const SIGNS: [string, string, number][] = [
   ["mountain", "--mountain", 1],
   ["valley", "--valley", 2],
   ["unfolded", "--unfolded", 3],
+  ["edge", "--border-crease", 0],
   ["cut", "--border-crease", 4],
 ];
+/** What is seen beside creases: its words, and its colour. */
+const MARKS = {
+  surface: ["target surface", "--target"],
+  f: ["curve f", "--curve-f"],
+  g: ["curve g", "--curve-g"],
+  flap: ["flap", "--flap"],
+  tie: ["tie", "--tie"],
+  foot: ["foot", "--foot"],
+  contact: ["panels that touch", "--contact"],
+} as const;
+export type Mark = keyof typeof MARKS;
 
 export function renderLegend(container: HTMLElement, facts: LegendFacts): void {
   container.replaceChildren();
-  container.hidden = facts.colouring === "plain" && !facts.loaded;
+  container.hidden = false;
   if (facts.loaded) {
     explainLoaded(container, facts.loaded, facts.unit);
     return;
   }
-  if (facts.colouring === "signs") {
-    for (const [name, colour, code] of SIGNS) {
-      if (!facts.counts[code]) continue;
-      const item = part(container, "orishell-key");
-      part(item, "orishell-stroke").style.background = `var(${colour})`;
-      item.append(name);
-    }
+  if (facts.colouring === "plain") {
+    key(container, "upper side", "--panel-front", "orishell-side");
+    key(container, "underside", "--panel-back", "orishell-side");
+  } else if (facts.colouring === "signs") {
+    explainSigns(container, facts.counts);
   } else if (facts.colouring === "angle") {
     bar(container, "fold angle, largest of the panel's creases", AMOUNT_MAP, ["0\u00b0", "90\u00b0", "180\u00b0"]);
-  } else if (facts.colouring === "distance") {
-    if (!facts.range) {
-      container.append("distance to the target: not yet known");
-      return;
-    }
-    const end = threeDigits(facts.range);
+  } else if (facts.range) {
     bar(container, "distance to the target surface", DISTANCE_MAP, [
-      `\u2212${length(facts.range, facts.unit)}`, "0", `+${end}`,
+      `\u2212${length(facts.range, facts.unit)}`, "0", `+${threeDigits(facts.range)}`,
     ]);
+  } else {
+    part(container, "orishell-legend-title").textContent = "distance to the target: not yet known";
   }
+  for (const mark of facts.marks) {
+    const [name, colour] = MARKS[mark];
+    key(container, name, colour);
+  }
+}
+
+/** What the lines of a crease pattern are; counts of edges by assignment. */
+export function explainSigns(container: HTMLElement, counts: number[]): void {
+  for (const [name, colour, code] of SIGNS) {
+    if (counts[code]) key(container, name, colour, name === "valley" ? "orishell-stroke orishell-dashed" : "orishell-stroke");
+  }
+}
+
+function key(container: HTMLElement, name: string, colour: string, kind = "orishell-stroke"): void {
+  const item = part(container, "orishell-key");
+  part(item, kind).style.setProperty("--ink", `var(${colour})`);
+  item.append(name);
 }
 
 function explainLoaded(container: HTMLElement, { deflection, measure, scale, most }: Drawn, unit: string): void {

@@ -5,14 +5,16 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { extentOf, goodDirection, placeCamera, type Extent } from "./camera.ts";
 import { Clipped3D } from "./clipped3d.ts";
 import { largest, length, themeOf, type Colouring } from "./colours.ts";
+import { Following } from "./following.ts";
 import { armAfter } from "./keys.ts";
-import { renderLegend } from "./legend.ts";
+import { renderLegend, type Mark } from "./legend.ts";
 import { Loaded3D, type Shown } from "./loaded3d.ts";
 import { Look } from "./look.ts";
 import { Overlays, type Overlay } from "./overlays.ts";
 import { Pace, type Quality } from "./pace.ts";
 import { Pointing } from "./pointing.ts";
 import { Sheet3D } from "./sheet3d.ts";
+import { shareTouch } from "./touch.ts";
 import { stopsOf, targetShare } from "./stops.ts";
 import { Sun } from "./sun.ts";
 import { assignmentCounts, isEarly, targetPoints, type View } from "./view.ts";
@@ -56,6 +58,7 @@ export class Shell3D {
   private share = 0;
   /** Share of the state that is the shell as it stands. */
   private target = 1;
+  private readonly marks = new Set<Mark>();
   private contact: { panels: [number, number]; drive: number } | null = null;
   private distances: Float32Array | null = null;
   private readonly pointing: Pointing;
@@ -67,7 +70,7 @@ export class Shell3D {
   private sent = false;
   private shaded = false;
   private fitted = false;
-  private fittedRadius = 1;
+  private readonly following: Following;
 
   constructor(private readonly container: HTMLElement, options: { label?: string } = {}) {
     container.classList.add("orishell-scene");
@@ -88,6 +91,8 @@ export class Shell3D {
     this.controls.rotateSpeed = 0.75;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", this.invalidate);
+    this.following = new Following(this.camera, this.controls.target);
+    shareTouch(canvas, (x, y) => this.isShell(x, y));
 
     this.unloaded.add(...this.sheet.drawn, this.clipped.solids);
     this.scene.add(this.unloaded, this.loaded.drawn);
@@ -141,10 +146,7 @@ export class Shell3D {
     const origin = new Vector3(...view.header.origin);
     const kept = keepCamera && this.fitted;
     if (kept) {
-      // The origin moves with the shell; the camera stays where it is in the world.
-      const by = this.origin.clone().sub(origin);
-      this.camera.position.add(by);
-      this.controls.target.add(by);
+      this.following.shift(this.origin.clone().sub(origin));
     }
     this.origin = origin;
     this.sun.place(this.extent);
@@ -152,7 +154,8 @@ export class Shell3D {
     this.posed = false;
     this.highlight(null);
     if (!kept) this.fit(true);
-    else if (this.outgrown()) this.fit();
+    else if (this.following.follow(this.extent, this.allPoints())) this.fit();
+    else this.limitDistance();
     this.invalidate();
   }
 
@@ -188,7 +191,16 @@ export class Shell3D {
 
   setOverlay(name: Overlay, visible: boolean): void {
     this.overlays.setVisible(name, visible);
+    this.explainMark(name, visible);
     this.invalidate();
+  }
+
+  /** Say in the legend what a mark's colour means, while it is seen. */
+  explainMark(mark: Mark, seen: boolean): void {
+    if (this.marks.has(mark) === seen) return;
+    if (seen) this.marks.add(mark);
+    else this.marks.delete(mark);
+    this.explain();
   }
 
   /** Panels as the boards they are built of, where they have a thickness. */
@@ -219,7 +231,7 @@ export class Shell3D {
     if (!this.view) return;
     this.aim(this.allPoints(), turn ? goodDirection(targetPoints(this.view) ?? this.drawnPoints()) : this.arm());
     this.fitted = this.container.clientWidth > 0;
-    this.fittedRadius = this.extent!.radius;
+    this.following.fitted(this.extent!);
   }
 
   /** Show the state drawn. */
@@ -249,12 +261,6 @@ export class Shell3D {
     this.container.replaceChildren();
   }
 
-  /** The shell has become so much larger or smaller that it would be lost from view. */
-  private outgrown(): boolean {
-    const growth = this.extent!.radius / this.fittedRadius;
-    return growth > 1.5 || growth < 0.4;
-  }
-
   private allPoints(): Float32Array[] {
     return [this.view?.positions.length ? this.view.positions : this.drawnPoints(), ...this.clipped.points];
   }
@@ -275,14 +281,19 @@ export class Shell3D {
 
   private aim(points: Float32Array[], direction: Vector3): void {
     this.controls.target.copy(placeCamera(this.camera, points, direction));
+    this.limitDistance();
+    this.invalidate();
+  }
+
+  private limitDistance(): void {
     this.controls.minDistance = 0.02 * this.extent!.radius;
     this.controls.maxDistance = 14 * this.extent!.radius;
     this.controls.update();
-    this.invalidate();
   }
 
   private markContact(): void {
     const marked = this.contact !== null && this.drive >= this.contact.drive - SAME;
+    this.explainMark("contact", marked);
     const [first, second] = marked ? this.contact!.panels : ([-1, -1] as const);
     if (this.u.touching.value.x === first && this.u.touching.value.y === second) return;
     this.u.touching.value.set(first, second);
@@ -305,6 +316,7 @@ export class Shell3D {
       range: this.distances ? largest(this.distances) : 0,
       counts: assignmentCounts(this.view),
       loaded: this.loaded.shown,
+      marks: this.marks,
     });
   }
 
@@ -380,6 +392,15 @@ export class Shell3D {
     const { origin: o, direction: d } = this.ray.ray;
     const found = this.sheet.motion?.pick(o.x, o.y, o.z, d.x, d.y, d.z) ?? -1;
     this.hover(found < 0 ? null : found);
+  }
+
+  /** Whether the shell is at a place of the window. */
+  private isShell(x: number, y: number): boolean {
+    const box = this.renderer.domElement.getBoundingClientRect();
+    this.ray.setFromCamera(new Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
+    this.pose();
+    const { origin: o, direction: d } = this.ray.ray;
+    return (this.sheet.motion?.pick(o.x, o.y, o.z, d.x, d.y, d.z) ?? -1) >= 0;
   }
 
   private hover(panel: number | null): void {

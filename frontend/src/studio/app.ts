@@ -4,6 +4,7 @@ import { Banner } from "./banner.ts";
 import { CurveEditor } from "./curve-editor.ts";
 import { h } from "./dom.ts";
 import { DeploymentControls } from "./deployment.ts";
+import { Drop } from "./drop.ts";
 import { ExportMenu } from "./export-menu.ts";
 import { Families } from "./families.ts";
 import { Files } from "./files.ts";
@@ -15,7 +16,9 @@ import { publishProbe } from "./probe.ts";
 import { Results } from "./results.ts";
 import { saidElement } from "./said.ts";
 import { listenForShortcuts } from "./shortcuts.ts";
+import { skipLinks } from "./skip.ts";
 import { Stage } from "./stage.ts";
+import { forgetWhatIsStale } from "./stale.ts";
 import type { Store } from "./store.ts";
 import { announceTheme } from "./theme.ts";
 import { Toolbar } from "./toolbar.ts";
@@ -56,6 +59,12 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     help: () => help.open(),
     example,
   });
+  const drop = new Drop({
+    design: (file) => void files.read(file),
+    curve: (name, file) => void editors[name === "f" ? 0 : 1]!.read(file),
+    refused: (words) => store.said.set(words),
+  });
+  forgetWhatIsStale(store);
   linkHover(stage, results);
   listenForShortcuts({
     undo: () => store.undo(),
@@ -66,6 +75,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     play: () => stage.fold.toggle(),
   });
   root.replaceChildren(
+    skipLinks(),
     toolbar.element,
     h(
       "main",
@@ -84,6 +94,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     ),
     saidElement(store),
     help.element,
+    drop.element,
   );
   // Only now are the drawings in the page, whose colours they take.
   announceTheme();

@@ -4,6 +4,7 @@ import { button } from "./controls.ts";
 import { h } from "./dom.ts";
 import { patternKeysOf, sentence, wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
+import type { Labels } from "./labels.ts";
 import { patternKeys, remedyButton } from "./remedy-button.ts";
 import type { Store } from "./store.ts";
 import type { Fault } from "./types.ts";
@@ -45,15 +46,16 @@ export class Banner {
         "div",
         { class: "banner-body" },
         h("p", { class: "banner-title" }, TITLES[fault.kind] ?? "Something went wrong"),
-        h("p", {}, sentence(fault.what)),
+        h("p", {}, sentence(this.store.labels.said(fault.what))),
         fault.detail ? h("pre", {}, fault.detail) : null,
-        facts(fault),
+        facts(fault, this.store.labels),
         this.actions(fault),
       ),
     );
   }
 
   private actions(fault: Fault): HTMLElement {
+    const { labels } = this.store;
     const { family } = this.store.design.value.shell;
     const keys = patternKeys(this.store);
     const key = patternKeysOf(fault).find((each) => keys.includes(each));
@@ -61,7 +63,7 @@ export class Banner {
       "div",
       { class: "banner-actions" },
       remedyButton(this.store, fault),
-      key ? button({ label: `Go to ${key}`, text: `Go to ${key}`, act: () => this.events.goTo(key) }) : null,
+      key ? button({ label: `Go to ${labels.of(key)}`, text: `Go to ${labels.of(key)}`, act: () => this.events.goTo(key) }) : null,
       fault.kind === "design"
         ? button({ label: "Show an example of this family", text: "Example of this family", act: () => this.events.example(family) })
         : null,
@@ -69,16 +71,16 @@ export class Banner {
   }
 }
 
-function facts(fault: Fault): HTMLElement | null {
+function facts(fault: Fault, labels: Labels): HTMLElement | null {
   const rows: [string, string][] = [
     ["Where", fault.place],
     ["Found", fault.got],
     ["Expected", fault.expected],
     ["By how much", fault.size],
     ["Remedy", fault.remedy],
-    ["Nearest found that works", wordsOfRemedies(fault)],
+    ["Nearest found that works", wordsOfRemedies(fault, (remedy) => labels.remedy(remedy))],
   ];
   const known = rows.filter(([, text]) => text);
   if (!known.length) return null;
-  return h("dl", {}, ...known.flatMap(([name, text]) => [h("dt", {}, name), h("dd", {}, text)]));
+  return h("dl", {}, ...known.flatMap(([name, text]) => [h("dt", {}, name), h("dd", {}, name.startsWith("Nearest") ? text : labels.said(text))]));
 }

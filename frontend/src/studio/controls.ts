@@ -28,7 +28,7 @@ export function button(options: ButtonOptions): HTMLButtonElement {
       onclick: options.act,
     },
     options.icon ? icon(options.icon) : null,
-    options.text ?? null,
+    options.text === undefined ? null : options.icon ? h("span", { class: "word" }, options.text) : options.text,
   );
 }
 
@@ -69,6 +69,7 @@ export function numberBox(
   input.addEventListener("input", () => {
     const value = input.valueAsNumber;
     const wrong = !Number.isFinite(value);
+    makeRoom(input);
     input.classList.toggle("unfinished", wrong);
     if (!wrong) changed(value);
   });
@@ -79,5 +80,14 @@ export function numberBox(
 export function setNumber(input: HTMLInputElement, text: string): void {
   if (document.activeElement === input && input.valueAsNumber === Number(text)) return;
   if (input.value !== text) input.value = text;
+  makeRoom(input);
   input.classList.remove("unfinished");
+}
+
+/** Characters that a box has room for without growing. */
+const ROOM = 8;
+
+/** A box grows with its number, so that none is cut. */
+function makeRoom(input: HTMLInputElement): void {
+  input.style.setProperty("--digits", String(Math.max(ROOM, input.value.length)));
 }

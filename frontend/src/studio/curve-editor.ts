@@ -128,6 +128,8 @@ export class CurveEditor {
     const mode = modeOf(table);
     const samples = this.store.curves.value?.[this.name] ?? [];
     if (this.shown !== table) {
+      // What was said was of another curve.
+      if (!isAbout(this.store.fault.value, this.name)) this.say("");
       const drawn = mode === "spline" || mode === "lines";
       // Another kind of curve, or one from elsewhere: show all of it.
       const before = this.shown && modeOf(this.shown);
@@ -208,7 +210,8 @@ export class CurveEditor {
     this.store.setCurve(this.name, { points: fitPoints(samples), smooth }, what);
   }
 
-  private async read(file: File): Promise<void> {
+  /** Take the curve of a CSV, SVG or DXF file. */
+  async read(file: File): Promise<void> {
     try {
       const curve = await readCurve(file, this.store.design.value.shell.unit);
       const table: CurveTable = { points: curve.points, smooth: curve.smooth };
@@ -245,7 +248,7 @@ export class CurveEditor {
     const fault = this.store.fault.value;
     const mine = isAbout(fault, this.name);
     this.element.classList.toggle("faulty", mine);
-    if (mine) this.say(sentence(fault!.what), true);
+    if (mine) this.say(sentence(this.store.labels.said(fault!.what)), true);
     else if (this.note.classList.contains("error")) this.say("");
   }
 

@@ -66,10 +66,10 @@ export function mended(design: Design, remedy: Remedy): Design {
 }
 
 /** What was found that works, or what limits. */
-export function wordsOfRemedies(fault: Fault): string {
+export function wordsOfRemedies(fault: Fault, words: (remedy: Remedy) => string): string {
   if (fault.searching) return "looking for it…";
   if (fault.limit) return `none: ${fault.limit}`;
-  return fault.remedies.map(({ text }) => text).join(", or ");
+  return fault.remedies.map(words).join(", or ");
 }
 
 /** Keys of a curve that is no formula. */

@@ -4,6 +4,7 @@ import { formatDesign, parseDesign } from "./api.ts";
 import { download, pickFile } from "./dom.ts";
 import { ServerFault, faultOf, ownFault } from "./faults.ts";
 import { designOf, fragmentOf, isLink } from "./link.ts";
+import { ofFile } from "./stale.ts";
 import type { Store } from "./store.ts";
 import { tomlOf } from "./toml.ts";
 
@@ -12,17 +13,7 @@ export class Files {
     private readonly store: Store,
     /** Called before another design takes the place of the present one. */
     private readonly opening: () => void,
-  ) {
-    document.addEventListener("dragover", (event) => {
-      if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
-    });
-    document.addEventListener("drop", (event) => {
-      const file = event.dataTransfer?.files[0];
-      if (!file) return;
-      event.preventDefault();
-      if (/\.toml$/i.test(file.name)) void this.read(file);
-    });
-  }
+  ) {}
 
   async open(): Promise<void> {
     const file = await pickFile(".toml");
@@ -38,29 +29,29 @@ export class Files {
     await this.guarded(async () => {
       const design = await parseDesign(text);
       this.opening();
-      this.store.open({ name, design });
-      this.store.saved.set(design);
+      const opened = { name, design };
+      this.store.open(opened);
+      this.store.saved.set(opened);
     });
   }
 
   async save(): Promise<void> {
-    const design = this.store.design.value;
+    const { named } = this.store;
     await this.guarded(async () => {
-      const text = await formatDesign(design).catch((error: unknown) => {
+      const text = await formatDesign(named.design).catch((error: unknown) => {
         // Work is saved without the server, too.
         if (faultOf(error).kind !== "network") throw error;
-        return tomlOf(design);
+        return tomlOf(named.design);
       });
-      download(new Blob([text], { type: "application/toml" }), `${this.store.name.value}.toml`);
-      this.store.saved.set(design);
+      download(new Blob([text], { type: "application/toml" }), `${named.name}.toml`);
+      this.store.saved.set(named);
     });
   }
 
   /** Put a link that holds the design on the clipboard. */
   async link(): Promise<void> {
     await this.guarded(async () => {
-      const { name, design } = this.store;
-      const fragment = await fragmentOf({ name: name.value, design: design.value });
+      const fragment = await fragmentOf(this.store.named);
       if (!fragment) {
         throw new ServerFault(ownFault("input", "This design is too long for a link", "save it as a file"));
       }
@@ -96,7 +87,7 @@ export class Files {
     try {
       await act();
     } catch (error) {
-      this.store.fault.set(faultOf(error));
+      this.store.fault.set(ofFile(faultOf(error)));
     } finally {
       files.set(files.value - 1);
     }

@@ -55,7 +55,7 @@ export function keepUnsaved(store: Store, page: Window): void {
   const keep = (): void => {
     page.clearTimeout(timer);
     timer = 0;
-    if (store.unsaved) keeper.write({ name: store.name.value, design: store.design.value });
+    if (store.unsaved) keeper.write(store.named);
     else keeper.remove();
   };
   const later = (): void => {

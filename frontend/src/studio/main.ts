@@ -4,6 +4,7 @@ import "../shared/meanings.css";
 import "../shared/theme.css";
 import "../shared/views.css";
 import "./studio.css";
+import "./toolbar.css";
 import "./controls.css";
 import "./curves.css";
 import "./parameters.css";
@@ -11,6 +12,7 @@ import "./stage.css";
 import "./results.css";
 import "./overlays.css";
 import "./windows.css";
+import "./touch.css";
 import "./theme.ts";
 import { fetchInfo, parseDesign } from "./api.ts";
 import { buildStudio } from "./app.ts";
@@ -30,7 +32,7 @@ async function start(root: HTMLElement): Promise<void> {
   const store = new Store(info, other ? kept : named);
   if (other) {
     store.open(named);
-    store.saved.set(design);
+    store.saved.set(named);
     store.said.set(`Undo brings back your unsaved work on ${kept.name}`);
   } else if (kept) {
     store.open(kept, "work that was not saved");

@@ -138,7 +138,7 @@ export class ParameterRow {
     const stepper = (direction: -1 | 1): HTMLElement =>
       h(
         "button",
-        { type: "button", class: "stepper", "aria-label": `${direction < 0 ? "fewer" : "more"}: ${this.parameter.label}`, "data-testid": `${direction < 0 ? "less" : "more"}-${key}`, onclick: () => nudge(direction) },
+        { type: "button", class: "stepper", tabindex: -1, "aria-label": `${direction < 0 ? "fewer" : "more"}: ${this.parameter.label}`, "data-testid": `${direction < 0 ? "less" : "more"}-${key}`, onclick: () => nudge(direction) },
         icon(direction < 0 ? "minus" : "plus"),
       );
     head.append(integer ? h("span", { class: "stepped" }, stepper(-1), box, stepper(1)) : box);

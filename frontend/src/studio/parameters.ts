@@ -4,16 +4,18 @@ import { button } from "./controls.ts";
 import { h } from "./dom.ts";
 import { patternKeysOf, sentence } from "./faults.ts";
 import type { Live } from "./live.ts";
+import { wordsOfSize } from "./panel-count.ts";
 import { ParameterRow } from "./parameter-row.ts";
 import { Sizes } from "./sizes.ts";
 import type { Store } from "./store.ts";
-import type { Parameter, Value } from "./types.ts";
+import type { Parameter, Range, Value } from "./types.ts";
 
 const SIZES = ["rows", "columns"];
 
 export class Parameters {
   readonly element: HTMLElement;
   private readonly sizeRows = h("div", { class: "parameter-list" });
+  private readonly count = h("p", { class: "note", "data-testid": "panel-count" });
   private readonly list = h("div", { class: "parameter-list" });
   private readonly others = h("div", { class: "others" });
   private rows = new Map<string, ParameterRow>();
@@ -29,6 +31,7 @@ export class Parameters {
       { class: "parameters", "aria-labelledby": "parameters-title" },
       h("h2", { id: "parameters-title" }, "Pattern"),
       sizes.element,
+      this.count,
       this.list,
       this.others,
     );
@@ -53,12 +56,28 @@ export class Parameters {
       this.rows.get(key)!.show({
         value: pattern[key],
         taken: report.value?.family === shell.family ? taken : undefined,
-        range: ranges.value[key],
+        range: this.said(ranges.value[key]),
         unit: shell.unit,
-        fault: named.includes(key) ? sentence(fault.value!.what) : "",
+        fault: named.includes(key) ? sentence(this.store.labels.said(fault.value!.what)) : "",
       });
     }
     this.showOthers(pattern, parameters, named);
+    this.countPanels();
+  }
+
+  private countPanels(): void {
+    const { design, report, view, labels } = this.store;
+    const { rows, columns } = { ...report.value, ...design.value.pattern };
+    // The sheet says whether its flaps are part of it.
+    const flapped = view.value?.header.grid?.[1] !== report.value?.columns;
+    const flaps = labels.of("flap") === "Flap" ? "flaps" : "strips along its border";
+    this.count.textContent = view.value ? wordsOfSize(Number(rows), Number(columns), flapped ? flaps : "") : "";
+    this.count.hidden = !this.count.textContent;
+  }
+
+  private said(range: Range | undefined): Range | undefined {
+    const { labels } = this.store;
+    return range && { ...range, below: labels.said(range.below), above: labels.said(range.above) };
   }
 
   private build(family: string, parameters: Parameter[]): void {

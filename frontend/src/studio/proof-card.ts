@@ -40,8 +40,9 @@ export class ProofCard {
 
   /** What would keep the panels apart. */
   private refuse(fault: Fault | null): void {
-    const found = fault ? wordsOfRemedies(fault) : "";
-    const words = found ? `Nearest found that works: ${found}.` : sentence(fault?.remedy ?? "");
+    const { labels } = this.store;
+    const found = fault ? wordsOfRemedies(fault, (remedy) => labels.remedy(remedy)) : "";
+    const words = found ? `Nearest found that works: ${found}.` : sentence(labels.said(fault?.remedy ?? ""));
     this.refusal.hidden = !words;
     if (!fault || !words) return this.refusal.replaceChildren();
     this.refusal.replaceChildren(h("p", {}, words), remedyButton(this.store, fault) ?? "");
@@ -59,9 +60,9 @@ export class ProofCard {
       case "waiting":
         return ["Verifying…", "quiet"];
       case "running":
-        return [`${capital(proof.what)}… ${Math.round(100 * proof.share)} %`, "quiet"];
+        return [`${capital(proof.what)}…${proof.share > 0 ? ` ${Math.round(100 * proof.share)} %` : ""}`, "quiet"];
       case "failed":
-        return [sentence(proof.fault.message), "bad"];
+        return [sentence(this.store.labels.said(proof.fault.message)), "bad"];
       case "done":
         return wordsOfLock(this.store.report.value);
     }

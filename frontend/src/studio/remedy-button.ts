@@ -16,12 +16,13 @@ export function patternKeys(store: Store): string[] {
 export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | null {
   const [remedy] = fault.remedies;
   if (!remedy) return null;
-  const text = `Use ${remedy.text}`;
+  const said = store.labels.remedy(remedy);
+  const text = `Use ${said}`;
   return button({
     label: text,
     text,
     class: "button primary",
     testid: "use-nearest",
-    act: () => store.change(mended(store.design.value, remedy), remedy.text),
+    act: () => store.change(mended(store.design.value, remedy), said),
   });
 }

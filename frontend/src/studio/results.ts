@@ -1,7 +1,9 @@
 // The right: crease pattern, proof, figures.
 
 import { renderFigures } from "../shared/figures.ts";
+import { explainSigns } from "../shared/legend.ts";
 import { Pattern2D } from "../shared/pattern2d.ts";
+import { assignmentCounts } from "../shared/view.ts";
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
 import { wordsOfLock } from "./lock.ts";
@@ -13,6 +15,7 @@ export class Results {
   readonly pattern: Pattern2D;
   private readonly figures = h("div", { class: "figures", "data-testid": "figures" });
   private readonly said = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
+  private readonly legend = h("div", { class: "sheet-legend", "data-testid": "pattern-legend" });
   private keepView = false;
 
   constructor(private readonly store: Store) {
@@ -27,6 +30,7 @@ export class Results {
         button({ label: "Fit the crease pattern into view", icon: "fit", testid: "fit-pattern", act: () => this.pattern.fit() }),
       ),
       sheet,
+      this.legend,
       new ProofCard(store).element,
       h("div", { class: "figures-frame", tabindex: 0, role: "region", "aria-label": "Figures" }, this.figures),
       this.said,
@@ -45,6 +49,8 @@ export class Results {
     if (!view) return;
     this.pattern.show(view, this.keepView);
     this.keepView = true;
+    this.legend.replaceChildren();
+    explainSigns(this.legend, assignmentCounts(view));
     this.showFigures();
   }
 
@@ -54,7 +60,7 @@ export class Results {
   }
 
   private showFigures(): void {
-    if (this.store.view.value) renderFigures(this.figures, this.store.view.value);
+    if (this.store.view.value) renderFigures(this.figures, this.store.view.value, (text) => this.store.labels.said(text));
   }
 
   private summary(): string {

@@ -58,7 +58,8 @@ export class Stage {
         this.loads.element,
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
-      h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner),
+      h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state),
+      banner,
       this.fold.element,
     );
     this.fold.share.bind((share) => this.shell.setFold(share));

@@ -2,6 +2,7 @@
 
 import type { View } from "../shared/view.ts";
 import { History } from "./history.ts";
+import { Labels } from "./labels.ts";
 import { Signal } from "./signal.ts";
 import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, Value } from "./types.ts";
 
@@ -25,7 +26,7 @@ export type Freshness = "current" | "computing" | "outdated";
 export class Store {
   readonly design: Signal<Design>;
   /** The design as it is in a file: as it was opened or saved last. */
-  readonly saved: Signal<Design>;
+  readonly saved: Signal<Named>;
   /** The name that files get; undo brings it back with its design. */
   readonly name: Signal<string>;
   readonly view = new Signal<View | null>(null);
@@ -46,6 +47,8 @@ export class Store {
   /** Time stamp of the input event that made the present design. */
   changedAt = performance.now();
 
+  /** Keys in the words of the page. */
+  readonly labels: Labels;
   private readonly history: History<Named>;
 
   constructor(
@@ -55,12 +58,18 @@ export class Store {
     this.history = new History(first);
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
-    this.saved = new Signal(first.design);
+    this.saved = new Signal(first);
+    this.labels = new Labels(info.families, () => this.design.value.shell.family);
   }
 
-  /** Whether the design is in no file. */
+  get named(): Named {
+    return this.history.value;
+  }
+
+  /** Whether the design is in no file, or in one of another name. */
   get unsaved(): boolean {
-    return !Object.is(this.design.value, this.saved.value);
+    const { name, design } = this.saved.value;
+    return !Object.is(this.design.value, design) || this.name.value !== name;
   }
 
   get undoable(): string | null {

@@ -1,8 +1,9 @@
-// The top: examples, open, save, undo, redo, unit, export, theme, help.
+// The top: name, examples, open, save, undo, redo, unit, export, theme, help.
 
 import { button } from "./controls.ts";
 import { h, setAttribute } from "./dom.ts";
 import { icon } from "./icons.ts";
+import { nameField } from "./name-field.ts";
 import type { Store } from "./store.ts";
 import { theme, toggleTheme } from "./theme.ts";
 
@@ -29,9 +30,7 @@ export class Toolbar {
       h("option", { value: "", disabled: true, hidden: true }, "Examples"),
       ...store.info.examples.map(({ name, title }) => h("option", { value: name }, title)),
     );
-    const name = h("span", { class: "design-name", "data-testid": "design-name" });
     store.name.bind((text) => {
-      name.textContent = text;
       document.title = `${text} – orishell studio`;
       const example = store.info.examples.some((each) => each.name === text);
       this.examples.value = example ? text : "";
@@ -46,20 +45,21 @@ export class Toolbar {
       "header",
       { class: "toolbar" },
       h("h1", { class: "brand" }, h("span", { class: "brand-mark", "aria-hidden": "true" }), "orishell", h("span", { class: "brand-room" }, "studio")),
+      nameField(store),
       this.examples,
+      this.units(),
       h(
         "div",
         { class: "group" },
-        button({ label: "Open a design file", icon: "open", text: "Open", keys: "Ctrl+O", testid: "open", act: events.open }),
-        button({ label: "Save the design file", icon: "save", text: "Save", keys: "Ctrl+S", testid: "save", act: events.save }),
+        button({ label: "Open a design file", icon: "open", text: "Open", class: "button with-word", keys: "Ctrl+O", testid: "open", act: events.open }),
+        button({ label: "Save the design file", icon: "save", text: "Save", class: "button with-word", keys: "Ctrl+S", testid: "save", act: events.save }),
         button({ label: "Copy a link that holds this design", icon: "link", testid: "link", act: events.link }),
       ),
       h("div", { class: "group" }, undo, redo),
-      h("span", { class: "spacer" }, name),
-      this.units(),
+      h("span", { class: "spacer" }),
       exportMenu,
       this.themeButton(),
-      button({ label: "Keys and gestures", icon: "help", keys: "?", testid: "help", act: events.help }),
+      button({ label: "Help: a short tour, keys and gestures", icon: "help", keys: "?", testid: "help", act: events.help }),
     );
   }
 

@@ -8,6 +8,7 @@ from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
@@ -117,7 +118,8 @@ def make_app(
     @app.post("/api/export")
     async def export(request: Request) -> Response:
         name, content = await _run(slow, "export", request)
-        headers = {"content-disposition": f'attachment; filename="{name}"'}
+        plain = f'filename="{name}"' if name.isascii() else f"filename*=utf-8''{quote(name)}"
+        headers = {"content-disposition": f"attachment; {plain}"}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
     @app.post("/api/verify")

@@ -45,6 +45,7 @@ MAX_VERTICES = 60_000
 DRAWN = 200
 """Points of a curve that are drawn, about."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
+LONGEST_NAME = 80
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -190,22 +191,25 @@ class Task:
             write_format(shell, format_, Path(directory), settings)
             paths = sorted(Path(directory).iterdir())
             if len(paths) == 1:
-                return paths[0].name, paths[0].read_bytes()
+                return _named(paths[0].name, self._name()), paths[0].read_bytes()
             archive = io.BytesIO()
             with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
                 for path in paths:
                     packed.writestr(zipfile.ZipInfo(path.name, ZIP_DATE), path.read_bytes())
-            return f"{Path(format_.file).stem}-{format_.name}.zip", archive.getvalue()
+            return f"{self._name()}-{format_.name}.zip", archive.getvalue()
+
+    def _name(self) -> str:
+        """What the design is called, in letters that every system has in names of files."""
+        said = str(self.payload.get("name", NAME))
+        kept = "".join(each if each.isalnum() or each in "-_" else " " for each in said)
+        return " ".join(kept.split())[:LONGEST_NAME] or NAME
 
     def _design(self, *, tolerated: bool = False) -> DesignFile:
         """The design file of the payload, small enough for the studio."""
         design: Tables | None = self.payload.get("design")
         if not isinstance(design, dict):
             raise InputError("there is no design", where="design", expected="its tables")
-        name = "".join(
-            each for each in str(self.payload.get("name", NAME)) if each.isalnum() or each in "-_ "
-        )
-        file = check_design(design, Path(f"{name or NAME}.toml"), files=False)
+        file = check_design(design, Path(f"{self._name()}.toml"), files=False)
         file.require_target()
         if file.tolerance is not None and not tolerated:
             return file
@@ -251,6 +255,14 @@ def _sampled(curve: Curve, name: str) -> Drawn:
     corners = np.flatnonzero(np.abs(trace.heading - trace.arriving) > 0)
     points = trace.points[np.union1d(kept, corners[:DRAWN])]
     return [(float(x), float(y)) for x, y in points]
+
+
+def _named(file: str, name: str) -> str:
+    """A file of the command line's with the name of its design, as in pattern.dxf, panels.csv."""
+    for stem in ("shell", "pattern"):
+        if file.startswith(stem):
+            return name + file.removeprefix(stem)
+    return f"{name}-{file}"
 
 
 def _state(value: object) -> int | str | None:

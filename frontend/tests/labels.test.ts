@@ -1,0 +1,38 @@
+import { expect, test } from "vitest";
+
+import { Labels } from "../src/studio/labels.ts";
+import type { Info } from "../src/studio/types.ts";
+
+function family(keys: Record<string, string>): Info["families"][string] {
+  const parameters = Object.entries(keys).map(([key, label]) => ({ key, label }));
+  return { label: "", what: "", parameters } as unknown as Info["families"][string];
+}
+const LABELS = new Labels(
+  { one: family({ xi_deg: "Crease angle ξ", flap: "Flap", rows: "Rows" }), two: family({ flap: "Border", stage_deg: "Stage" }) },
+  () => "one",
+);
+
+test.each([
+  ["xi_deg = 120 is too large for f", "Crease angle ξ = 120° is too large for f"],
+  ["shallower folds, by a wider xi_deg (50 now)", "shallower folds, by a wider crease angle ξ (50 now)"],
+  ["it must be below xi_deg = 53.", "it must be below crease angle ξ = 53°."],
+  ["rows meet, or set rows = 3", "rows meet, or set rows = 3"],
+  ['tie its feet together (ties = "feet" in [deployment])', 'tie its feet together (ties = "feet" under Deployment)'],
+  ["close no further: largest_fold_deg", "close no further: hinges close to"],
+  ["[pattern] rows, columns", "Pattern rows, columns"],
+  ["[target.f] range", "curve f: range"],
+  ["add the table [structure]", "add the table [structure]"],
+  ["stage_deg = 12 is beyond", "Stage = 12° is beyond"],
+  ["a depth of no_such_key = 3", "a depth of no_such_key = 3"],
+])("%s", (text, expected) => {
+  expect(LABELS.said(text)).toBe(expected);
+});
+
+test("a remedy is said by the labels of what it changes", () => {
+  const remedy = (changes: Record<string, number | string | number[] | null>): string => LABELS.remedy({ text: "", changes });
+  expect(remedy({ "pattern.xi_deg": 53.08 })).toBe("crease angle ξ = 53.08°");
+  expect(remedy({ "pattern.flap": 0.2, "deployment.flap_attachment": null })).toBe("flap = 0.2 without flaps");
+  expect(remedy({ "target.g.range": [0, 6.1] })).toBe("range of g = 0, 6.1");
+  expect(LABELS.of("xi_deg")).toBe("Crease angle ξ");
+  expect(LABELS.of("couplings")).toBe("couplings");
+});
