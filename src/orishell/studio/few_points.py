@@ -62,7 +62,8 @@ def _fitted(points: Array, count: int) -> Array:
     try:
         spline = make_lsq_spline(share, points[apart], knots)
     except (ValueError, np.linalg.LinAlgError):  # no points between two knots
-        return points[np.unique(np.rint(np.linspace(0, len(points) - 1, count)).astype(int))]
+        kept = np.unique(np.rint(np.linspace(0, len(points) - 1, count)).astype(int))
+        return np.asarray(points[kept])
     few: Array = spline(np.linspace(0, 1, count))
     few[[0, -1]] = points[[0, -1]]
     places = 5 - int(np.floor(np.log10(np.ptp(points, axis=0).max())))

@@ -36,6 +36,11 @@ def parse_curve(data: str) -> Chain:
     Pieces of no length are dropped. With y upwards the flag sweep of an arc is 1 where it is run
     through counter-clockwise.
 
+    Parameters
+    ----------
+    data
+        The commands M L H V C S Q T A with their numbers.
+
     Raises
     ------
     InputError

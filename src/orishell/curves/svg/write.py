@@ -31,6 +31,11 @@ def curve_data(chain: Chain) -> tuple[str, float]:
 
     Straight lines, Bezier curves of degree 2 and 3, elliptical arcs, and rational Bezier curves
     that are such arcs, stay what they are. What else there is becomes Bezier curves of degree 3.
+
+    Parameters
+    ----------
+    chain
+        The drawing, y upwards.
     """
     size = float(np.hypot(*np.ptp(chain.joints, axis=0)))
     size = max([size, *(0.1 * piece.reach for piece in chain.pieces)])
