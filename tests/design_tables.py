@@ -12,7 +12,19 @@ from orishell.shell.make import Shell, make_shell
 
 Tables = dict[str, Any]
 
-DRAWN = ("points", "smooth", "svg", "id", "dxf", "layer", "handle", "unit", "part", "reverse")
+DRAWN = (
+    "points",
+    "path",
+    "smooth",
+    "svg",
+    "id",
+    "dxf",
+    "layer",
+    "handle",
+    "unit",
+    "part",
+    "reverse",
+)
 """Keys of a curve that is no formula."""
 
 

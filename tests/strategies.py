@@ -103,8 +103,11 @@ class Request:
                 options[name.removesuffix("_deg")] = typed
             else:
                 curve = curves[table[-1]]
-                part = curve.part_of_drawn(*value) if isinstance(value, list) else None
-                curves[table[-1]] = part or curve.scaled(float(str(value)) / curve.scale)
+                if name == "scale":
+                    changed = curve.scaled(float(str(value)) / curve.scale[0])
+                else:
+                    changed = curve.part_of_drawn(*value)
+                curves[table[-1]] = changed
         return Request(self.make, curves["f"], curves["g"], options)
 
     def candidates(self, error: DesignError) -> list[Request]:

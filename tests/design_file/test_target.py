@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from ezdxf.filemanagement import new
 
+from orishell.conventions.toml_file import parse_toml
 from orishell.curves import Curve, trace_curve
 from orishell.design_file import DesignFile, read_design_file
+from orishell.design_file.target import Target
 from orishell.errors import DesignError, InputError
 from orishell.motion import FoldingMotion
 
@@ -82,6 +84,11 @@ SOURCES = {
     "svg by id": ('svg = "arc.svg"\nid = "arc"', 1e-12),
     "dxf": ('dxf = "arc.dxf"\nlayer = "arc"', 1e-12),
     "points": ('points = "arc.csv"', 1e-6),
+    "path": (
+        f'path = "M{-2 * np.sin(HALF_ANGLE):.17g} {2 * np.cos(HALF_ANGLE) - 2:.17g} '
+        f'A2 2 0 0 0 {2 * np.sin(HALF_ANGLE):.17g} {2 * np.cos(HALF_ANGLE) - 2:.17g}"\nunit = "m"',
+        1e-12,
+    ),
     "segments, smoothed": ('svg = "segments.svg"\nsmooth = true', 1e-6),
 }
 
@@ -115,6 +122,27 @@ def test_scale_comes_after_the_unit(drawings: Path) -> None:
     curve = profile(drawings, 'dxf = "arc.dxf"\nscale = 0.5', "mm")
     points = trace_curve(curve).points
     np.testing.assert_allclose(np.hypot(*(points - [0, -1000]).T), 1000, rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_a_pair_of_scales_makes_a_circle_an_ellipse(drawings: Path, name: str) -> None:
+    source, error = SOURCES[name]
+    points = trace_curve(profile(drawings, f"{source}\nscale = [0.5, 3]")).points
+    x, y = (points / [0.5, 3]).T
+    np.testing.assert_allclose(np.hypot(x, y + 2), 2, rtol=0, atol=error)
+
+
+@pytest.mark.parametrize("name", ["svg", "dxf", "points"])
+def test_what_a_file_draws_takes_the_place_of_its_name(drawings: Path, name: str) -> None:
+    for options in ("", 'reverse = true\npart = [0.1, 2]\nunit = "cm"\nscale = [1, 2]'):
+        text = f"{SOURCES[name][0]}\n{options}"
+        table = Target.model_validate(parse_toml(text)).without_files(drawings, "m")
+        assert not {"svg", "dxf"} & set(table)
+        curves = [Target.model_validate(table).curve(None, "m"), profile(drawings, text)]
+        start, stop = curves[1].start, curves[1].stop
+        assert (curves[0].start, curves[0].stop) == pytest.approx((start, stop), rel=1e-9)
+        found, wanted = (curve.position(np.linspace(start, stop, 50)) for curve in curves)
+        np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9)
 
 
 def test_unit_overrides_what_the_file_says(drawings: Path) -> None:
@@ -234,6 +262,12 @@ FAULTS = {
         "[target.f] part",
         "goes with points or svg",
     ),
+    "a path of two": ('path = "M0 0L1 1M2 2L3 3"', "[target.f] character 9 of path", "only M"),
+    "a closed path": ('path = "M0 0L1 1L2 0Z"', "[target.f] character 13 of path", "no Z"),
+    "a path of a point": ('path = "M1 2L1 2"', "[target.f]", "a single point"),
+    "no path": ('path = "1 2"', "[target.f] character 1 of path", "the first one M"),
+    "a scale of 0": (f"{FORMULA}\nscale = [1, 0]", "[target.f] scale", "greater than 0"),
+    "three scales": (f"{FORMULA}\nscale = [1, 1, 1]", "[target.f] scale", "2"),
     "a reversed part": ('dxf = "arc.dxf"\npart = [2, 1]', "[target.f] part", "within [0, 2.4]"),
     "an empty part": ('svg = "arc.svg"\npart = [1, 1]', "[target.f] part", "within [0, 2.4]"),
     "a part beyond": ('svg = "arc.svg"\npart = [1, 2.5]', "[target.f] part", "within [0, 2.4]"),

@@ -209,17 +209,21 @@ def test_dropped_files(client: httpx.Client) -> None:
         return client.post("/api/curve", json={"name": name, "content": text, "unit": "m"})
 
     spline = drop("p.csv", b"x [mm], y [mm]\n0,0\n500,200\n1000,0\n").json()
-    assert spline["points"] == [[0, 0], [0.5, 0.2], [1.0, 0]]
-    assert spline["smooth"]
+    assert spline["table"] == {"points": [[0, 0], [0.5, 0.2], [1.0, 0]], "smooth": True}
     page = b'width="100mm" height="100mm" viewBox="0 0 100 100"'
     svg = b'<svg xmlns="http://www.w3.org/2000/svg" ' + page + b">%s</svg>"
     corner = drop("p.svg", svg % b'<path d="M0 50 L50 0 L100 50"/>').json()
-    np.testing.assert_allclose(corner["points"], [[0, -0.05], [0.05, 0], [0.1, -0.05]], atol=1e-12)
-    assert not corner["smooth"]
+    assert corner["table"] == {"path": "M0 -0.05 L0.05 0 L0.1 -0.05"}
     arc = drop("p.svg", svg % b'<path d="M0 50 A50 50 0 0 1 100 50"/>').json()
-    assert arc["smooth"]
-    centre = np.array([0.05, -0.05])
-    np.testing.assert_allclose(np.linalg.norm(arc["points"] - centre, axis=1), 0.05, rtol=1e-9)
+    assert arc["table"] == {"path": "M0 -0.05 A0.05 0.05 0 0 0 0.1 -0.05"}
+    assert arc["note"] == "1 piece of a path along p.svg, exactly"
+    t = np.linspace(-1, 1, 200)
+    measured = [f"{x},{y}" for x, y in zip(t, np.cos(t), strict=True)]
+    few = drop("p.csv", "\n".join(measured).encode()).json()
+    assert len(few["table"]["points"]) < 9
+    assert "none of these is farther from it than" in few["note"]
+    bent = "\n".join(f"{x},{abs(x)}" for x in t).encode()
+    assert not drop("p.csv", bent).json()["table"]["smooth"]
     for name, content in (
         ("p.exe", b""),
         ("p.svg", b"<svg"),
@@ -342,7 +346,11 @@ def test_of_a_drawing_with_an_axis_the_longest_part_is_the_curve(
     found = answer.json()
     assert "the longest" in found["note"]
     # The arch of the examples is 2 x 819.615 mm wide; the axis beside it is 0.4 m long.
-    np.testing.assert_allclose(np.abs(np.array(found["points"])[[0, -1], 0]), 0.819615, atol=1e-6)
+    words = found["table"]["path"].removeprefix("M").split()
+    np.testing.assert_allclose(
+        [float(words[0]), float(words[-2])], [-0.819615, 0.819615], atol=1e-6
+    )
+    assert found["table"]["path"].count("A") == 3
 
 
 DEEP = b'{"design": ' + b'{"a":' * 100 + b"1" + b"}" * 101

@@ -142,6 +142,13 @@ export interface CreaseReport {
   panels: [[number, number], [number, number]];
 }
 
+/** The table of a target curve that was read from a file: a path, or points. */
+export interface CurveFields {
+  path?: string;
+  points?: number[][];
+  smooth?: boolean;
+}
+
 /** The target's curves. */
 export interface Curves {
   f: [number, number][];
@@ -214,10 +221,9 @@ export interface Distances {
   grid_spacing: number;
 }
 
-/** Points of a curve whose file was dropped onto the page, and a note on how they were read. */
+/** A curve whose file was dropped onto the page, and a note on how it was read. */
 export interface DroppedCurve {
-  points: [number, number][];
-  smooth: boolean;
+  table: CurveFields;
   note: string;
 }
 

@@ -73,7 +73,7 @@ export function wordsOfRemedies(fault: Fault, words: (remedy: Remedy) => string)
 }
 
 /** Keys of a curve that is no formula. */
-const SOURCES = ["points", "smooth", "svg", "id", "dxf", "layer", "handle", "unit", "part", "reverse"];
+const SOURCES = ["points", "path", "smooth", "svg", "id", "dxf", "layer", "handle", "unit", "part", "reverse"];
 
 export function capital(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);

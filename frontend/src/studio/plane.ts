@@ -78,6 +78,11 @@ export class Plane {
     return niceAbove(40 / this.scale);
   }
 
+  /** The point whose coordinates are multiples of a step. */
+  rounded(point: Point, step: number): Point {
+    return point.map((value) => Number((Math.round(value / step) * step).toPrecision(12))) as Point;
+  }
+
   /** Multiples of a step in view along an axis. */
   ticks(axis: 0 | 1, step: number): number[] {
     const half = (axis === 0 ? this.width : this.height) / 2 / this.scale;

@@ -41,15 +41,48 @@ export function fitPoints(samples: Point[]): Point[] {
   return points.map(tidy(size));
 }
 
-/** Where a new point goes among the others: the index that lengthens their polyline least. */
-export function placeAmong(points: Point[], point: Point): number {
-  const costs = [distance(points[0]!, point)];
-  for (let i = 1; i < points.length; i++) {
-    const [a, b] = [points[i - 1]!, points[i]!];
-    costs.push(distance(a, point) + distance(point, b) - distance(a, b));
+/** The control points of the cubic pieces between neighbours, two each. */
+export function splineControls(points: Point[]): [Point, Point][] {
+  const knots = chordLengths(points);
+  const bends = [0, 1].map((axis) => secondDerivatives(knots, points.map((p) => p[axis]!)));
+  return points.slice(1).map((to, k) => {
+    const from = points[k]!;
+    const step = knots[k + 1]! - knots[k]!;
+    const control = (first: boolean) =>
+      [0, 1].map((axis) => {
+        const [m, n] = [bends[axis]![k]!, bends[axis]![k + 1]!];
+        const third = (to[axis]! - from[axis]!) / 3;
+        const bent = (step * step) / 18;
+        return first ? from[axis]! + third - bent * (2 * m + n) : to[axis]! - third - bent * (m + 2 * n);
+      }) as Point;
+    return [control(true), control(false)];
+  });
+}
+
+/**
+ * Where a new point goes among the others: between the two neighbours whose part of the curve is
+ * nearest, or at an end that it lies beyond.
+ */
+export function placeAmong(points: Point[], point: Point, smooth = true): number {
+  const last = points.length - 1;
+  if (last < 1) return last + 1;
+  let best = { gap: Infinity, index: 1 };
+  const knots = chordLengths(points);
+  const spline = splineThrough(points);
+  for (let k = 0; k < last; k++) {
+    for (let i = 0; i <= 20; i++) {
+      const t = i / 20;
+      const [a, b] = [points[k]!, points[k + 1]!];
+      const at: Point = smooth
+        ? spline((knots[k]! + t * (knots[k + 1]! - knots[k]!)) / knots[last]!)
+        : [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+      const gap = distance(at, point);
+      // The nearest place is an end: the curve goes on there.
+      const beyond = (k === 0 && i === 0) || (k === last - 1 && i === 20);
+      if (gap < best.gap) best = { gap, index: beyond ? (i === 0 ? 0 : last + 1) : k + 1 };
+    }
   }
-  costs.push(distance(points.at(-1)!, point));
-  return costs.indexOf(Math.min(...costs));
+  return best.index;
 }
 
 /** A point of the spline halfway between two neighbouring control points. */

@@ -18,7 +18,10 @@ export interface CurveTable {
   part?: [Bound, Bound];
   points?: Point[] | string;
   smooth?: boolean;
-  scale?: number;
+  /** SVG path data. */
+  path?: string;
+  /** One factor, or one along x and one along y. */
+  scale?: number | [number, number];
   [more: string]: Value | undefined;
 }
 

@@ -103,16 +103,14 @@ def _no_such_place(host: str, error: Exception) -> InputError:
 
 
 def _start(path: Path) -> NamedDesign:
-    """Name and tables of a design file, with the points of curves in place of their files."""
+    """Name and tables of a design file, with what its curves' files draw in place of them."""
     from orishell.conventions.toml_file import read_toml
     from orishell.design_file import read_design_file
-    from orishell.studio.dropped import points_along
+    from orishell.design_file.target import Target
 
-    file = read_design_file(path)
+    read_design_file(path)
     tables = read_toml(path)
-    for name, curve in (("f", file.f), ("g", file.g)):
-        table = tables["target"][name]
-        if "formula" not in table and not isinstance(table.get("points"), list):
-            points, smooth = points_along(curve)
-            tables["target"][name] = {"points": points.tolist(), "smooth": smooth}
+    for name, table in tables.get("target", {}).items():
+        curve = Target.model_validate(table)
+        tables["target"][name] = curve.without_files(path.parent, tables["shell"]["unit"])
     return {"name": path.stem, "design": tables}

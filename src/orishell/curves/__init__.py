@@ -7,20 +7,24 @@ from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
 from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
+from orishell.curves.joining import Chain
 from orishell.curves.memo import remembered
-from orishell.curves.svg import read_svg
+from orishell.curves.svg import curve_data, parse_curve, read_svg
 from orishell.curves.trace import Trace
 from orishell.curves.trace import trace_curve as _trace_curve
 
 trace_curve = remembered(_trace_curve)
 
 __all__ = [
+    "Chain",
     "Curve",
     "Formula",
     "Trace",
+    "curve_data",
     "curve_from_formulas",
     "curve_from_points",
     "nearby_origin",
+    "parse_curve",
     "parse_formula",
     "read_dxf",
     "read_points",

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Literal, Self
+from typing import Literal, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.formatting import rounded
 from orishell.curves.formula import Formula
 from orishell.errors import CurveError
 from orishell.numerics import Enclosure
@@ -18,6 +19,8 @@ CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 """Position, first and second derivative, each (..., 2), at parameters (...)."""
 CurveEnclosure = Callable[[Array, Array], tuple[Enclosure, Enclosure]]
 """What x and y and their derivatives can be between parameters ``low`` and ``high`` (S,)."""
+Scale: TypeAlias = float | tuple[float, float]
+"""A factor of size, or one along x and one along y."""
 
 END = 1e-5
 """An end of a part that lies beyond the curve's by up to this share of its range is the curve's."""
@@ -44,7 +47,7 @@ class Curve:
     drawn
         A parameter, what it is on the curve as drawn, and 1 or -1: what the latter grows by with t.
     scale
-        How much the curve has been enlarged since it was drawn.
+        How much the curve has been enlarged along x and y since it was drawn.
     """
 
     jet: CurveJet
@@ -54,7 +57,7 @@ class Curve:
     breaks: tuple[float, ...] = ()
     key: Literal["range", "part"] = "part"
     drawn: tuple[float, float, float] = (0.0, 0.0, 1.0)
-    scale: float = 1.0
+    scale: tuple[float, float] = (1.0, 1.0)
 
     def __post_init__(self) -> None:
         for name, value in (("start", self.start), ("stop", self.stop)):
@@ -173,18 +176,26 @@ class Curve:
         at, drawn, way = self.drawn
         return self.part(*sorted(at + way * (t - drawn) for t in (first, last)))
 
-    def scaled(self, factor: float) -> Self:
-        """The curve enlarged about the origin by ``factor`` > 0."""
+    def scaled(self, factor: Scale) -> Self:
+        """The curve enlarged about the origin by ``factor`` > 0, or by a pair along x and y."""
+        along_x, along_y = factor if isinstance(factor, tuple) else (factor, factor)
+        factors = np.array([along_x, along_y])
 
         def jet(t: Array) -> tuple[Array, Array, Array]:
             position, first, second = self.jet(t)
-            return position * factor, first * factor, second * factor
+            return position * factors, first * factors, second * factors
 
         def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
             x, y = self.enclosure(low, high)
-            return x.times(factor), y.times(factor)
+            return x.times(along_x), y.times(along_y)
 
-        return replace(self, jet=jet, enclosure=enclosure, scale=self.scale * factor)
+        scale = (self.scale[0] * along_x, self.scale[1] * along_y)
+        return replace(self, jet=jet, enclosure=enclosure, scale=scale)
+
+    def scale_times(self, share: float) -> float | list[float]:
+        """What the key ``scale`` says where the curve is to be ``share`` times as large."""
+        along_x, along_y = (rounded(share * each) for each in self.scale)
+        return along_x if along_x == along_y else [along_x, along_y]
 
     def shifted(self, offset: Array) -> Self:
         """The curve moved by a vector (2,) in its unit, ``offset``."""

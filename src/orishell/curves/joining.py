@@ -86,7 +86,7 @@ def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
     CurveError
         If nothing is drawn, or the pieces branch, close, or leave a gap; with the place.
     """
-    _require_pieces(pieces)
+    require_pieces(pieces)
     arrays = PieceArrays.of(pieces)
     marks = [arrays.at(share) for share in (0.0, 0.5, 1.0)]
     diagonal = float(np.hypot(*np.ptp(np.concatenate(marks), axis=0)))
@@ -119,7 +119,14 @@ def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
     return Chain(chain, where[[first, *stops]])
 
 
-def _require_pieces(pieces: Sequence[Piece]) -> None:
+def require_pieces(pieces: Sequence[Piece]) -> None:
+    """Refuse a drawing of no pieces, or too many, or some that are not finite.
+
+    Raises
+    ------
+    CurveError
+        With what is wrong.
+    """
     if not pieces:
         raise CurveError(
             "nothing is drawn here",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Final, Self
+from typing import Annotated, Any, Final, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -13,10 +13,13 @@ from pydantic_core import PydanticCustomError
 from orishell.conventions.table import Number, Table
 from orishell.conventions.units import Unit, conversion
 from orishell.curves import (
+    Chain,
     Curve,
     Formula,
+    curve_data,
     curve_from_formulas,
     curve_from_points,
+    parse_curve,
     parse_formula,
     read_dxf,
     read_points,
@@ -30,17 +33,22 @@ FITTING: Final = {
     "points": {"unit", "smooth", "part"},
     "svg": {"unit", "smooth", "id", "part"},
     "dxf": {"unit", "smooth", "layer", "handle", "part"},
+    "path": {"unit", "smooth", "part"},
 }
 """The sources of a curve, and the keys that have a meaning for each."""
+FILES: Final = ("svg", "dxf")
 ALWAYS: Final = {"scale", "reverse"}
 
 
 KEPT: Final = 8
 """Number of curves that are kept for reuse: the studio sends the same tables again and again."""
 MOST_POINTS: Final = 20_000
+LONGEST_PATH: Final = 1_000_000
+"""Characters of a path, at most."""
 Point = Annotated[list[Number], Field(min_length=2, max_length=2)]
 Ends = Annotated[list[Number | str], Field(min_length=2, max_length=2)]
 """Two parameters of a curve: numbers, or formulas of constants."""
+Factor = Annotated[Number, Field(gt=0)]
 
 
 class Target(Table):
@@ -49,6 +57,7 @@ class Target(Table):
     formula: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
     range: Ends | None = None
     points: str | Annotated[list[Point], Field(min_length=2, max_length=MOST_POINTS)] | None = None
+    path: Annotated[str, Field(max_length=LONGEST_PATH)] | None = None
     svg: str | None = None
     id: str | None = None
     dxf: str | None = None
@@ -57,7 +66,7 @@ class Target(Table):
     unit: Unit | None = None
     smooth: bool | None = None
     part: Ends | None = None
-    scale: Annotated[Number, Field(gt=0)] = 1.0
+    scale: Factor | Annotated[list[Factor], Field(min_length=2, max_length=2)] = 1.0
     reverse: bool = False
 
     @model_validator(mode="after")
@@ -67,7 +76,7 @@ class Target(Table):
         if len(sources) != 1:
             raise PydanticCustomError(
                 "source",
-                "a curve comes from either a formula, points, svg or dxf",
+                "a curve comes from either a formula, points, svg, dxf or a path",
                 {"found": " and ".join(sources) or "none of them"},
             )
         source = sources[0]
@@ -108,13 +117,34 @@ class Target(Table):
             return _curve_of(self.model_dump_json(exclude_unset=True), unit)
         return self._curve(directory, unit)
 
+    def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
+        """The table with what its file draws in place of the file's name.
+
+        Parameters
+        ----------
+        directory
+            What paths are relative to.
+        unit
+            Unit of the design.
+        """
+        table = self.model_dump(exclude_unset=True)
+        if isinstance(self.points, str):
+            table["points"] = self._points(directory, unit).tolist()
+            table.pop("unit", None)
+        elif self.svg is not None or self.dxf is not None:
+            for key in {*FILES, *FITTING["svg"], *FITTING["dxf"], "reverse"} - {"smooth", "part"}:
+                table.pop(key, None)
+            table["path"], _ = curve_data(self._chain(directory, unit))
+        return table
+
     def _curve(self, directory: Path | None, unit: str) -> Curve:
         if self.points is not None:
             points = self._points(directory, unit)
             smooth = self.smooth is not False
             curve = curve_from_points(points[::-1] if self.reverse else points, smooth=smooth)
-        elif self.svg is not None or self.dxf is not None:
-            curve = self._drawing(directory, unit)
+        elif self.formula is None:
+            chain = self._chain(directory, unit)
+            curve = chain.spline() if self.smooth else chain.curve()
         else:
             texts = [self.formula] if isinstance(self.formula, str) else self.formula or []
             *x, y = [_formula(text) for text in texts]
@@ -123,15 +153,19 @@ class Target(Table):
             curve = curve.reversed() if self.reverse else curve
         if self.part is not None:
             curve = curve.part(*_numbers("part", self.part))
-        return curve.scaled(self.scale) if self.scale != 1.0 else curve
+        factor = self.scale if isinstance(self.scale, float | int) else _pair(self.scale)
+        return curve.scaled(factor) if factor != 1.0 else curve
 
     def _points(self, directory: Path | None, unit: str) -> Array:
         if isinstance(self.points, str):
             return read_points(_beside(directory, self.points), into=unit, unit=self.unit)
         return np.array(self.points) * conversion(self.unit or unit, unit)
 
-    def _drawing(self, directory: Path | None, unit: str) -> Curve:
-        if self.svg is not None:
+    def _chain(self, directory: Path | None, unit: str) -> Chain:
+        """What is drawn, in the direction that is asked for."""
+        if self.path is not None:
+            chain = parse_curve(self.path).scaled(conversion(self.unit or unit, unit))
+        elif self.svg is not None:
             chain = read_svg(_beside(directory, self.svg), into=unit, id=self.id, unit=self.unit)
         else:
             chain = read_dxf(
@@ -141,8 +175,7 @@ class Target(Table):
                 handle=self.handle,
                 unit=self.unit,
             )
-        chain = chain.reversed() if self.reverse else chain
-        return chain.spline() if self.smooth else chain.curve()
+        return chain.reversed() if self.reverse else chain
 
 
 class Targets(Table):
@@ -177,6 +210,11 @@ def _beside(directory: Path | None, name: str) -> Path:
             remedy="drop the file onto the curve, or give its points as a list",
         )
     return directory / name
+
+
+def _pair(factors: list[float]) -> tuple[float, float]:
+    along_x, along_y = factors
+    return along_x, along_y
 
 
 def _numbers(key: str, ends: list[float | str]) -> tuple[float, float]:

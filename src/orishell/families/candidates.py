@@ -53,7 +53,7 @@ def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
     """
     for farther in FARTHER:
         share = factor / farther if factor < 1 else factor * farther
-        yield Remedy({f"target.{name}.scale": rounded(share * curve.scale)})
+        yield Remedy({f"target.{name}.scale": curve.scale_times(share)})
 
 
 def part(name: str, curve: Curve, start: float, stop: float) -> Remedy:

@@ -168,7 +168,7 @@ Resized = Callable[[Request, float], Remedy]
 
 def _scaled_f(request: Request, share: float) -> Remedy:
     assert request.target is not None
-    return Remedy({"target.f.scale": rounded(share * request.target[0].scale)})
+    return Remedy({"target.f.scale": request.target[0].scale_times(share)})
 
 
 def _shortened_g(request: Request, share: float) -> Remedy:

@@ -215,8 +215,10 @@ def _changed(curve: Curve, values: Mapping[str, Value | None]) -> Curve:
         return drawn.scaled(curve.scale)
     for name, value in values.items():
         if name == "scale":
-            assert isinstance(value, float | int)
-            curve = curve.scaled(value / curve.scale)
+            assert isinstance(value, float | int | list)
+            along_x, along_y = value if isinstance(value, list) else (value, value)
+            was = curve.scale
+            curve = curve.scaled((float(along_x) / was[0], float(along_y) / was[1]))
         else:
             assert name == curve.key
             assert isinstance(value, list)

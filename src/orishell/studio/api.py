@@ -10,7 +10,7 @@ from typing import Any, Literal, NotRequired, TypedDict
 
 from orishell.document import FirstContact
 from orishell.errors import DesignError, InputError, OrishellError
-from orishell.io.view import Curves, Drawn
+from orishell.io.view import Curves
 from orishell.shell.report import Report
 
 Tables = dict[str, Any]
@@ -181,11 +181,18 @@ class Written(TypedDict):
     text: str
 
 
-class DroppedCurve(TypedDict):
-    """Points of a curve whose file was dropped onto the page, and a note on how they were read."""
+class CurveFields(TypedDict):
+    """The table of a target curve that was read from a file: a path, or points."""
 
-    points: Drawn
-    smooth: bool
+    path: NotRequired[str]
+    points: NotRequired[list[list[float]]]
+    smooth: NotRequired[bool]
+
+
+class DroppedCurve(TypedDict):
+    """A curve whose file was dropped onto the page, and a note on how it was read."""
+
+    table: CurveFields
     note: str
 
 

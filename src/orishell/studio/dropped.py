@@ -1,4 +1,4 @@
-"""Curves in files that are dropped onto the page: points that the page can show and drag."""
+"""Curves in files that are dropped onto the page, as what they are: paths or points."""
 
 from __future__ import annotations
 
@@ -8,27 +8,30 @@ import re
 import tempfile
 from pathlib import Path
 
-import numpy as np
-
-from orishell.curves import Curve, read_dxf, read_points, read_svg, trace_curve
+from orishell.curves import (
+    Chain,
+    curve_data,
+    parse_curve,
+    read_dxf,
+    read_points,
+    read_svg,
+    trace_curve,
+)
 from orishell.errors import InputError
-from orishell.numerics.arrays import Array
 from orishell.studio.api import DroppedCurve
+from orishell.studio.few_points import few_points
 
-CONTROLS = 41
-"""Points of a spline through a smooth drawing."""
-MOST = 400
-"""Points of a polyline along a drawing with corners."""
 IDS = re.compile(r"""\bid\s*=\s*["']([^"']+)["']""")
 LAYERS = re.compile(r"^[ ]*8\r?\n(.+?)\r?$", re.MULTILINE)
 PARTS = 20
 """Paths or layers of a drawing that are tried, if it is no single curve."""
-CORNER = 1e-3
-"""A turn of the tangent at one point that counts as a corner (radians)."""
 
 
 def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
-    """Points, whether a spline goes through them, and a note on what was made of the file.
+    """The table of a target curve, and a note on what was made of the file.
+
+    What is drawn stays what it is: lines, arcs and Bezier curves of a path, wherever SVG has such.
+    Points that were measured close to each other become a spline through few.
 
     Parameters
     ----------
@@ -37,7 +40,7 @@ def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
     content
         Its bytes in base64.
     unit
-        Unit of length of the points.
+        Unit of length of the table.
 
     Raises
     ------
@@ -58,22 +61,40 @@ def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
         path.write_bytes(data)
         try:
             if ending in {".csv", ".txt"}:
-                points, smooth = read_points(path, into=unit), True
-                note = f"a spline through the {len(points)} points of {name}"
-            else:
-                curve, part = _read_drawing(path, ending, unit)
-                points, smooth = points_along(curve)
-                kind = "a spline through" if smooth else "the polyline of"
-                note = f"{kind} {len(points)} points along {part}{name}"
+                return _read_points(path, name, unit)
+            return _read_drawing(path, ending, name, unit)
         except InputError as error:
             for field, text in vars(error).items():
                 if isinstance(text, str):
                     setattr(error, field, text.replace(str(path), name))
             raise
-    return {"points": points.tolist(), "smooth": smooth, "note": note}
 
 
-def _read_drawing(path: Path, ending: str, unit: str) -> tuple[Curve, str]:
+def _read_points(path: Path, name: str, unit: str) -> DroppedCurve:
+    points = read_points(path, into=unit)
+    few, smooth, farthest = few_points(points)
+    note = f"a spline through the {len(points)} points of {name}"
+    if len(few) < len(points):
+        kind = "a spline through" if smooth else "straight lines between"
+        note = (
+            f"{kind} {len(few)} points along the {len(points)} of {name}; none of these "
+            f"is farther from it than {farthest:.2g} {unit}"
+        )
+    return {"table": {"points": few.tolist(), "smooth": smooth}, "note": note}
+
+
+def _read_drawing(path: Path, ending: str, name: str, unit: str) -> DroppedCurve:
+    chain, part = _longest_curve(path, ending, unit)
+    data, farthest = curve_data(chain)
+    curve = parse_curve(data)
+    trace_curve(curve.curve(), "the drawing")
+    many = len(curve.pieces)
+    note = f"{many} piece{'s' * (many > 1)} of a path along {part}{name}, "
+    note += f"at most {farthest:.2g} {unit} beside it" if farthest else "exactly"
+    return {"table": {"path": data}, "note": note}
+
+
+def _longest_curve(path: Path, ending: str, unit: str) -> tuple[Chain, str]:
     """The longest curve of a drawing, and the name of the path or layer that it is from.
 
     Raises
@@ -84,41 +105,20 @@ def _read_drawing(path: Path, ending: str, unit: str) -> tuple[Curve, str]:
     drawn = path.read_text("utf-8", "replace")
     kind, names = ("path", IDS) if ending == ".svg" else ("layer", LAYERS)
 
-    def read(part: str | None = None) -> Curve:
+    def read(part: str | None = None) -> Chain:
         if ending == ".svg":
-            return read_svg(path, into=unit, id=part).curve()
-        return read_dxf(path, into=unit, layer=part).curve()
+            return read_svg(path, into=unit, id=part)
+        return read_dxf(path, into=unit, layer=part)
 
     try:
         return read(), ""
     except InputError as error:
-        parts: dict[str, Curve] = {}
+        parts: dict[str, Chain] = {}
         for part in list(dict.fromkeys(names.findall(drawn)))[:PARTS]:
             with contextlib.suppress(InputError):
                 parts[part] = read(part)
         if not parts:
             raise error from None
-    lengths = {part: trace_curve(curve).length for part, curve in parts.items()}
+    lengths = {part: trace_curve(chain.curve()).length for part, chain in parts.items()}
     longest = max(lengths, key=lambda part: lengths[part])
     return parts[longest], f"the longest {kind}, {longest}, of "
-
-
-def points_along(curve: Curve) -> tuple[Array, bool]:
-    """Points (k, 2) along a drawing, and whether a spline through them follows it.
-
-    Parameters
-    ----------
-    curve
-        The drawing.
-    """
-    trace = trace_curve(curve, "the drawing")
-    corners = np.flatnonzero(np.abs(trace.heading - trace.arriving)[1:-1] > CORNER) + 1
-    if not len(corners):
-        arc = np.linspace(0.0, trace.arc[-1], CONTROLS)
-        points = curve.position(trace.parameter_at(arc))
-        points[[0, -1]] = trace.points[[0, -1]]
-        return points, True
-    # Samples sit where the curve turns: on straight parts none but the corners are needed.
-    kept = np.flatnonzero(np.abs(trace.arriving[1:] - trace.heading[:-1]) > CORNER / 10)
-    kept = kept[:: max(1, -(-len(kept) // MOST))]
-    return trace.points[np.unique([0, *corners, *kept, len(trace.points) - 1])], False

@@ -157,7 +157,7 @@ class Task:
         return {"text": tomli_w.dumps(self.payload["design"])}
 
     def read_curve(self) -> DroppedCurve:
-        """Points of a curve in a CSV, SVG or DXF file that was dropped onto the page.
+        """The table of a curve in a CSV, SVG or DXF file that was dropped onto the page.
 
         Raises
         ------
@@ -253,7 +253,9 @@ def _sampled(curve: Curve, name: str) -> Drawn:
         return []
     kept = np.unique(np.rint(np.linspace(0, len(trace.points) - 1, DRAWN)).astype(int))
     corners = np.flatnonzero(np.abs(trace.heading - trace.arriving) > 0)
-    points = trace.points[np.union1d(kept, corners[:DRAWN])]
+    # The page says how wide and how high the curve is.
+    extremes = [*trace.points.argmin(axis=0), *trace.points.argmax(axis=0)]
+    points = trace.points[np.unique([*kept, *corners[:DRAWN], *extremes])]
     return [(float(x), float(y)) for x, y in points]
 
 

@@ -7,9 +7,10 @@ from typing import Final
 
 import numpy as np
 
-from orishell.curves.pieces import MAX_PIECES, Arc, Piece, bezier
+from orishell.curves.joining import Chain, require_pieces
+from orishell.curves.pieces import MAX_PIECES, Arc, Bezier, Piece, bezier
 from orishell.curves.svg.values import VALUE
-from orishell.errors import InputError
+from orishell.errors import CurveError, InputError
 from orishell.numerics.arrays import Array
 
 _COMMAND = re.compile(r"\s*([MmZzLlHhVvCcSsQqTtAa])")
@@ -27,6 +28,39 @@ def parse_path(data: str) -> list[Piece]:
         Where the text is no path, with the place.
     """
     return _Pen(data).draw()
+
+
+def parse_curve(data: str) -> Chain:
+    """The one open curve that path data draw, from its first point to its last.
+
+    Pieces of no length are dropped. With y upwards the flag sweep of an arc is 1 where it is run
+    through counter-clockwise.
+
+    Parameters
+    ----------
+    data
+        The commands M L H V C S Q T A with their numbers.
+
+    Raises
+    ------
+    InputError
+        Where the text is no path, moves on or closes, with the place.
+    CurveError
+        If nothing is drawn, or a coordinate is too large.
+    """
+    pen = _Pen(data, "path", single=True)
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused as too large
+        pieces = pen.draw()
+    require_pieces(pieces)
+    ends = np.array(pen.ends)
+    kept = [k for k, piece in enumerate(pieces) if not _is_point(piece)]
+    if not kept:
+        raise CurveError("the path is a single point", got=repr(data[:40]))
+    return Chain(tuple(pieces[k] for k in kept), ends[[0, *(k + 1 for k in kept)]])
+
+
+def _is_point(piece: Piece) -> bool:
+    return isinstance(piece, Bezier) and not np.ptp(piece.control[:, :2], axis=0).any()
 
 
 def elliptical_arc(
@@ -65,10 +99,14 @@ def elliptical_arc(
 class _Pen:
     """Draws a path's commands one after the other."""
 
-    def __init__(self, data: str) -> None:
+    def __init__(self, data: str, name: str = "d", *, single: bool = False) -> None:
         self.data = "" if data.strip() == "none" else data.rstrip()
+        self.name = name
+        self.single = single
         self.place = 0
         self.pieces: list[Piece] = []
+        self.ends: list[Array] = []
+        """Where the pen stood first, and after each piece."""
         self.here = np.zeros(2)
         self.begin = np.zeros(2)
         self.handle: tuple[str, Array] | None = None
@@ -80,6 +118,9 @@ class _Pen:
             found = _COMMAND.match(self.data, self.place)
             if found is None or (first and found[1] not in "Mm"):
                 raise self.fault("a command, the first one M")
+            if self.single and found[1] in ("Zz" if first else "ZzMm"):
+                self.place = found.end() - 1
+                raise self.fault("one open curve, which begins with its only M and has no Z")
             self.place = found.end()
             self.command(found[1])
             first = False
@@ -98,6 +139,7 @@ class _Pen:
                 self.handle = None
                 if not again:
                     self.begin = self.here
+                self.ends = self.ends or [self.here]
                 kind = "L"
                 again = True
                 continue
@@ -134,6 +176,7 @@ class _Pen:
         if len(self.pieces) >= MAX_PIECES:
             raise InputError("the path has too many pieces", expected=f"at most {MAX_PIECES}")
         self.pieces.append(piece)
+        self.ends.append(end)
         self.here = end
         self.handle = None
 
@@ -155,7 +198,7 @@ class _Pen:
         rest = self.data[self.place : self.place + 30]
         return InputError(
             "this is no path",
-            where=f"character {self.place + 1} of d",
+            where=f"character {self.place + 1} of {self.name}",
             got=repr(rest) if rest.strip() else "the end",
             expected=expected,
         )

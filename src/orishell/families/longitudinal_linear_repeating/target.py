@@ -151,7 +151,7 @@ def _not_convex(trace: Trace) -> DesignError:
 
 def _straight(trace: Trace) -> Remedy:
     """The change that replaces g by a straight line of its length."""
-    length = rounded(trace.length / trace.curve.scale, 6)
+    length = rounded(trace.length / trace.curve.scale[0], 6)
     return Remedy({"target.g.formula": "0*x", "target.g.range": [0.0, length]})
 
 

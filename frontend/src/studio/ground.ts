@@ -1,0 +1,36 @@
+// What a profile stands on, and a person beside whom it is seen how large it is.
+
+import { PERSON, heightOfPerson } from "../shared/person.ts";
+import { s } from "./dom.ts";
+import type { Plane } from "./plane.ts";
+import { line } from "./plot-grid.ts";
+import type { Point } from "./types.ts";
+
+/** Shares of the plane's height between which a person is worth drawing. */
+const [SMALLEST, LARGEST] = [0.05, 1];
+const HATCH = 8;
+
+/** The ground at a curve's lower end, and a person on it in the middle of the curve. */
+export function groundOf(plane: Plane, samples: Point[], unit: string, person: boolean): Node[] {
+  if (samples.length < 2) return [];
+  const level = Math.min(samples[0]![1], samples.at(-1)![1]);
+  const [, y] = plane.toPixels([0, level]);
+  const nodes: Node[] = [];
+  if (person) {
+    const height = heightOfPerson(unit);
+    const share = (height * plane.scale) / plane.height;
+    if (share >= SMALLEST && share <= LARGEST) {
+      const middle = (samples[0]![0] + samples.at(-1)![0]) / 2;
+      const outline = PERSON.map(([x, up]) => plane.toPixels([middle + x * height, level + up * height]));
+      nodes.push(s("path", { class: "plot-person", d: `${line(...outline)}Z` }));
+    }
+  }
+  if (y < 0 || y > plane.height) return nodes;
+  const strokes: string[] = [];
+  for (let x = HATCH / 2; x < plane.width + HATCH; x += HATCH) strokes.push(line([x, y], [x - 5, y + 5]));
+  nodes.push(
+    s("path", { class: "plot-hatch", d: strokes.join("") }),
+    s("path", { class: "plot-ground", d: line([0, y], [plane.width, y]) }),
+  );
+  return nodes;
+}
