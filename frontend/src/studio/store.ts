@@ -2,6 +2,7 @@
 
 import type { View } from "../shared/view.ts";
 import { History } from "./history.ts";
+import { keptSwitch } from "./kept-switch.ts";
 import { Signal } from "./signal.ts";
 import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, Value } from "./types.ts";
 
@@ -31,6 +32,8 @@ export class Store {
   readonly freshness = new Signal<Freshness>("computing");
   /** Sizes are being chosen: what is done, in words. */
   readonly busy = new Signal<string | null>(null);
+  /** Whether a person stands beside the shell, for its size. */
+  readonly figure = keptSwitch("orishell.figure", true);
   /** What was done, in a few words, for a moment. */
   readonly said = new Signal("");
   /** Files that are being read or written. */

@@ -1,0 +1,17 @@
+// A choice that the browser keeps from visit to visit.
+
+import { storageOf } from "./kept.ts";
+import { Signal } from "./signal.ts";
+
+export function keptSwitch(key: string, fallback: boolean): Signal<boolean> {
+  const storage = storageOf(window);
+  const signal = new Signal(storage?.getItem(key) ? storage.getItem(key) === "on" : fallback);
+  signal.watch((on) => {
+    try {
+      storage?.setItem(key, on ? "on" : "off");
+    } catch {
+      // A browser whose room is full: the choice lasts as long as the page.
+    }
+  });
+  return signal;
+}
