@@ -14,12 +14,12 @@ import { Overlays, type Overlay } from "./overlays.ts";
 import { Pace, type Quality } from "./pace.ts";
 import { Pointing } from "./pointing.ts";
 import { Sheet3D } from "./sheet3d.ts";
-import { stopsOf, targetShare } from "./stops.ts";
+import { contactOf, stopsOf, targetShare } from "./stops.ts";
 import { groundOf, type Ground } from "./ground.ts";
 import type { Uniforms } from "./parts.ts";
 import type { Motion } from "./rigid.ts";
 import { Sun } from "./sun.ts";
-import { assignmentCounts, isEarly, targetPoints, type View } from "./view.ts";
+import { assignmentCounts, targetPoints, type View } from "./view.ts";
 
 export type { Colouring, Overlay };
 
@@ -195,9 +195,8 @@ export class Shell3D {
     this.loaded.show(view.loaded ?? null);
     this.setLoaded(null);
     this.setDistance(view.distance ?? null);
-    const { contact, report } = view.header;
-    const early = contact && isEarly(contact, report.lock) ? contact : null;
-    this.setContact(early && early.panels, early?.drive_deg);
+    const contact = contactOf(view);
+    this.setContact(contact && contact.panels, contact?.drive_deg);
     const origin = new Vector3(...view.header.origin);
     const kept = keepCamera && this.fitted;
     if (kept) {

@@ -8,6 +8,7 @@ import { ExportMenu } from "./export-menu.ts";
 import { Families } from "./families.ts";
 import { Files } from "./files.ts";
 import { Help } from "./help.ts";
+import { addInspection } from "./inspection.ts";
 import { Live } from "./live.ts";
 import { PanelControls } from "./panel.ts";
 import { Parameters } from "./parameters.ts";
@@ -57,6 +58,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     example,
   });
   linkHover(stage, results);
+  addInspection(store, stage, results);
   listenForShortcuts({
     undo: () => store.undo(),
     redo: () => store.redo(),

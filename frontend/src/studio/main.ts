@@ -10,6 +10,7 @@ import "./parameters.css";
 import "./stage.css";
 import "./results.css";
 import "./overlays.css";
+import "./inspect.css";
 import "./windows.css";
 import "./theme.ts";
 import { fetchInfo, parseDesign } from "./api.ts";

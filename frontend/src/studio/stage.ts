@@ -3,6 +3,7 @@
 import { LoadedControls } from "../shared/loaded-controls.ts";
 import { type Colouring, Shell3D } from "../shared/shell3d.ts";
 import { button, segmented } from "./controls.ts";
+import { contactOf } from "../shared/stops.ts";
 import { h } from "./dom.ts";
 import { FoldBar } from "./fold-bar.ts";
 import type { Store } from "./store.ts";
@@ -23,6 +24,9 @@ export class Stage {
   readonly element: HTMLElement;
   readonly fold: FoldBar;
   readonly shell: Shell3D;
+  /** Room for more tools, and the frame that cards lie over. */
+  readonly extras = h("div", { class: "stage-extras" });
+  readonly frame: HTMLElement;
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
   private readonly loads: LoadedControls;
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
@@ -47,6 +51,7 @@ export class Stage {
     );
     this.shell = new Shell3D(this.scene, { label: "Shell in space" });
     this.loads = new LoadedControls(this.shell, (on) => this.fold.hold(on));
+    this.frame = h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner);
     this.element = h(
       "section",
       { class: "stage", "aria-label": "Shell in space" },
@@ -55,10 +60,11 @@ export class Stage {
         { class: "stage-tools" },
         colours.element,
         overlays,
+        this.extras,
         this.loads.element,
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
-      h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, banner),
+      this.frame,
       this.fold.element,
     );
     this.fold.share.bind((share) => this.shell.setFold(share));
@@ -110,7 +116,7 @@ export class Stage {
     const view = this.store.view.value;
     if (this.store.proof.value.state !== "done" || !view) return;
     this.shell.setDistance(view.distance ?? null);
-    const { contact } = view.header;
+    const contact = contactOf(view);
     this.shell.setContact(contact?.panels ?? null, contact?.drive_deg);
   }
 
