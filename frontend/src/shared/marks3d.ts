@@ -7,13 +7,20 @@ import type { Motion } from "./rigid.ts";
 import { curveVertex, dotFragment, dotVertex, lineFragment } from "./shaders.ts";
 import type { View } from "./view.ts";
 
+/** The state drawn: its drive, and the height of the ground below it. */
+export interface Drawing {
+  drive: number;
+  atTarget: boolean;
+  ground: number;
+}
+
 /** What else is drawn in space, about the shell's origin. */
 export interface Guest {
   readonly drawn: Object3D[];
   /** Another shell. */
   show?(view: View, motion: Motion): void;
   /** Another state of it is drawn. */
-  move?(motion: Motion, atTarget: boolean, ground: number): void;
+  move?(motion: Motion, state: Drawing): void;
   paint(theme: Theme): void;
   dispose(): void;
 }

@@ -4,7 +4,7 @@
 import { Vector3 } from "three";
 import type { Theme } from "./colours.ts";
 import { feetOf, groundOf } from "./ground.ts";
-import { Dots3D, type Guest, Lines3D } from "./marks3d.ts";
+import { Dots3D, type Drawing, type Guest, Lines3D } from "./marks3d.ts";
 import type { Uniforms } from "./parts.ts";
 import type { Motion } from "./rigid.ts";
 import { contactOf } from "./stops.ts";
@@ -14,8 +14,10 @@ import type { View } from "./view.ts";
 
 /** Dashes of a slack tie. */
 const DASHES = 24;
-/** Panels this near to each other, as a share of the shell's size, touch as far as one can see. */
-const TOUCHING = 2e-3;
+/** Panels this near to each other, as a share of their size, touch as far as one can see. */
+const TOUCHING = 0.02;
+/** Drives nearer to the contact than this show its place (degrees). */
+const NEAR = 1;
 
 const from = new Vector3(), to = new Vector3();
 
@@ -96,13 +98,13 @@ export class Touch3D implements Guest {
     this.dot.visible = false;
   }
 
-  move(motion: Motion): void {
-    const panels = this.view && contactOf(this.view)?.panels;
-    if (!panels) return void (this.dot.visible = false);
-    const [one, other] = panels.map((panel) => [0, 1, 2, 3].map((k) => motion.at(4 * panel + k, new Vector3())));
+  move(motion: Motion, { drive }: Drawing): void {
+    const contact = this.view && contactOf(this.view);
+    this.dot.visible = contact !== null && Math.abs(drive - contact.drive_deg) < NEAR;
+    if (!contact || !this.dot.visible) return;
+    const [one, other] = contact.panels.map((panel) => [0, 1, 2, 3].map((k) => motion.at(4 * panel + k, new Vector3())));
     const { gap, point } = nearestOf(one!, other!);
-    const size = Math.max(one![0]!.distanceTo(one![2]!), other![0]!.distanceTo(other![2]!));
-    this.dot.visible = gap < 10 * TOUCHING * size;
+    this.dot.visible = gap < TOUCHING * one![0]!.distanceTo(one![2]!);
     this.dot.set(Float32Array.from(point));
   }
 
@@ -137,7 +139,7 @@ export class Feet3D implements Guest {
     this.sides = flapSides(view).map(([a, b]) => [corners[a]!, corners[b]!]);
   }
 
-  move(motion: Motion, atTarget: boolean): void {
+  move(motion: Motion, { atTarget }: Drawing): void {
     this.feet.visible = atTarget && this.corners.length > 0;
     if (atTarget) this.feet.set(Float32Array.from(this.corners.flatMap((corner) => [...motion.at(corner, from)])));
     this.flaps.visible = this.sides.length > 0;

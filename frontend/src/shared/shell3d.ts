@@ -395,9 +395,10 @@ export class Shell3D {
     if (this.posed || !this.sheet.motion) return;
     this.sheet.motion.setFold(this.share);
     this.clipped.setVisible(this.atTarget);
-    const level = this.ground?.levelAt(this.drive) ?? 0;
-    this.overlays.setLevel(level - 0.002 * this.extent!.radius);
-    for (const guest of this.guests) guest.move?.(this.sheet.motion, this.atTarget, level);
+    const { drive, atTarget } = this;
+    const ground = this.ground?.levelAt(drive) ?? 0;
+    this.overlays.setLevel(ground - 0.004 * this.extent!.radius);
+    for (const guest of this.guests) guest.move?.(this.sheet.motion, { drive, atTarget, ground });
     this.posed = true;
     this.sent = this.shaded = false;
   }

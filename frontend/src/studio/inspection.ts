@@ -8,7 +8,9 @@ import { foldByKeys } from "./motion-keys.ts";
 import type { Results } from "./results.ts";
 import { Selection } from "./selection.ts";
 import { Sight } from "./sight.ts";
+import { addFigures } from "./sheet-figures.ts";
 import type { Stage } from "./stage.ts";
+import { Standing } from "./standing.ts";
 import type { Store } from "./store.ts";
 
 const TYPING = "input, select, textarea, dialog, [popover]";
@@ -23,8 +25,15 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
   shell.add(new Touch3D(shell.uniforms));
   sight.onTap((room, event) => (measure.active.value ? measure : selection).take(room, event));
   sight.onMove((room, event) => (measure.active.value ? measure : selection).point(room, event));
-  stage.extras.append(measure.button);
-  stage.frame.append(h("div", { class: "inspect-cards" }, measure.element, card.element));
+  measure.active.watch(() => selection.pointed.set(null));
+  const standing = new Standing(store, stage);
+  results.onFigures = (figures) => addFigures(figures, store.view.value!, standing, selection);
+  standing.headroom.watch(() => results.showFigures());
+  stage.frame.append(
+    h("div", { class: "inspect-cards" }, measure.element, card.element),
+    h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button),
+    standing.legend,
+  );
   foldByKeys(fold);
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -22,7 +22,7 @@ const STEPS: Record<string, [down: number, right: number]> = {
 
 export class Measure {
   readonly active = new Signal(false);
-  readonly button = button({ label: "Measure a distance", icon: "measure", text: "Measure", keys: "M", testid: "measure", act: () => this.toggle() });
+  readonly button = button({ label: "Measure a distance", icon: "measure", keys: "M", testid: "measure", act: () => this.toggle() });
   readonly element = h("section", { class: "inspect-card", "aria-label": "Distance", "data-testid": "measure-card", hidden: true });
   private readonly words = h("p", { class: "inspect-note", role: "status" });
   private readonly inSpace = h("dd", { "data-testid": "measure-space" });

@@ -24,8 +24,8 @@ export class Stage {
   readonly element: HTMLElement;
   readonly fold: FoldBar;
   readonly shell: Shell3D;
-  /** Room for more tools, and the frame that cards lie over. */
-  readonly extras = h("div", { class: "stage-extras" });
+  /** The switches of what is shown, and the frame that tools and cards lie over. */
+  readonly overlays: HTMLElement;
   readonly frame: HTMLElement;
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
   private readonly loads: LoadedControls;
@@ -43,7 +43,7 @@ export class Stage {
       (mode) => this.shell.setColouring(mode),
     );
     colours.set("plain");
-    const overlays = h(
+    this.overlays = h(
       "div",
       { class: "overlays", role: "group", "aria-label": "Shown beside the shell" },
       ...OVERLAYS.map(({ name, text }) => this.overlay(name, text)),
@@ -59,8 +59,7 @@ export class Stage {
         "div",
         { class: "stage-tools" },
         colours.element,
-        overlays,
-        this.extras,
+        this.overlays,
         this.loads.element,
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
