@@ -44,7 +44,12 @@ export class Overlays {
     else this.curves[name].visible = visible;
   }
 
-  /** Ground just below the motion, lines on round numbers of the world; returns their distance. */
+  /** Height of the ground that the state drawn stands on. */
+  setLevel(level: number): void {
+    this.groundUniforms.middle.value.z = level;
+  }
+
+  /** Ground below the shell, lines on round numbers of the world; returns their distance. */
   placeGround({ centre, radius, low, high }: Extent, origin: Vector3): number {
     const u = this.groundUniforms;
     u.middle.value.set(centre.x, centre.y, low.z - 0.004 * radius);

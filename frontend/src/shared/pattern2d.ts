@@ -18,7 +18,12 @@ const MARGIN = 22;
 /** Lines drawn at a stroke: longer paths take canvases out of their stride. */
 const STROKE = 1500;
 
+/** What else is drawn on the sheet: `at` says where a point of it is in the picture. */
+export type Layer = (pen: CanvasRenderingContext2D, at: (x: number, y: number) => [number, number], theme: Theme) => void;
+
 export class Pattern2D {
+  /** Drawn with the sheet, and drawn above it, which is cheap to ask for. */
+  readonly layers: { sheet: Layer[]; top: Layer[] } = { sheet: [], top: [] };
   onHover: ((panel: number | null) => void) | null = null;
   private readonly base = document.createElement("canvas");
   private readonly top = document.createElement("canvas");
@@ -67,6 +72,30 @@ export class Pattern2D {
     this.note.textContent = view.flat.length ? "" : "Folded states only: there is no flat sheet to draw.";
     if (first || !keepView || this.whole) this.fit();
     this.invalidate();
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.base;
+  }
+
+  /** Draw the layers anew. */
+  refresh(sheet = false): void {
+    if (sheet) this.invalidate();
+    else this.drawTop();
+  }
+
+  /** What lies under a place of the window: the panel, and the point of the sheet. */
+  under(x: number, y: number): { panel: number; point: [number, number] } | null {
+    const box = this.base.getBoundingClientRect();
+    const point = this.sheetPoint(x - box.left, y - box.top);
+    const panel = this.panelAt(...point);
+    return panel === null ? null : { panel, point };
+  }
+
+  /** Where a point of the sheet is in the window. */
+  onScreen(x: number, y: number): [number, number] {
+    const box = this.base.getBoundingClientRect();
+    return [box.left + this.px(x), box.top + this.py(y)];
   }
 
   highlight(panel: number | null): void {
@@ -141,6 +170,7 @@ export class Pattern2D {
     if (!this.view || !pen) return;
     const theme = themeOf(this.container);
     this.drawSheet(pen, this.view, theme);
+    for (const layer of this.layers.sheet) layer(pen, this.at, theme);
     this.drawScale();
     this.drawTop();
   };
@@ -186,8 +216,15 @@ export class Pattern2D {
 
   private drawTop(): void {
     const pen = this.pen(this.top);
-    if (!pen || !this.view || this.chosen === null || !this.view.flat.length) return;
-    const colour = themeOf(this.container).text("--hover");
+    if (!pen || !this.view?.flat.length) return;
+    const theme = themeOf(this.container);
+    for (const layer of this.layers.top) {
+      pen.save();
+      layer(pen, this.at, theme);
+      pen.restore();
+    }
+    if (this.chosen === null) return;
+    const colour = theme.text("--hover");
     pen.beginPath();
     this.trace(pen, this.view.flat, this.view.faces.subarray(4 * this.chosen, 4 * this.chosen + 4));
     pen.fillStyle = pen.strokeStyle = colour;
@@ -214,6 +251,8 @@ export class Pattern2D {
     }
     pen.closePath();
   }
+
+  private readonly at = (x: number, y: number): [number, number] => [this.px(x), this.py(y)];
 
   private px(x: number): number {
     return (x - this.x) * this.zoom + this.container.clientWidth / 2;

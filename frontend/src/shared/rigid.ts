@@ -117,8 +117,20 @@ export class Motion {
     return largest;
   }
 
+  /** Place of a corner by its number, as drawn. */
+  at(corner: number, out: Vector3): Vector3 {
+    const p = POSE * (corner >> 2);
+    out.fromArray(this.corners, 3 * corner).applyQuaternion(turn.fromArray(this.pose, p));
+    return out.add(centre.fromArray(this.pose, p + 4));
+  }
+
   /** Nearest panel that a ray meets in the state drawn, -1 if none. */
   pick(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number): number {
+    return this.hit(ox, oy, oz, dx, dy, dz)?.panel ?? -1;
+  }
+
+  /** The same, and how far along the ray. */
+  hit(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number): { panel: number; along: number } | null {
     const { pose, corners, radius } = this;
     let nearest = Infinity, found = -1;
     for (let panel = 0; panel < this.panels; panel++) {
@@ -141,7 +153,7 @@ export class Motion {
         found = panel;
       }
     }
-    return found;
+    return found < 0 ? null : { panel: found, along: nearest };
   }
 
   /** Poses of a given state. */

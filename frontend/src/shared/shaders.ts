@@ -310,3 +310,61 @@ void main() {
   float alpha = 0.2 + 0.3 * rim * rim + 0.22 * max(line.x, line.y);
   colour = vec4(encode(ink * (0.75 + 0.35 * abs(n.z))), alpha);
 }`;
+
+/** Round dots, as large on the screen as asked, a little nearer than what they stand on. */
+export const dotVertex = /* glsl */ `${COMMON}
+in vec3 position;
+uniform mat4 viewMatrix, projectionMatrix;
+uniform float width, density;
+void main() {
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+  gl_Position.z -= 2e-4 * gl_Position.w;
+  gl_PointSize = width * density;
+}`;
+
+export const dotFragment = /* glsl */ `${COMMON}
+uniform vec3 ink;
+uniform float width, density, opacity;
+out vec4 colour;
+void main() {
+  float away = length(gl_PointCoord - 0.5) * width * density;
+  colour = vec4(encode(ink), opacity * clamp(0.5 * width * density - away, 0.0, 1.0));
+}`;
+
+/** A flat figure that stands upright and turns about itself towards the eye. */
+export const figureVertex = /* glsl */ `${COMMON}
+in vec2 position;
+uniform mat4 viewMatrix, projectionMatrix;
+uniform vec3 foot, cameraPosition;
+uniform float tall;
+void main() {
+  vec2 away = normalize(cameraPosition.xy - foot.xy);
+  vec3 place = foot + tall * (position.x * vec3(-away.y, away.x, 0.0) + vec3(0.0, 0.0, position.y));
+  gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
+}`;
+
+/** One colour, a little lighter where it is seen through. */
+export const plainFragment = /* glsl */ `${COMMON}
+uniform vec3 ink;
+uniform float opacity;
+out vec4 colour;
+void main() { colour = vec4(encode(ink), opacity); }`;
+
+/** Another shell, as glass. */
+export const ghostVertex = /* glsl */ `${COMMON}
+in vec3 position;
+uniform mat4 viewMatrix, projectionMatrix;
+out vec3 place;
+void main() {
+  place = position;
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}`;
+
+export const ghostFragment = /* glsl */ `${COMMON}
+in vec3 place;
+uniform vec3 cameraPosition, ink;
+out vec4 colour;
+void main() {
+  vec3 n = normalize(cross(dFdx(place), dFdy(place))), eye = normalize(cameraPosition - place);
+  colour = vec4(encode(ink * (0.7 + 0.4 * abs(n.z))), 0.16 + 0.2 * (1.0 - abs(dot(n, eye))));
+}`;

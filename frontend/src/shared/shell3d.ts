@@ -10,14 +10,18 @@ import { armAfter } from "./keys.ts";
 import { renderLegend, type Mark } from "./legend.ts";
 import { Loaded3D, type Shown } from "./loaded3d.ts";
 import { Look } from "./look.ts";
+import type { Guest } from "./marks3d.ts";
 import { Overlays, type Overlay } from "./overlays.ts";
 import { Pace, type Quality } from "./pace.ts";
 import { Pointing } from "./pointing.ts";
 import { Sheet3D } from "./sheet3d.ts";
+import { contactOf, stopsOf, targetShare } from "./stops.ts";
+import { groundOf, type Ground } from "./ground.ts";
+import type { Uniforms } from "./parts.ts";
+import type { Motion } from "./rigid.ts";
 import { shareTouch } from "./touch.ts";
-import { stopsOf, targetShare } from "./stops.ts";
 import { Sun } from "./sun.ts";
-import { assignmentCounts, isEarly, targetPoints, type View } from "./view.ts";
+import { assignmentCounts, targetPoints, type View } from "./view.ts";
 
 export type { Colouring, Overlay };
 
@@ -51,6 +55,8 @@ export class Shell3D {
   private readonly loaded = new Loaded3D(this.u);
   private readonly overlays: Overlays;
   private readonly pace: Pace;
+  private readonly guests: Guest[] = [];
+  private ground: Ground | null = null;
 
   private view: View | null = null;
   private extent: Extent | null = null;
@@ -125,6 +131,60 @@ export class Shell3D {
     return Math.abs(this.share - this.target) < SAME_SHARE;
   }
 
+  get canvas(): HTMLCanvasElement {
+    return this.renderer.domElement;
+  }
+
+  /** What drawings in the same space share. */
+  get uniforms(): Uniforms {
+    return this.u;
+  }
+
+  /** The motion, posed as it is drawn. */
+  get motion(): Motion | null {
+    this.pose();
+    return this.sheet.motion;
+  }
+
+  /** Draw something else as well; it may ask for another frame. */
+  add(guest: Guest): () => void {
+    this.guests.push(guest);
+    this.unloaded.add(...guest.drawn);
+    guest.paint(themeOf(this.container));
+    this.posed = false;
+    this.invalidate();
+    return () => {
+      this.posed = false;
+      this.invalidate();
+    };
+  }
+
+  /** What lies under a place of the window: the panel and the point on it, about the origin. */
+  under(x: number, y: number): { panel: number; point: Vector3 } | null {
+    const box = this.canvas.getBoundingClientRect();
+    this.ray.setFromCamera(new Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
+    const { origin: o, direction: d } = this.ray.ray;
+    const hit = this.loaded.shown ? null : this.motion?.hit(o.x, o.y, o.z, d.x, d.y, d.z);
+    return hit ? { panel: hit.panel, point: o.clone().addScaledVector(d, hit.along) } : null;
+  }
+
+  /** Where a point about the origin is in the window. */
+  onScreen(point: Vector3): [number, number] {
+    const box = this.canvas.getBoundingClientRect();
+    const { x, y } = point.clone().project(this.camera);
+    return [box.left + (0.5 + 0.5 * x) * box.width, box.top + (0.5 - 0.5 * y) * box.height];
+  }
+
+  /** A small picture of what is drawn. */
+  picture(width: number, height: number): HTMLCanvasElement {
+    const small = Object.assign(document.createElement("canvas"), { width, height });
+    this.draw();
+    const { width: w, height: h } = this.canvas;
+    const scale = Math.max(width / w, height / h);
+    small.getContext("2d")?.drawImage(this.canvas, (width - w * scale) / 2, (height - h * scale) / 2, w * scale, h * scale);
+    return small;
+  }
+
   /** Times between the latest frames of a motion (ms), for measuring. */
   get frameTimes(): readonly number[] {
     return this.pace.times;
@@ -140,9 +200,8 @@ export class Shell3D {
     this.loaded.show(view.loaded ?? null);
     this.setLoaded(null);
     this.setDistance(view.distance ?? null);
-    const { contact, report } = view.header;
-    const early = contact && isEarly(contact, report.lock) ? contact : null;
-    this.setContact(early && early.panels, early?.drive_deg);
+    const contact = contactOf(view);
+    this.setContact(contact && contact.panels, contact?.drive_deg);
     const origin = new Vector3(...view.header.origin);
     const kept = keepCamera && this.fitted;
     if (kept) {
@@ -151,6 +210,8 @@ export class Shell3D {
     this.origin = origin;
     this.sun.place(this.extent);
     this.scale.textContent = `grid ${length(this.overlays.placeGround(this.extent, origin), view.header.unit)}`;
+    this.ground = groundOf(view);
+    for (const guest of this.guests) guest.show?.(view, this.sheet.motion!);
     this.posed = false;
     this.highlight(null);
     if (!kept) this.fit(true);
@@ -254,6 +315,7 @@ export class Shell3D {
     this.clipped.dispose();
     this.loaded.dispose();
     this.overlays.dispose();
+    for (const guest of this.guests) guest.dispose();
     this.sun.dispose();
     this.look.dispose();
     this.renderer.dispose();
@@ -305,6 +367,7 @@ export class Shell3D {
     this.look.paint(theme);
     this.overlays.paint(theme);
     this.loaded.paint(theme);
+    for (const guest of this.guests) guest.paint(theme);
     this.invalidate();
   };
 
@@ -344,6 +407,10 @@ export class Shell3D {
     if (this.posed || !this.sheet.motion) return;
     this.sheet.motion.setFold(this.share);
     this.clipped.setVisible(this.atTarget);
+    const { drive, atTarget } = this;
+    const ground = this.ground?.levelAt(drive) ?? 0;
+    this.overlays.setLevel(ground - 0.004 * this.extent!.radius);
+    for (const guest of this.guests) guest.move?.(this.sheet.motion, { drive, atTarget, ground });
     this.posed = true;
     this.sent = this.shaded = false;
   }

@@ -1,6 +1,6 @@
 // Where a motion stops: its named states, and the way through them when it is played.
 
-import { drives, type View } from "./view.ts";
+import { type Contact, drives, isEarly, type View } from "./view.ts";
 
 export interface Stop {
   name: "flat" | "target" | "pack";
@@ -31,6 +31,46 @@ export function stopsOf(view: View): Stop[] {
     .sort((one, other) => one.share - other.share);
 }
 
+/** Where panels touch that are not meant to: before the target, or where that ends the motion. */
+export function contactOf(view: View): Contact | null {
+  const { contact, grid, report } = view.header;
+  if (contact && isEarly(contact, report.lock)) return contact;
+  const first = report.lock?.first_contact;
+  if (!first || !grid || !(report.lock!.cause === "clash" || report.lock!.cause === "boards")) return null;
+  const [one, other] = first.panels.map(([row, column]) => row * (grid[1] - 1) + column);
+  return { drive_deg: first.drive_deg, panels: [one!, other!] };
+}
+
+/** Stops nearer to each other than this share are one. */
+const APART = 0.004;
+
+/** Shares at which the motion rests: its named states, and where panels touch. */
+export function restsOf(view: View): number[] {
+  const shares = stopsOf(view).map(({ share }) => share);
+  const contact = contactOf(view);
+  const at = contact && Math.min(1, Math.max(0, shareOf(drives(view), contact.drive_deg)));
+  if (at !== null && shares.every((share) => Math.abs(share - at) > APART)) shares.push(at);
+  return shares.sort((one, other) => one - other);
+}
+
+/** The next rest from a share, forwards or backwards; the end if there is none. */
+export function nextRest(rests: number[], share: number, forwards: boolean): number {
+  const found = forwards ? rests.find((each) => each > share + 1e-6) : rests.findLast((each) => each < share - 1e-6);
+  return found ?? (forwards ? 1 : 0);
+}
+
+/** A share moved on, but over no rest. */
+export function stepped(rests: number[], share: number, by: number): number {
+  const wanted = Math.min(1, Math.max(0, share + by));
+  const next = nextRest(rests, share, by > 0);
+  return by > 0 ? Math.min(wanted, next) : Math.max(wanted, next);
+}
+
+/** The rest within reach of a share that is dragged to; else that share. */
+export function caught(rests: number[], share: number, reach: number): number {
+  return rests.find((each) => Math.abs(each - share) < reach) ?? share;
+}
+
 /** Share of the target: where overlays and distances belong, and what is shown first. */
 export function targetShare(stops: Stop[]): number {
   return stops.find(({ name }) => name === "target")?.share ?? 1;
@@ -54,7 +94,7 @@ export class Journey {
   readonly length: number;
   private readonly legs: { from: number; to: number; start: number; time: number }[] = [];
 
-  constructor(stops: Stop[]) {
+  constructor(stops: Pick<Stop, "share">[]) {
     let start = 0;
     for (let k = 1; k < stops.length; k++) {
       const from = stops[k - 1]!.share, to = stops[k]!.share;

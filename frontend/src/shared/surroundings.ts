@@ -9,7 +9,9 @@ export function makeGround(uniforms: Uniforms): Mesh<BufferGeometry, RawShaderMa
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]), 3));
   geometry.setIndex([0, 1, 2, 2, 1, 3]);
-  const ground = new Mesh(geometry, material(groundVertex, groundFragment, uniforms, { transparent: true, depthWrite: false }));
+  const ground = new Mesh(geometry, material(groundVertex, groundFragment, uniforms, {
+    transparent: true, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 4, polygonOffsetUnits: 16,
+  }));
   ground.frustumCulled = false;
   ground.renderOrder = -1;
   return ground;

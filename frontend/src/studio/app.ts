@@ -9,6 +9,7 @@ import { ExportMenu } from "./export-menu.ts";
 import { Families } from "./families.ts";
 import { Files } from "./files.ts";
 import { Help } from "./help.ts";
+import { addInspection } from "./inspection.ts";
 import { Live } from "./live.ts";
 import { PanelControls } from "./panel.ts";
 import { Parameters } from "./parameters.ts";
@@ -66,6 +67,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   });
   forgetWhatIsStale(store);
   linkHover(stage, results);
+  addInspection(store, stage, results);
   listenForShortcuts({
     undo: () => store.undo(),
     redo: () => store.redo(),

@@ -1,6 +1,6 @@
 // The fold: a slider over the whole motion, its named states, play and pause.
 
-import { frameAt, Journey, shareOf, type Stop, stopsOf, targetShare, wayOf } from "../shared/stops.ts";
+import { caught, contactOf, frameAt, Journey, nextRest, restsOf, shareOf, stepped, type Stop, stopsOf, targetShare, wayOf } from "../shared/stops.ts";
 import { drives } from "../shared/view.ts";
 import { h, setAttribute } from "./dom.ts";
 import { icon } from "./icons.ts";
@@ -14,6 +14,10 @@ const DURATION = 5;
 const SLOWEST = 0.25;
 /** With reduced motion the shell steps this many times. */
 const STEPS = 12;
+/** Part of the motion that an arrow key folds, with Shift, and within which dragging is caught. */
+const STEP = 0.01;
+const STRIDE = 0.1;
+const REACH = 0.006;
 /** Drives nearer than this are the same (degrees). */
 const SAME = 1e-4;
 
@@ -24,6 +28,8 @@ export class FoldBar {
     { name: "flat", label: "Flat", share: 0 },
     { name: "target", label: "Target", share: 1 },
   ];
+  /** Where it rests: at the stops, and where panels touch. */
+  private rests = [0, 1];
   private journey = new Journey(this.stops);
   private time = 0;
   private readonly slider: HTMLInputElement;
@@ -51,9 +57,16 @@ export class FoldBar {
       value: 1,
       "data-testid": "fold-slider",
     });
+    let dragged = false;
+    this.slider.addEventListener("pointerdown", () => (dragged = true));
+    for (const name of ["pointerup", "pointercancel"]) this.slider.addEventListener(name, () => (dragged = false));
     this.slider.addEventListener("input", () => {
       this.stop();
-      this.share.set(this.slider.valueAsNumber);
+      const share = this.slider.valueAsNumber;
+      this.share.set(dragged ? caught(this.rests, share, REACH) : share);
+    });
+    this.slider.addEventListener("keydown", (event) => {
+      if (this.key(event)) event.preventDefault();
     });
     this.play = h("button", {
       type: "button",
@@ -99,6 +112,26 @@ export class FoldBar {
     else this.start();
   }
 
+  /** Fold by a key, if it means that. */
+  key(event: KeyboardEvent): boolean {
+    if (this.element.inert || event.ctrlKey || event.metaKey || event.altKey) return false;
+    const share = this.share.value;
+    const size = event.shiftKey ? STRIDE : STEP;
+    const keys: Record<string, () => number> = {
+      ArrowLeft: () => stepped(this.rests, share, -size),
+      ArrowRight: () => stepped(this.rests, share, size),
+      PageDown: () => nextRest(this.rests, share, false),
+      PageUp: () => nextRest(this.rests, share, true),
+      Home: () => 0,
+      End: () => 1,
+    };
+    const wanted = keys[event.key];
+    if (!wanted) return false;
+    this.stop();
+    this.share.set(wanted());
+    return true;
+  }
+
   private end(kind: string, stop: () => Stop | undefined): { element: HTMLButtonElement; stop: () => Stop | undefined } {
     const jump = (): void => {
       this.stop();
@@ -121,7 +154,7 @@ export class FoldBar {
       this.time = Math.min(this.journey.length, this.time + seconds / DURATION);
       last = now;
       const at = this.journey.shareAt(this.time);
-      const stop = this.stops.some((each) => each.share === at);
+      const stop = this.rests.includes(at);
       this.share.set(still && !stop ? Math.floor(at * STEPS + 1e-9) / STEPS : at);
       if (this.time < this.journey.length) this.frame = requestAnimationFrame(tick);
       else this.stop();
@@ -154,7 +187,8 @@ export class FoldBar {
       this.stops = stopsOf(view);
       const stands = this.stops.find(({ name }) => name === stood?.name);
       const turned = this.stops[0]?.name !== before?.name;
-      this.journey = new Journey(this.stops);
+      this.rests = restsOf(view);
+      this.journey = new Journey(this.rests.map((each) => ({ share: each })));
       this.time = this.journey.timeOf(share);
       if (stands || turned) this.share.set(stands?.share ?? targetShare(this.stops));
       this.name();
@@ -187,7 +221,7 @@ export class FoldBar {
     this.readout.textContent = text;
     this.readout.title = "drive angle";
     setAttribute(this.slider, "aria-valuetext", drive === null ? text : `drive ${drive.toFixed(1)} degrees`);
-    const contact = view?.header.contact;
+    const contact = view && contactOf(view);
     this.mark.hidden = this.touch.hidden = !contact || !all;
     if (!contact || !all || drive === null) return;
     this.mark.style.setProperty("--at", String(clamp(shareOf(all, contact.drive_deg), 0, 1)));

@@ -13,6 +13,8 @@ import type { Store } from "./store.ts";
 export class Results {
   readonly element: HTMLElement;
   readonly pattern: Pattern2D;
+  /** Called when the figures were written. */
+  onFigures: ((figures: HTMLElement) => void) | null = null;
   private readonly figures = h("div", { class: "figures", "data-testid": "figures" });
   private readonly said = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
   private readonly legend = h("div", { class: "sheet-legend", "data-testid": "pattern-legend" });
@@ -59,8 +61,10 @@ export class Results {
     this.keepView = false;
   }
 
-  private showFigures(): void {
-    if (this.store.view.value) renderFigures(this.figures, this.store.view.value, (text) => this.store.labels.said(text));
+  showFigures(): void {
+    if (!this.store.view.value) return;
+    renderFigures(this.figures, this.store.view.value, (text) => this.store.labels.said(text));
+    this.onFigures?.(this.figures);
   }
 
   private summary(): string {

@@ -3,6 +3,7 @@
 import { LoadedControls } from "../shared/loaded-controls.ts";
 import { type Colouring, Shell3D } from "../shared/shell3d.ts";
 import { button, segmented } from "./controls.ts";
+import { contactOf } from "../shared/stops.ts";
 import { h } from "./dom.ts";
 import { FoldBar } from "./fold-bar.ts";
 import type { Store } from "./store.ts";
@@ -23,6 +24,9 @@ export class Stage {
   readonly element: HTMLElement;
   readonly fold: FoldBar;
   readonly shell: Shell3D;
+  /** The switches of what is shown, and the frame that tools and cards lie over. */
+  readonly overlays: HTMLElement;
+  readonly frame: HTMLElement;
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
   private readonly loads: LoadedControls;
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
@@ -39,7 +43,7 @@ export class Stage {
       (mode) => this.shell.setColouring(mode),
     );
     colours.set("plain");
-    const overlays = h(
+    this.overlays = h(
       "div",
       { class: "overlays", role: "group", "aria-label": "Shown beside the shell" },
       ...OVERLAYS.map(({ name, text }) => this.overlay(name, text)),
@@ -47,6 +51,7 @@ export class Stage {
     );
     this.shell = new Shell3D(this.scene, { label: "Shell in space" });
     this.loads = new LoadedControls(this.shell, (on) => this.fold.hold(on));
+    this.frame = h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state);
     this.element = h(
       "section",
       { class: "stage", "aria-label": "Shell in space" },
@@ -54,11 +59,11 @@ export class Stage {
         "div",
         { class: "stage-tools" },
         colours.element,
-        overlays,
+        this.overlays,
         this.loads.element,
         button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
-      h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state),
+      this.frame,
       banner,
       this.fold.element,
     );
@@ -111,7 +116,7 @@ export class Stage {
     const view = this.store.view.value;
     if (this.store.proof.value.state !== "done" || !view) return;
     this.shell.setDistance(view.distance ?? null);
-    const { contact } = view.header;
+    const contact = contactOf(view);
     this.shell.setContact(contact?.panels ?? null, contact?.drive_deg);
   }
 

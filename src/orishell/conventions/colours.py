@@ -20,6 +20,9 @@ LIGHT: Mapping[str, str] = {
     "curve-g": "#b5179e",
     "target": "#14868f",
     "contact": "#ff7f0e",
+    "flap": "#7a4fb3",
+    "tie": "#7b4a12",
+    "foot": "#20242a",
 }
 """Colour of every meaning on light ground, as "#rrggbb"."""
 
@@ -34,6 +37,9 @@ DARK: Mapping[str, str] = {
     "curve-g": "#f08fd0",
     "target": "#58c9cf",
     "contact": "#ffb03b",
+    "flap": "#bfa2f0",
+    "tie": "#e0b070",
+    "foot": "#f4f1ea",
 }
 """The same on dark ground."""
 

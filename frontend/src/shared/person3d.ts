@@ -1,0 +1,86 @@
+// A person beside or inside the shell, for its size: a flat figure that faces the eye.
+
+import { BufferAttribute, BufferGeometry, ShapeUtils, Vector2, Vector3 } from "three";
+import type { Theme } from "./colours.ts";
+import { extentOf } from "./camera.ts";
+import type { Headroom } from "./headroom.ts";
+import type { Drawing, Guest } from "./marks3d.ts";
+import { material, part, type Uniforms } from "./parts.ts";
+import { heightOfPerson, PERSON } from "./person.ts";
+import type { Motion } from "./rigid.ts";
+import { figureVertex, plainFragment } from "./shaders.ts";
+import { targetPoints, type View } from "./view.ts";
+
+/** Shells of this many heights of a person are shown with one. */
+const SMALLEST = 0.5;
+const LARGEST = 40;
+/** Clear of the shell beside which it stands, in its height. */
+const BESIDE = 0.35;
+/** Room over its head where it stands inside, in its height. */
+const OVER = 1.03;
+
+export class Person3D implements Guest {
+  private readonly figure;
+  private readonly ink = { value: [0, 0, 0] };
+  private readonly foot = { value: new Vector3() };
+  private readonly tall = { value: 1 };
+  private fits = false;
+  private inside = false;
+  private on = true;
+
+  constructor(uniforms: Uniforms) {
+    const own = { ...uniforms, ink: this.ink, foot: this.foot, tall: this.tall, opacity: { value: 1 } };
+    this.figure = part(material(figureVertex, plainFragment, own), 0);
+    const outline = PERSON.map(([x, y]) => new Vector2(x, y));
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(PERSON.flat()), 2));
+    geometry.setIndex(ShapeUtils.triangulateShape(outline, []).flat());
+    this.figure.geometry = geometry;
+  }
+
+  get drawn() {
+    return [this.figure];
+  }
+
+  /** Whether a person says anything of a shell's size. */
+  static suits(view: View): boolean {
+    const points = targetPoints(view);
+    if (!points || view.header.unit === "unit") return false;
+    const { low, high } = extentOf([points]);
+    const size = Math.max(...high.sub(low)) / heightOfPerson(view.header.unit);
+    return size >= SMALLEST && size <= LARGEST;
+  }
+
+  setVisible(on: boolean): void {
+    this.on = on;
+  }
+
+  /** Where the shell has most room; beside it if that is too low. */
+  place(view: View, room: Headroom | null): void {
+    this.fits = Person3D.suits(view);
+    if (!this.fits) return;
+    const tall = heightOfPerson(view.header.unit);
+    this.tall.value = tall;
+    this.inside = room !== null && room.height >= OVER * tall;
+    if (this.inside) this.foot.value.set(room!.x, room!.y, 0);
+    else {
+      const { low, high } = extentOf([view.positions]);
+      this.foot.value.set(high.x + BESIDE * tall, low.y + 0.2 * (high.y - low.y), 0);
+    }
+  }
+
+  /** Inside only while the shell stands: on the way panels would cut through it. */
+  move(_: Motion, { atTarget, ground }: Drawing): void {
+    this.figure.visible = this.on && this.fits && (atTarget || !this.inside);
+    this.foot.value.z = ground;
+  }
+
+  paint(theme: Theme): void {
+    this.ink.value = theme.linear("--person");
+  }
+
+  dispose(): void {
+    this.figure.geometry.dispose();
+    this.figure.material.dispose();
+  }
+}

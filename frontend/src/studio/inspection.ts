@@ -1,0 +1,46 @@
+// Looking closely: what is chosen, distances, and what stands around the shell.
+
+import { Touch3D } from "../shared/moving3d.ts";
+import { h } from "./dom.ts";
+import { InspectCard } from "./inspect-card.ts";
+import { Measure } from "./measure.ts";
+import { foldByKeys } from "./motion-keys.ts";
+import type { Results } from "./results.ts";
+import { Selection } from "./selection.ts";
+import { Sight } from "./sight.ts";
+import { addFigures } from "./sheet-figures.ts";
+import type { Stage } from "./stage.ts";
+import { Standing } from "./standing.ts";
+import type { Store } from "./store.ts";
+
+const TYPING = "input, select, textarea, dialog, [popover]";
+
+export function addInspection(store: Store, stage: Stage, results: Results): void {
+  const { shell, fold } = stage;
+  const { pattern } = results;
+  const sight = new Sight(store, shell, pattern);
+  const measure = new Measure(store, sight, shell, pattern, fold.share);
+  const selection = new Selection(store, sight, pattern, shell);
+  const card = new InspectCard(store, selection, shell, fold.share);
+  shell.add(new Touch3D(shell.uniforms));
+  sight.onTap((room, event) => (measure.active.value ? measure : selection).take(room, event));
+  sight.onMove((room, event) => (measure.active.value ? measure : selection).point(room, event));
+  measure.active.watch(() => selection.pointed.set(null));
+  const standing = new Standing(store, stage);
+  results.onFigures = (figures) => addFigures(figures, store.view.value!, standing, selection);
+  standing.headroom.watch(() => results.showFigures());
+  stage.frame.append(
+    h("div", { class: "inspect-cards" }, measure.element, card.element),
+    h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button),
+    standing.legend,
+  );
+  foldByKeys(fold);
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if ((event.target as HTMLElement).closest(TYPING)) return;
+    if (event.key.toLowerCase() === "m") measure.toggle();
+    else if (event.key !== "Escape") return;
+    else if (measure.active.value) measure.active.set(false);
+    else selection.chosen.set(null);
+  });
+}
