@@ -35,6 +35,8 @@ MESSAGES: tuple[Any, ...] = (
     api.DroppedCurve,
     api.Advance,
     api.Result,
+    api.TradeoffResult,
+    api.SheetsResult,
     api.Refusal,
 )
 

@@ -32,10 +32,10 @@ export interface AssignmentReport {
   valley: number;
   /** Numbers of creases. */
   unfolded: number;
-  /** Whether no crease changes from one to the other in the whole motion. */
-  constant: boolean;
-  /** Whether Maekawa's condition holds at every inner vertex. */
-  maekawa: boolean;
+  /** Whether no crease changes from one to the other in the whole motion; None if that was not measured. */
+  constant: boolean | null;
+  /** Whether Maekawa's condition holds at every inner vertex; None if that was not measured. */
+  maekawa: boolean | null;
 }
 
 /** Number of boards by the face that they lie on. */
@@ -221,6 +221,15 @@ export interface Distances {
   grid_spacing: number;
 }
 
+/** One drawing for the workshop. */
+export interface DrawnSheet {
+  /** The name of the file that it is exported to, without its ending. */
+  file: string;
+  title: string;
+  /** The drawing; its lines are wider than in the file, where that makes them visible. */
+  svg: string;
+}
+
 /** A curve whose file was dropped onto the page, and a note on how it was read. */
 export interface DroppedCurve {
   table: CurveFields;
@@ -312,13 +321,14 @@ export interface Header {
   cases?: NamedCase[];
 }
 
-/** What the page loads first: families, examples, formats, limits, the design to open. */
+/** What the page loads first: what there is to choose from, limits, the design to open. */
 export interface Info {
   version: string;
   units: string[];
   families: Record<string, Family>;
   examples: Example[];
   formats: FileFormat[];
+  workshop: Parameter[];
   limits: Largest;
   start: NamedDesign | null;
 }
@@ -328,6 +338,12 @@ export interface Largest {
   vertices: number;
   bytes: number;
   seconds: number;
+}
+
+/** A layer of the drawings, and its colour ("#rrggbb"). */
+export interface LayerPen {
+  layer: "CUT" | "MOUNTAIN" | "VALLEY" | "ENGRAVE" | "LABEL";
+  colour: string;
 }
 
 /** A load of a case. */
@@ -512,17 +528,17 @@ export interface PanelReport {
   path: PathReport | null;
 }
 
-/** A parameter of a family, as a control shows it. */
+/** A parameter of a family, or a setting of the workshop, as a control shows it. */
 export interface Parameter {
   key: string;
   label: string;
   help: string;
-  kind: "integer" | "number" | "choice" | "angles4";
+  kind: "integer" | "number" | "choice" | "angles4" | "switch" | "size";
   auto: boolean;
-  unit: "length" | "deg" | "";
+  unit: "length" | "deg" | "kg/m\u00b2" | "";
   choices: string[];
   /** Null: the design must give it. */
-  default: number | string | null;
+  default: number | string | boolean | null;
   /** How far the slider reaches; left out where that depends on the curves. */
   slider?: [number, number];
   step?: number;
@@ -627,9 +643,9 @@ export interface Report {
   feasible: boolean | null;
   /** Sentences a user should read. */
   warnings: string[];
-  /** How exactly it folds. */
-  residuals: Residuals;
-  /** How exactly it folds. */
+  /** How exactly it folds; None if that was not measured. */
+  residuals: Residuals | null;
+  /** How exactly it folds; None if that was not measured. */
   assignment: AssignmentReport;
   /** How the motion ends. */
   lock: LockReport;
@@ -678,6 +694,27 @@ export interface SheetReport {
   height: number;
   /** Area of all panels. */
   area: number;
+}
+
+/** The drawings that a workshop gets, and what they come to. */
+export interface Sheets {
+  sheets: DrawnSheet[];
+  unit: string;
+  /** Those that are drawn somewhere, in the order of work. */
+  layers: LayerPen[];
+  /** What the palette is for. */
+  palette: string;
+  /** Sheets, waste, and length of cuts and creases, boards not counted. */
+  stock: Waste;
+  /** Sheets of stock for boards; null if there are none, or no stock. */
+  boards: number | null;
+  /** The paper model in words; why there is none, if it takes too many pages. */
+  paper: string;
+}
+
+/** The last line of the answer: the drawings. */
+export interface SheetsResult {
+  result: Sheets;
 }
 
 /** A shell that stands under its loads. */
@@ -792,6 +829,20 @@ export interface TieReport {
   slack: boolean | null;
   /** Where its vertices do not move apart, nearest to the target. */
   fails_at_deg: number | null;
+}
+
+/** Sheets of many sizes: see :class:`~orishell.shell.tradeoff.Tradeoff`. */
+export interface Tradeoff {
+  tried: Trial[];
+  best: Trial[];
+  refused: number;
+  /** Keys of the table [pattern] beside rows and columns that all of them were made with. */
+  settled: Record<string, unknown>;
+}
+
+/** The last line of the answer: what fewer panels cost. */
+export interface TradeoffResult {
+  result: Tradeoff;
 }
 
 /** A design that was tried. */

@@ -11,30 +11,31 @@ from dataclasses import dataclass
 from typing import Annotated, Final, Literal, TypedDict, cast
 
 import numpy as np
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, BaseModel, Field
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number
 from orishell.design import FlapSide
 
 Auto = Literal["auto"]
-Kind = Literal["integer", "number", "choice", "angles4"]
+Kind = Literal["integer", "number", "choice", "angles4", "switch", "size"]
+Measure = Literal["length", "deg", "kg/m²", ""]
 
 
 @dataclass(frozen=True, slots=True)
 class Knob:
-    """One parameter, as a control of the studio shows it: metadata of its key in a pattern.
+    """One parameter, as a control of the studio shows it: metadata of its key in a table.
 
     Parameters
     ----------
     label, help
         Its name, and one line that says what it does.
     kind
-        What its value is.
+        What its value is; a "switch" is on or off, a "size" is a width and a height.
     auto
         Whether it may be "auto".
     unit
-        "length" (in the design's unit), "deg" or none.
+        "length" (in the design's unit), another one, or none.
     slider, step
         How far the slider reaches; None where that depends on the curves.
     choices
@@ -45,7 +46,7 @@ class Knob:
     help: str
     kind: Kind
     auto: bool = False
-    unit: Literal["length", "deg", ""] = ""
+    unit: Measure = ""
     slider: tuple[float, float] | None = None
     step: float | None = None
     choices: tuple[str, ...] = ()
@@ -70,6 +71,16 @@ class Knob:
             How far the slider reaches (degrees).
         """
         return cls(label, help, "number", auto, "deg", slider, step)
+
+
+def knobs_of(model: type[BaseModel]) -> dict[str, Knob]:
+    """The knobs of all keys of a table that the studio shows, in their order."""
+    return {
+        key: each
+        for key, field in model.model_fields.items()
+        for each in field.metadata
+        if isinstance(each, Knob)
+    }
 
 
 class Limits(TypedDict, total=False):

@@ -23,6 +23,7 @@ from orishell.families.parameters import (
     Knob,
     RowCount,
     Width,
+    knobs_of,
 )
 
 P = TypeVar("P", bound="Pattern")
@@ -85,12 +86,7 @@ class Pattern(Table):
     @classmethod
     def knobs(cls) -> dict[str, Knob]:
         """The knobs of all keys that the studio shows, rows and columns first."""
-        return {
-            key: each
-            for key, field in cls.model_fields.items()
-            for each in field.metadata
-            if isinstance(each, Knob)
-        }
+        return knobs_of(cls)
 
     def sized(self, rows: int, columns: int) -> Self:
         """The same pattern with other numbers of rows and columns."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from orishell.conventions.formatting import in_one_line
@@ -67,3 +68,12 @@ class Choice:
     tried: int
 
     __repr__ = in_one_line
+
+
+def unbeaten(trials: Iterable[Trial]) -> tuple[Trial, ...]:
+    """Trials that no other beats in both error and number of panels, by panels."""
+    kept: list[Trial] = []
+    for trial in sorted(trials, key=lambda each: (each.panels, each.error)):
+        if not kept or trial.error < kept[-1].error:
+            kept.append(trial)
+    return tuple(kept)

@@ -11,7 +11,7 @@ from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.errors import DesignError, Remedy
 from orishell.families.pattern import Tolerance
-from orishell.shell.choice import Choice, Measured, Trial
+from orishell.shell.choice import Choice, Measured, Trial, unbeaten
 
 MOST = 201
 """Rows and columns tried at most, unless said otherwise."""
@@ -30,6 +30,8 @@ RETRIES = 4
 NEARER, FARTHER, MANY = 1.1, 5.0, 5_000
 """Tolerances that may be met where one is not, relative to the smallest error found; the second
 where that takes so many panels, so that trying it takes less than the search that failed."""
+NEARLY = 1.5
+"""Errors up to so many times the aim are worth trying unlike rows and columns for."""
 CHOOSING = "choosing rows and columns"
 NEAR = 0.95
 """A design whose error is this share of the tolerance is near enough to it."""
@@ -57,6 +59,33 @@ def choose(
     return search.run()
 
 
+def trial_of(
+    make: Callable[[int, int], Design],
+    measure: Callable[[Design, bool], Measured],
+    size: tuple[int, int],
+    *,
+    careful: bool,
+) -> Trial:
+    """Design a shell of a size (rows and columns of inner vertices), and measure it.
+
+    Raises
+    ------
+    DesignError
+        If the family refuses that size.
+    """
+    rows, columns = size
+    measured = measure(make(rows, columns), careful)
+    panels = (rows + 1) * (columns - 1)
+    return Trial(rows, columns, panels, measured.error, measured.shortest, measured.longest)
+
+
+def size_ladder(most: int) -> tuple[list[int], list[int]]:
+    """Rows and columns of ever finer sheets, up to ``most``."""
+    sizes = [2.0 * GROWTH**k for k in range(1, 10)]
+    sizes = [size for size in sizes if size < most] + [float(most)]
+    return [_odd(size) for size in sizes], [round(size) for size in sizes]
+
+
 class _Search:
     def __init__(
         self,
@@ -78,7 +107,12 @@ class _Search:
         kept: Trial | None = None
         for attempt in range(RETRIES):
             self.budget = len(self.trials) + (FURTHER if attempt else TRIALS)
-            best = self._improved(self._first())
+            try:
+                best = self._improved(self._first())
+            except DesignError:
+                if kept is None:
+                    raise
+                break  # what was found before does
             careful = self._trial_of(best.rows, best.columns, True)
             if careful.error <= limit and (kept is None or careful.panels < kept.panels):
                 kept = careful
@@ -88,7 +122,11 @@ class _Search:
         if kept is None:
             raise self._refused()
         self.progress(1.0, CHOOSING)
-        return Choice(kept, self._tradeoff(), len(self.trials))
+        return Choice(
+            kept,
+            unbeaten(trial for trial in self.trials.values() if trial is not None),
+            len(self.trials),
+        )
 
     def _trial(self, rows: int, columns: int) -> Trial | None:
         """A quick measure of the design, made once; None if the family refuses it."""
@@ -102,9 +140,7 @@ class _Search:
         return self.trials[place]
 
     def _trial_of(self, rows: int, columns: int, careful: bool) -> Trial:
-        measured = self.measure(self.make(rows, columns), careful)
-        panels = (rows + 1) * (columns - 1)
-        return Trial(rows, columns, panels, measured.error, measured.shortest, measured.longest)
+        return trial_of(self.make, self.measure, (rows, columns), careful=careful)
 
     def _fits(self, trial: Trial | None) -> bool:
         """Whether its panels have the sizes asked for."""
@@ -121,17 +157,16 @@ class _Search:
 
     def _first(self) -> Trial:
         """The first sheet that meets the aim: ever finer ones, then unlike rows and columns."""
-        sizes = [2.0 * GROWTH**k for k in range(1, 10)]
-        sizes = [size for size in sizes if size < self.most] + [float(self.most)]
-        rows, columns = [_odd(size) for size in sizes], [round(size) for size in sizes]
+        rows, columns = size_ladder(self.most)
         # Where g is straight more columns are of no use.
         for ladder in (zip(rows, repeat(2)), zip(rows, columns, strict=True)):
             found = self._climbed(ladder)
             if found is not None:
                 return found
-        # Rows and columns need not be alike: long panels may do where square ones are too small.
+        # Rows and columns need not be alike: long panels may do where square ones are too small, or
+        # where errors do not fall with both.
         small: list[tuple[int, int]] = []
-        crossings = product(rows, columns) if self.tolerance.panel_min else ()
+        crossings = product(rows, columns) if self.tolerance.panel_min or self._near() else ()
         refused = 0
         for place in sorted(crossings, key=math.prod):
             if refused == REFUSALS or len(self.trials) > self.budget:
@@ -145,6 +180,16 @@ class _Search:
             if trial is not None and not self._fits(trial):
                 small.append(place)
         raise self._refused()
+
+    def _near(self) -> bool:
+        """Whether a sheet tried so far, with edges as long as they may be, nearly meets the aim."""
+        return any(
+            trial is not None
+            and self._fits(trial)
+            and trial.longest <= self.tolerance.panel_max
+            and trial.error <= NEARLY * self.aim
+            for trial in self.trials.values()
+        )
 
     def _climbed(self, ladder: Iterable[tuple[int, int]]) -> Trial | None:
         """The first sheet of a ladder that meets the aim; None once finer ones come no nearer."""
@@ -205,15 +250,6 @@ class _Search:
         inverse = (1 - share) / high**2 + share / low**2
         columns = math.ceil(1 / math.sqrt(inverse))
         return min(max(columns, low + 1), high - 1)
-
-    def _tradeoff(self) -> tuple[Trial, ...]:
-        """Trials that no other beats in both error and number of panels."""
-        kept: list[Trial] = []
-        made = [trial for trial in self.trials.values() if trial is not None]
-        for trial in sorted(made, key=lambda each: (each.panels, each.error)):
-            if not kept or trial.error < kept[-1].error:
-                kept.append(trial)
-        return tuple(kept)
 
     def _refused(self) -> DesignError:
         """The error for a tolerance that cannot be met, with one that can."""

@@ -10,8 +10,12 @@ from typing import Any, Literal, NotRequired, TypedDict
 
 from orishell.document import FirstContact
 from orishell.errors import DesignError, InputError, OrishellError
+from orishell.families.parameters import Kind, Measure
 from orishell.io.view import Curves
+from orishell.shell.choice import Trial
 from orishell.shell.report import Report
+from orishell.workshop.drawing import Layer
+from orishell.workshop.sheets import Waste
 
 Tables = dict[str, Any]
 """The tables of a design file."""
@@ -21,7 +25,7 @@ NAME = "shell"
 
 
 class Parameter(TypedDict):
-    """A parameter of a family, as a control shows it.
+    """A parameter of a family, or a setting of the workshop, as a control shows it.
 
     Parameters
     ----------
@@ -34,11 +38,11 @@ class Parameter(TypedDict):
     key: str
     label: str
     help: str
-    kind: Literal["integer", "number", "choice", "angles4"]
+    kind: Kind
     auto: bool
-    unit: Literal["length", "deg", ""]
+    unit: Measure
     choices: list[str]
-    default: float | str | None
+    default: float | str | bool | None
     slider: NotRequired[tuple[float, float]]
     step: NotRequired[float]
 
@@ -83,13 +87,14 @@ class NamedDesign(TypedDict):
 
 
 class Info(TypedDict):
-    """What the page loads first: families, examples, formats, limits, the design to open."""
+    """What the page loads first: what there is to choose from, limits, the design to open."""
 
     version: str
     units: list[str]
     families: dict[str, Family]
     examples: list[Example]
     formats: list[FileFormat]
+    workshop: list[Parameter]
     limits: Largest
     start: NamedDesign | None
 
@@ -216,6 +221,70 @@ class Verified(TypedDict):
     view: str | None
 
 
+class Tradeoff(TypedDict):
+    """Sheets of many sizes: see :class:`~orishell.shell.tradeoff.Tradeoff`.
+
+    Parameters
+    ----------
+    settled
+        Keys of the table [pattern] beside rows and columns that all of them were made with.
+    """
+
+    tried: tuple[Trial, ...]
+    best: tuple[Trial, ...]
+    refused: int
+    settled: dict[str, Any]
+
+
+class DrawnSheet(TypedDict):
+    """One drawing for the workshop.
+
+    Parameters
+    ----------
+    file
+        The name of the file that it is exported to, without its ending.
+    svg
+        The drawing; its lines are wider than in the file, where that makes them visible.
+    """
+
+    file: str
+    title: str
+    svg: str
+
+
+class LayerPen(TypedDict):
+    """A layer of the drawings, and its colour ("#rrggbb")."""
+
+    layer: Layer
+    colour: str
+
+
+class Sheets(TypedDict):
+    """The drawings that a workshop gets, and what they come to.
+
+    Parameters
+    ----------
+    layers
+        Those that are drawn somewhere, in the order of work.
+    palette
+        What the palette is for.
+    stock
+        Sheets, waste, and length of cuts and creases, boards not counted.
+    boards
+        Sheets of stock for boards; null if there are none, or no stock.
+    paper
+        The paper model in words; why there is none, if it takes too many pages.
+    """
+
+    sheets: list[DrawnSheet]
+    unit: str
+    layers: list[LayerPen]
+    palette: str
+    stock: Waste
+    boards: int | None
+    paper: str
+
+
 class Advance(TypedDict):
     """The share of the work that is done, from 0 to 1, and what the work is."""
 
@@ -227,6 +296,18 @@ class Result(TypedDict):
     """The last line of the answer: the verified shell."""
 
     result: Verified
+
+
+class TradeoffResult(TypedDict):
+    """The last line of the answer: what fewer panels cost."""
+
+    result: Tradeoff
+
+
+class SheetsResult(TypedDict):
+    """The last line of the answer: the drawings."""
+
+    result: Sheets
 
 
 class RefusalError(OrishellError):

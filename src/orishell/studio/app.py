@@ -26,10 +26,12 @@ from orishell.studio.api import (
     Refusal,
     RefusalError,
     Result,
+    SheetsResult,
+    TradeoffResult,
     make_refusal,
 )
 from orishell.studio.guard import Guard
-from orishell.studio.knobs import describe_examples, describe_families
+from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
 from orishell.studio.tasks import MAX_VERTICES, answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 
@@ -106,6 +108,7 @@ def make_app(
             "formats": [
                 {"name": each.name, "file": each.file, "what": each.what} for each in FORMATS
             ],
+            "workshop": describe_workshop(),
             "limits": {"vertices": MAX_VERTICES, "bytes": limits.bytes, "seconds": limits.quick},
             "start": start,
         }
@@ -122,17 +125,23 @@ def make_app(
         headers = {"content-disposition": f"attachment; {plain}"}
         return Response(content, media_type="application/octet-stream", headers=headers)
 
-    @app.post("/api/verify")
-    async def verify(request: Request) -> Response:
-        payload = await _payload(request)
-        return StreamingResponse(_lines(slow, "verify", payload), media_type="application/x-ndjson")
-
+    for task in ("verify", "tradeoff", "sheets"):
+        _add_stream(app, task, slow)
     for task, pool in (("ranges", slow), ("parse", quick), ("format", quick), ("curve", quick)):
         _add_task(app, task, pool)
 
     if PAGES.is_dir():
         app.mount("/", StaticFiles(directory=PAGES, html=True))
     return Guard(app, hosts, limits.bytes, limits.receiving)
+
+
+def _add_stream(app: FastAPI, task: str, pool: Pool) -> None:
+    """A task whose progress is told while it is under way."""
+
+    @app.post(f"/api/{task}")
+    async def streamed(request: Request) -> Response:
+        payload = await _payload(request)
+        return StreamingResponse(_lines(pool, task, payload), media_type="application/x-ndjson")
 
 
 def _add_task(app: FastAPI, task: str, pool: Pool) -> None:
@@ -209,7 +218,7 @@ async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterato
         yield _line(_describe(error)[1])
 
 
-def _line(message: Advance | Result | Refusal) -> bytes:
+def _line(message: Advance | Result | TradeoffResult | SheetsResult | Refusal) -> bytes:
     import orjson
 
     return orjson.dumps(message, option=orjson.OPT_APPEND_NEWLINE)

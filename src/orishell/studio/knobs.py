@@ -1,11 +1,15 @@
-"""The families as the studio lists them: their parameters, and an example design of each."""
+"""The families as the studio lists them: parameters, and an example of each; and the workshop."""
 
 from __future__ import annotations
 
 from dataclasses import asdict
 from typing import Any
 
+from pydantic import BaseModel
+
 from orishell.design_file import starter_file
+from orishell.design_file.workshop import WorkshopTable
+from orishell.families.parameters import knobs_of
 from orishell.families.registry import FAMILIES
 from orishell.studio.api import Example, Family, Parameter
 
@@ -23,11 +27,24 @@ def describe_examples() -> list[Example]:
     ]
 
 
+def describe_workshop() -> list[Parameter]:
+    """The settings of the table [workshop]."""
+    return _parameters(WorkshopTable)
+
+
 def _describe(name: str) -> Family:
     family = FAMILIES[name]
+    return {
+        "label": family.label,
+        "what": family.what,
+        "parameters": _parameters(family.pattern),
+    }
+
+
+def _parameters(table: type[BaseModel]) -> list[Parameter]:
     parameters: list[Parameter] = []
-    for key, knob in family.pattern.knobs().items():
-        field = family.pattern.model_fields[key]
+    for key, knob in knobs_of(table).items():
+        field = table.model_fields[key]
         choices = list(knob.choices)
         if knob.choices and field.default == "auto":
             choices.insert(0, "auto")
@@ -35,4 +52,4 @@ def _describe(name: str) -> Family:
         default = None if field.is_required() else field.default
         parameter: Any = {"key": key, **said, "choices": choices, "default": default}
         parameters.append(parameter)
-    return {"label": family.label, "what": family.what, "parameters": parameters}
+    return parameters

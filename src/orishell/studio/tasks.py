@@ -26,19 +26,23 @@ from orishell.io.view import Curves, Drawn, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
 from orishell.shell.overlay import lay_surface
+from orishell.shell.tradeoff import find_tradeoff
 from orishell.studio.api import (
     NAME,
     DroppedCurve,
     Parsed,
     Ranges,
     RefusalError,
+    Sheets,
     Tables,
+    Tradeoff,
     Verified,
     Written,
     describe_error,
 )
 from orishell.studio.dropped import read_dropped
 from orishell.studio.ranges import find_ranges
+from orishell.studio.sheets import preview_sheets
 
 MAX_VERTICES = 60_000
 """Vertices of a sheet in the studio, at most; the command line takes more."""
@@ -171,6 +175,34 @@ class Task:
             raise InputError("there is no such unit", where="unit", got=repr(unit))
         return read_dropped(name, content, unit)
 
+    def find_tradeoff(self) -> Tradeoff:
+        """How near sheets of many sizes come to the surface.
+
+        Raises
+        ------
+        InputError
+            If there is no design.
+        DesignError
+            If the family refuses all sizes.
+        """
+        found = find_tradeoff(self._design(), self.progress)
+        return {
+            "tried": found.tried,
+            "best": found.best,
+            "refused": found.refused,
+            "settled": found.settled,
+        }
+
+    def draw_sheets(self) -> Sheets:
+        """The drawings that a workshop gets.
+
+        Raises
+        ------
+        InputError
+            If there is no design, or a setting does not fit the sheet.
+        """
+        return preview_sheets(self._design(), self.progress)
+
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several.
 
@@ -233,6 +265,8 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "format": Task.format,
     "curve": Task.read_curve,
     "export": Task.export,
+    "tradeoff": Task.find_tradeoff,
+    "sheets": Task.draw_sheets,
 }
 
 

@@ -1,0 +1,123 @@
+"""What fewer panels cost: how near sheets of a range of sizes come to their surface."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.progress import Progress, followed, stretch, unwatched
+from orishell.design import Design
+from orishell.design_file import DesignFile
+from orishell.errors import DesignError
+from orishell.families.pattern import Tolerance
+from orishell.shell.choice import Trial, unbeaten
+from orishell.shell.size_search import size_ladder, trial_of
+from orishell.shell.tolerance import measure
+
+MOST_PANELS = 1_000
+"""Panels of the sheets that are tried, at most, but twice those of the present sheet."""
+TRYING, MEASURING = "trying rows and columns", "measuring the nearest carefully"
+TRIED = 0.6
+"""Share of the work that is the trials; the rest is careful measuring."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tradeoff:
+    """Sheets of many sizes, and the best of them.
+
+    Parameters
+    ----------
+    tried
+        All sheets that were made, measured quickly, by panels.
+    best
+        Those that no other beats in both error and number of panels, with edges as long as the
+        design's tolerance allows, measured carefully.
+    refused
+        Number of sizes that the family refuses.
+    settled
+        Keys of the pattern, besides rows and columns, that the design leaves open, with the
+        values that all trials have.
+    """
+
+    tried: tuple[Trial, ...]
+    best: tuple[Trial, ...]
+    refused: int
+    settled: dict[str, Any]
+
+    __repr__ = in_one_line
+
+
+def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
+    """Design sheets of many sizes, and measure how near they come to the surface.
+
+    The sizes are those of the search that meets a tolerance, each number of rows with each number
+    of columns, and the design's own.
+
+    Parameters
+    ----------
+    file
+        The design; of its tolerance only the limits of edges count.
+
+    Raises
+    ------
+    DesignError
+        If the family refuses all sizes, or no sheet has edges as long as they may be.
+    """
+    limits = file.tolerance or Tolerance(math.inf)
+    pattern = file.pattern.variants(Tolerance(math.inf, limits.panel_min, limits.panel_max))[0]
+    left_open = pattern.model_fields_set - file.pattern.model_fields_set
+    settled = {key: getattr(pattern, key) for key in sorted(left_open)}
+
+    def make(rows: int, columns: int) -> Design:
+        return pattern.sized(rows, columns).design(file.f, file.g)
+
+    sizes = _sizes(file)
+    tried: list[Trial] = []
+    refusal: DesignError | None = None
+    for size in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
+        try:
+            tried.append(trial_of(make, measure, size, careful=False))
+        except DesignError as error:
+            refusal = refusal or error
+    if refusal is not None and not tried:
+        raise refusal
+    fitting = [
+        trial
+        for trial in tried
+        if limits.panel_min <= trial.shortest and trial.longest <= limits.panel_max
+    ]
+    if not fitting:
+        raise _no_such_edges(tried, limits)
+    quick = unbeaten(fitting)
+    careful = [
+        trial_of(make, measure, (trial.rows, trial.columns), careful=True)
+        for trial in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
+    ]
+    tried.sort(key=lambda trial: (trial.panels, trial.error))
+    return Tradeoff(tuple(tried), unbeaten(careful), len(sizes) - len(tried), settled)
+
+
+def _sizes(file: DesignFile) -> list[tuple[int, int]]:
+    """Rows and columns that are tried, the fewest panels first."""
+    now = None if file.tolerance else (file.pattern.rows, file.pattern.columns)
+    most = max(MOST_PANELS, 2 * _panels(now) if now else 0)
+    rows, columns = size_ladder(file.pattern.most)
+    sizes = {size for size in product(rows, [2, *columns]) if _panels(size) <= most}
+    return sorted(sizes | ({now} if now else set()), key=lambda size: (_panels(size), size))
+
+
+def _panels(size: tuple[int, int]) -> int:
+    return (size[0] + 1) * (size[1] - 1)
+
+
+def _no_such_edges(tried: list[Trial], limits: Tolerance) -> DesignError:
+    shortest, longest = (min(t.shortest for t in tried), max(t.longest for t in tried))
+    return DesignError(
+        f"no sheet has panel edges from {limits.panel_min:g} to {limits.panel_max:g}",
+        place=f"in {len(tried)} sizes that were tried",
+        size=f"their edges are from {shortest:.4g} to {longest:.4g} long",
+        keys=("tolerance.panel_min", "tolerance.panel_max"),
+    )

@@ -1,0 +1,98 @@
+"""The drawings that a workshop gets, as the page shows them before they are exported."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+from orishell.conventions.progress import Progress
+from orishell.design_file import DesignFile
+from orishell.document import Document
+from orishell.errors import InputError
+from orishell.io.formats.svg import dump_svg
+from orishell.shell.make import make_shell
+from orishell.studio.api import DrawnSheet, LayerPen, Sheets
+from orishell.workshop import Workshop
+from orishell.workshop.drawing import ORDER
+from orishell.workshop.palettes import Palette, load_palette
+from orishell.workshop.paper_model import make_paper_model
+from orishell.workshop.sheets import draw_sheet_files, measure_waste
+
+PATTERN = "pattern.svg"
+"""What the format calls its file."""
+SEEN = "plain"
+"""The palette whose lines can be seen at any size: a picture takes their widths."""
+
+
+def preview_sheets(file: DesignFile, progress: Progress) -> Sheets:
+    """The drawings of a design's flat sheet, and what they come to.
+
+    Parameters
+    ----------
+    progress
+        Is told of the proof, where the sheet depends on what it finds.
+
+    Raises
+    ------
+    InputError
+        If a setting does not fit the sheet.
+    DesignError
+        If the family cannot reach the target.
+    """
+    # The proof may make flaps narrower, and cut boards off.
+    proved = file.pattern.flap == "auto" or file.panel is not None
+    shell = make_shell(
+        replace(file, frames=2),
+        progress,
+        clash="allowed" if proved else "unexamined",
+        measured=False,
+        loaded=False,
+    )
+    document, workshop = shell.document, file.workshop
+    palette = load_palette(workshop.palette)
+    sheets: list[DrawnSheet] = []
+    drawn: set[str] = set()
+    with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
+        place = Path(directory) / PATTERN
+        for path, drawing in draw_sheet_files(place, document, workshop):
+            dump_svg(path, drawing, _visible(palette))
+            text = path.read_text(encoding="utf-8")
+            sheets.append({"file": path.stem, "title": drawing.title, "svg": text})
+            drawn.update(line.layer for line in drawing.lines)
+            drawn.update(circle.layer for circle in drawing.circles)
+            drawn.update(text.layer for text in drawing.texts)
+    layers: list[LayerPen] = [
+        {"layer": layer, "colour": palette.pens[layer].colour}
+        for layer in ORDER
+        if layer in drawn and layer in palette.pens
+    ]
+    built = shell.report.quantities.built
+    return {
+        "sheets": sheets,
+        "unit": document.unit,
+        "layers": layers,
+        "palette": palette.note,
+        "stock": measure_waste(document, workshop),
+        "boards": None if built is None else built.stock_sheets,
+        "paper": _paper_model(document, workshop),
+    }
+
+
+def _visible(palette: Palette) -> Palette:
+    """A palette of the same colours, with lines that are seen where a machine wants hairlines."""
+    seen = load_palette(SEEN)
+    pens = {
+        layer: replace(pen, width_mm=seen.pens[layer].width_mm)
+        for layer, pen in palette.pens.items()
+    }
+    return replace(palette, pens=pens, page_mm=seen.page_mm)
+
+
+def _paper_model(document: Document, workshop: Workshop) -> str:
+    try:
+        model = make_paper_model(document, workshop)
+    except InputError as error:
+        return str(error)
+    pages = len(model.tiling.pages)
+    return f"{model.says}, {pages} {'page' if pages == 1 else 'pages'} of {workshop.paper}"
