@@ -156,6 +156,9 @@ def test_an_example_is_opened_by_a_key_and_folds_from_disk(browser: Browser, sit
         for theme in ("dark", "light"):
             page.evaluate("theme => { document.body.dataset.theme = theme; }", theme)
             wait_until(frame, f"document.documentElement.dataset.theme === '{theme}'")
+        page.emulate_media(media="print")
+        assert page.locator(".live img").is_visible()
+        assert not page.locator(".live iframe").is_visible()
 
 
 def test_the_front_page_folds_by_itself(browser: Browser, site: Path) -> None:
