@@ -32,6 +32,7 @@ extensions = [
     "sphinx.ext.doctest",
     "sphinx.ext.viewcode",
     "house",
+    "lean_pictures",
     "live_shells",
     "mathml",
 ]

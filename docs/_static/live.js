@@ -20,8 +20,6 @@
     frame.addEventListener("load", () => {
       tell();
       stage.classList.replace("live-loading", "live-on");
-      poster.tabIndex = -1;
-      poster.setAttribute("aria-hidden", "true");
       if (asked) frame.focus();
     });
     stage.classList.add("live-loading");

@@ -57,14 +57,20 @@ def test_pages_share_one_program(site: Path) -> None:
         assert 'src="viewer.js"' in tail
 
 
-def test_a_site_without_the_viewer_says_what_to_build(monkeypatch: pytest.MonkeyPatch) -> None:
+def extension(monkeypatch: pytest.MonkeyPatch) -> tuple[Any, Any]:
+    """The part of the build that is tested, and its errors."""
+    errors = pytest.importorskip("sphinx.errors")
     monkeypatch.syspath_prepend(str(ROOT / "docs" / "_ext"))
-    live_shells = import_module("live_shells")
+    return import_module("live_shells"), errors
+
+
+def test_a_site_without_the_viewer_says_what_to_build(monkeypatch: pytest.MonkeyPatch) -> None:
+    live_shells, errors = extension(monkeypatch)
     html = SimpleNamespace(builder=SimpleNamespace(format="html"))
     monkeypatch.setattr(live_shells, "viewer_is_built", lambda: True)
     live_shells.require_viewer(html)
     monkeypatch.setattr(live_shells, "viewer_is_built", lambda: False)
-    with pytest.raises(Exception, match="has not been built: make pages"):
+    with pytest.raises(errors.ExtensionError, match="has not been built: make pages"):
         live_shells.require_viewer(html)
     live_shells.require_viewer(SimpleNamespace(builder=SimpleNamespace(format="")))  # of doctest
 
@@ -72,12 +78,11 @@ def test_a_site_without_the_viewer_says_what_to_build(monkeypatch: pytest.Monkey
 def test_the_program_of_all_pages_is_the_viewer_without_exports(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.syspath_prepend(str(ROOT / "docs" / "_ext"))
-    live_shells = import_module("live_shells")
+    live_shells, errors = extension(monkeypatch)
     program = live_shells.shared_program("const a={};export{a as default};\n")
     assert "const a={};" in program
     assert "export" not in program
-    with pytest.raises(Exception, match="no module that ends with its exports"):
+    with pytest.raises(errors.ExtensionError, match="no module that ends with its exports"):
         live_shells.shared_program("const a = 1;")
 
 
@@ -151,6 +156,9 @@ def test_an_example_is_opened_by_a_key_and_folds_from_disk(browser: Browser, sit
         for theme in ("dark", "light"):
             page.evaluate("theme => { document.body.dataset.theme = theme; }", theme)
             wait_until(frame, f"document.documentElement.dataset.theme === '{theme}'")
+        page.emulate_media(media="print")
+        assert page.locator(".live img").is_visible()
+        assert not page.locator(".live iframe").is_visible()
 
 
 def test_the_front_page_folds_by_itself(browser: Browser, site: Path) -> None:
