@@ -86,12 +86,19 @@ def make_app(
     start
         Name and tables of the design to begin with.
     """
-    quick = Pool(answer, limits.processes, limits.quick)
-    slow = Pool(answer, limits.processes, limits.slow)
+    quick = Pool(answer, limits.processes, limits.quick, spare=1, warming="warm_up")
+    # A change breaks off both the proof and the search for ranges.
+    slow = Pool(answer, limits.processes, limits.slow, spare=2, warming="warm_up")
+
+    async def get_ready() -> None:
+        for pool in (quick, slow):  # the page asks for a shell first
+            await pool.get_ready()
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
+        getting_ready = asyncio.create_task(get_ready())
         yield
+        getting_ready.cancel()
         quick.close()
         slow.close()
 
