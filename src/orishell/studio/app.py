@@ -13,7 +13,6 @@ from urllib.parse import quote
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, StreamingResponse
-from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 
 from orishell.conventions.units import MILLIMETRES
@@ -32,6 +31,7 @@ from orishell.studio.api import (
 )
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
+from orishell.studio.pages import Compressed, Pages
 from orishell.studio.tasks import MAX_VERTICES, answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 
@@ -103,6 +103,7 @@ def make_app(
         slow.close()
 
     app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
+    app.add_middleware(Compressed)
     _handle_errors(app)
 
     @app.get("/api/info", response_model=None)
@@ -138,7 +139,7 @@ def make_app(
         _add_task(app, task, pool)
 
     if PAGES.is_dir():
-        app.mount("/", StaticFiles(directory=PAGES, html=True))
+        app.mount("/", Pages(directory=PAGES, html=True))
     return Guard(app, hosts, limits.bytes, limits.receiving)
 
 
