@@ -1,4 +1,4 @@
-"""What one step of a drag in the studio costs the server: processor time of one answer, by family."""
+"""What one step of a drag in the studio costs the server: processor time of an answer."""
 
 from __future__ import annotations
 

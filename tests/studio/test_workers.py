@@ -2,6 +2,10 @@
 
 import asyncio
 import contextlib
+import json
+import multiprocessing
+import subprocess
+import sys
 import tempfile
 import tomllib
 from pathlib import Path
@@ -12,7 +16,8 @@ import pytest
 from orishell.design_file import starter_file
 from orishell.studio.api import RefusalError
 from orishell.studio.tasks import answer
-from orishell.studio.workers import BusyError, OutOfTimeError, Pool
+from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
+from warmth import notes_warmth
 
 
 def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
@@ -23,9 +28,8 @@ def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
 
 def test_slow_requests_are_stopped_and_others_go_on() -> None:
     async def scene() -> None:
-        pool = Pool(answer, 2, seconds=3.0)
-        started = (pool.run("parse", {"text": ""}) for _ in range(2))
-        await asyncio.gather(*started, return_exceptions=True)
+        pool = Pool(answer, 2, seconds=3.0, spare=2, warming="warm_up")
+        await pool.get_ready()
         loop = asyncio.get_running_loop()
         slow = asyncio.create_task(pool.run("verify", payload(199, 199)))
         await asyncio.sleep(0.2)
@@ -73,6 +77,62 @@ def test_refusals_and_lines_that_are_too_long() -> None:
         pool.close()
 
     asyncio.run(scene())
+
+
+def test_what_comes_after_a_stopped_task_is_answered_by_a_process_that_was_ready() -> None:
+    async def scene() -> None:
+        pool = Pool(notes_warmth, 2, seconds=60.0, spare=2, warming="warm_up")
+        await pool.get_ready()
+        ready = {child.pid for child in multiprocessing.active_children()}
+        assert len(ready) == 2
+        # Two at once, as a change breaks off a proof and a search for ranges.
+        streams = [pool.stream("stay", {}) for _ in range(2)]
+        for stream in streams:
+            assert (await anext(stream))[0] == "progress"
+        await pool.get_ready()
+        spare = {child.pid for child in multiprocessing.active_children()} - ready
+        assert len(spare) == 2
+        for stream in streams:
+            await stream.aclose()
+        answers = await asyncio.gather(*(pool.run("who", {}) for _ in range(2)))
+        assert {process for process, _ in answers} <= spare
+        assert all(warm for _, warm in answers)
+        await pool.get_ready()
+        there = {child.pid for child in multiprocessing.active_children()}
+        assert len(there) <= 4
+        assert not there & ready  # those that were stopped are gone
+        pool.close()
+
+    asyncio.run(scene())
+
+
+def test_processes_that_cannot_get_ready_are_no_reason_to_wait() -> None:
+    async def scene() -> None:
+        pool = Pool(answer, 1, seconds=60.0, spare=1, warming="no such task")
+        await pool.get_ready()
+        for _ in range(3):
+            with pytest.raises(FaultError, match="no such task"):
+                await pool.run("parse", {"text": ""})
+        pool.close()
+
+    asyncio.run(scene())
+
+
+def test_the_studio_warms_up_with_all_that_answers_import() -> None:
+    program = """
+import json, sys
+from orishell.conventions.progress import unwatched
+from orishell.studio.tasks import answer
+payload = json.loads(sys.argv[1])
+answer("warm_up", {}, unwatched)
+before = set(sys.modules)
+for name in ("design", "verify", "ranges"):
+    answer(name, payload, unwatched)
+print(sorted(set(sys.modules) - before))
+"""
+    call = [sys.executable, "-c", program, json.dumps(payload())]
+    said = subprocess.run(call, check=True, capture_output=True, text=True).stdout
+    assert said.strip() == "[]"
 
 
 def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

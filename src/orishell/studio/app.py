@@ -13,7 +13,6 @@ from urllib.parse import quote
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, StreamingResponse
-from fastapi.staticfiles import StaticFiles
 from starlette.exceptions import HTTPException
 
 from orishell.conventions.units import MILLIMETRES
@@ -32,6 +31,7 @@ from orishell.studio.api import (
 )
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
+from orishell.studio.pages import Compressed, Pages
 from orishell.studio.tasks import MAX_VERTICES, answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 
@@ -86,16 +86,24 @@ def make_app(
     start
         Name and tables of the design to begin with.
     """
-    quick = Pool(answer, limits.processes, limits.quick)
-    slow = Pool(answer, limits.processes, limits.slow)
+    quick = Pool(answer, limits.processes, limits.quick, spare=1, warming="warm_up")
+    # A change breaks off both the proof and the search for ranges.
+    slow = Pool(answer, limits.processes, limits.slow, spare=2, warming="warm_up")
+
+    async def get_ready() -> None:
+        for pool in (quick, slow):  # the page asks for a shell first
+            await pool.get_ready()
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
+        getting_ready = asyncio.create_task(get_ready())
         yield
+        getting_ready.cancel()
         quick.close()
         slow.close()
 
     app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
+    app.add_middleware(Compressed)
     _handle_errors(app)
 
     @app.get("/api/info", response_model=None)
@@ -131,7 +139,7 @@ def make_app(
         _add_task(app, task, pool)
 
     if PAGES.is_dir():
-        app.mount("/", StaticFiles(directory=PAGES, html=True))
+        app.mount("/", Pages(directory=PAGES, html=True))
     return Guard(app, hosts, limits.bytes, limits.receiving)
 
 

@@ -4,29 +4,20 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import multiprocessing
-import os
-import shutil
-import tempfile
-from collections.abc import AsyncGenerator, Callable
+from collections.abc import AsyncGenerator
 from dataclasses import dataclass, field
-from multiprocessing.connection import Connection
-from multiprocessing.context import SpawnProcess
-from typing import Any, Literal
+from typing import Any
 
-from orishell.conventions.progress import Progress
-from orishell.conventions.stopping import cleaning_up
-from orishell.errors import OrishellError
-from orishell.studio.api import RefusalError, describe_error
-
-Payload = dict[str, Any]
-Work = Callable[[str, Payload, Progress], Any]
-"""Does a task by its name, given a payload and whom to tell how far it is; raises OrishellError
-for bad input. A function of a module, so that every process finds it."""
-
-Kind = Literal["progress", "result", "refusal", "fault"]
-STEP = 0.01
-"""Progress is passed on when it grew by this share."""
+from orishell.studio.api import RefusalError
+from orishell.studio.processes import (
+    Kind,
+    Payload,
+    Work,
+    Worker,
+    readable,
+    start_worker,
+    stop_started,
+)
 
 
 class OutOfTimeError(Exception):
@@ -42,18 +33,6 @@ class FaultError(Exception):
 
 
 @dataclass(slots=True)
-class _Worker:
-    """One process, the pipe to it, and what ends it and removes its files."""
-
-    process: SpawnProcess
-    pipe: Connection
-    life: contextlib.ExitStack
-
-    def stop(self) -> None:
-        self.life.close()
-
-
-@dataclass(slots=True)
 class Pool:
     """A few processes; a request occupies one, further requests wait in a queue.
 
@@ -62,25 +41,41 @@ class Pool:
     work
         What the processes do.
     size
-        Number of processes.
+        Number of requests that are worked on at a time.
     seconds
         Time that a request may take, without waiting.
     waiting
         Requests that may wait for a process.
+    spare
+        Processes that wait for requests, so that none waits for a process to start; with 0 they
+        are started when they are needed.
+    warming
+        Name of a task that every process does first, with nothing as its payload: what it imports
+        is there when a request comes.
     """
 
     work: Work
     size: int
     seconds: float
     waiting: int = 200
-    _idle: asyncio.LifoQueue[_Worker | None] = field(init=False)
+    spare: int = 0
+    warming: str = ""
+    _places: asyncio.Semaphore = field(init=False)
+    _ready: asyncio.LifoQueue[Worker | Exception] = field(init=False)
+    _starting: set[asyncio.Task[None]] = field(init=False, default_factory=set)
     _in_line: int = field(init=False, default=0)
-    _workers: list[_Worker] = field(init=False, default_factory=list)
+    _wanted: int = field(init=False, default=0)
+    _workers: list[Worker] = field(init=False, default_factory=list)
+    _closed: bool = field(init=False, default=False)
 
     def __post_init__(self) -> None:
-        self._idle = asyncio.LifoQueue()
-        for _ in range(self.size):
-            self._idle.put_nowait(None)  # started when it is needed
+        self._places = asyncio.Semaphore(self.size)
+        self._ready = asyncio.LifoQueue()
+
+    async def get_ready(self) -> None:
+        """Start the spare processes, and wait until they are ready."""
+        self._restock()
+        await asyncio.gather(*self._starting)
 
     async def run(self, name: str, payload: Payload) -> Any:
         """The result of a task, by its ``name``, given its ``payload``.
@@ -108,20 +103,23 @@ class Pool:
             # In a thread: what is larger than the pipe waits until the process has started.
             await asyncio.to_thread(worker.pipe.send, (name, payload))
             while True:
-                await _readable(worker.pipe, end)
+                await readable(worker.pipe, end)
                 kind, value = await asyncio.to_thread(worker.pipe.recv)
                 if kind != "progress":
                     break
                 yield kind, value
         except BaseException as error:
             # Its process is in the middle of something, or gone.
-            self._replace(worker)
+            self._stop(worker)
+            self._places.release()
+            self._restock()
             if isinstance(error, TimeoutError):
                 raise OutOfTimeError(f"{self.seconds:g}") from None
             if isinstance(error, EOFError | OSError):
                 raise FaultError(f"the process of {name} ended") from None
             raise
-        self._idle.put_nowait(worker)
+        self._ready.put_nowait(worker)
+        self._places.release()
         if kind == "refusal":
             raise RefusalError(value)
         if kind == "fault":
@@ -130,107 +128,102 @@ class Pool:
 
     def close(self) -> None:
         """Stop all processes."""
+        self._closed = True
+        for task in self._starting:
+            task.cancel()
         for worker in self._workers:
             worker.stop()
         self._workers.clear()
 
-    async def _take(self) -> _Worker:
+    async def _take(self) -> Worker:
+        """A process that is ready, once one of the places is free; it is occupied with it."""
         if self._in_line >= self.waiting:
             raise BusyError
         self._in_line += 1
         try:
-            worker = await self._idle.get()
+            await self._places.acquire()
         finally:
             self._in_line -= 1
-        if worker is None or not worker.process.is_alive():
-            starting = asyncio.create_task(asyncio.to_thread(_start, self.work))
-            try:
-                worker = await asyncio.shield(starting)
-            except BaseException:
-                # The request is gone, but the process may be about to start.
-                starting.add_done_callback(_stop_started)
-                self._idle.put_nowait(None)
-                raise
-            self._workers.append(worker)
-        return worker
+        try:
+            while True:
+                found = await self._next()
+                if found.process.is_alive():
+                    break
+                self._stop(found)
+        except BaseException:
+            self._places.release()
+            raise
+        self._restock()
+        return found
 
-    def _replace(self, worker: _Worker) -> None:
+    async def _next(self) -> Worker:
+        """The process that is ready, or the first that gets ready.
+
+        Raises
+        ------
+        FaultError
+            If none does.
+        """
+        self._wanted += 1
+        try:
+            self._restock()
+            found = await self._ready.get()
+        finally:
+            self._wanted -= 1
+        if isinstance(found, Exception):
+            raise FaultError(f"no process could be started: {found}")
+        return found
+
+    def _restock(self) -> None:
+        """Start processes until as many are ready, or about to be, as are wanted and spare."""
+        lacking = self._wanted + self.spare - self._ready.qsize() - len(self._starting)
+        room = self.size + self.spare - len(self._workers) - len(self._starting)
+        for _ in range(0 if self._closed else min(lacking, room)):
+            task = asyncio.create_task(self._begin())
+            self._starting.add(task)
+            task.add_done_callback(self._starting.discard)
+
+    async def _begin(self) -> None:
+        """Start a process, and put it among those that are ready; or the reason why not."""
+        starting = asyncio.create_task(asyncio.to_thread(start_worker, self.work))
+        try:
+            worker = await asyncio.shield(starting)
+        except OSError as error:
+            self._ready.put_nowait(error)
+            return
+        except asyncio.CancelledError:
+            starting.add_done_callback(stop_started)
+            raise
+        try:
+            await self._warm(worker)
+        except BaseException as error:
+            worker.stop()
+            if not isinstance(error, EOFError | OSError | FaultError):
+                raise
+            self._ready.put_nowait(error)
+            return
+        self._workers.append(worker)
+        self._ready.put_nowait(worker)
+
+    async def _warm(self, worker: Worker) -> None:
+        """Have a process do its first task.
+
+        Raises
+        ------
+        FaultError, EOFError, OSError
+            If it cannot.
+        """
+        if not self.warming:
+            return
+        await asyncio.to_thread(worker.pipe.send, (self.warming, {}))
+        kind: Kind = "progress"
+        while kind == "progress":
+            await readable(worker.pipe, None)
+            kind, value = await asyncio.to_thread(worker.pipe.recv)
+        if kind != "result":
+            raise FaultError(str(value))
+
+    def _stop(self, worker: Worker) -> None:
         worker.stop()
         with contextlib.suppress(ValueError):
             self._workers.remove(worker)
-        self._idle.put_nowait(None)
-
-
-def _start(work: Work) -> _Worker:
-    context = multiprocessing.get_context("spawn")
-    ours, theirs = context.Pipe()
-    files = tempfile.mkdtemp(prefix="orishell-")
-    process = context.Process(target=_serve, args=(work, theirs, files), daemon=True)
-
-    def end() -> None:
-        if process.pid is not None:
-            process.kill()
-            process.join()
-        ours.close()
-        shutil.rmtree(files, ignore_errors=True)
-
-    with contextlib.ExitStack() as starting:
-        starting.enter_context(cleaning_up(end))
-        process.start()
-        theirs.close()
-        return _Worker(process, ours, starting.pop_all())
-
-
-def _stop_started(starting: asyncio.Task[_Worker]) -> None:
-    if not starting.cancelled() and starting.exception() is None:
-        starting.result().stop()
-
-
-async def _readable(pipe: Connection, end: float) -> None:
-    """Wait until there is something to read.
-
-    Raises
-    ------
-    TimeoutError
-        If there is nothing by ``end``.
-    """
-    loop = asyncio.get_running_loop()
-    ready = asyncio.Event()
-    loop.add_reader(pipe.fileno(), ready.set)
-    try:
-        async with asyncio.timeout_at(end):
-            await ready.wait()
-    finally:
-        loop.remove_reader(pipe.fileno())
-
-
-def _serve(work: Work, pipe: Connection, files: str) -> None:
-    """Work through requests until the pipe closes: the life of a process."""
-    import signal
-    import warnings
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server says when it is over
-    tempfile.tempdir = files  # the server removes what a process leaves that it stops
-    # Numbers beyond all measure are refused by what they lead to, not by a word on the terminal.
-    warnings.simplefilter("ignore", RuntimeWarning)
-    while True:
-        try:
-            name, payload = pipe.recv()
-        except EOFError:
-            return
-        last = -1.0
-
-        def advanced(share: float, what: str) -> None:
-            nonlocal last
-            if share >= last + STEP or share < last:
-                last = share
-                pipe.send(("progress", (share, what)))
-
-        try:
-            answer: tuple[Kind, Any] = ("result", work(name, payload, advanced))
-        except OrishellError as error:
-            answer = ("refusal", describe_error(error))
-        except Exception as error:
-            words = f"{type(error).__name__}: {error}"
-            answer = ("fault", words.replace(f"{files}{os.sep}", ""))
-        pipe.send(answer)

@@ -1,0 +1,125 @@
+"""Processes that work through requests, one after the other."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import multiprocessing
+import os
+import shutil
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
+from typing import Any, Literal
+
+from orishell.conventions.progress import Progress
+from orishell.conventions.stopping import cleaning_up
+from orishell.errors import OrishellError
+from orishell.studio.api import describe_error
+
+Payload = dict[str, Any]
+Work = Callable[[str, Payload, Progress], Any]
+"""Does a task by its name, given a payload and whom to tell how far it is; raises OrishellError
+for bad input. A function of a module, so that every process finds it."""
+
+Kind = Literal["progress", "result", "refusal", "fault"]
+STEP = 0.01
+"""Progress is passed on when it grew by this share."""
+
+
+@dataclass(slots=True)
+class Worker:
+    """One process, the pipe to it, and what ends it and removes its files."""
+
+    process: SpawnProcess
+    pipe: Connection
+    life: contextlib.ExitStack
+
+    def stop(self) -> None:
+        """End it, and remove its files."""
+        self.life.close()
+
+
+def start_worker(work: Work) -> Worker:
+    """Start a process that does some ``work``.
+
+    Raises
+    ------
+    OSError
+        If there is no room for one.
+    """
+    context = multiprocessing.get_context("spawn")
+    ours, theirs = context.Pipe()
+    files = tempfile.mkdtemp(prefix="orishell-")
+    process = context.Process(target=_serve, args=(work, theirs, files), daemon=True)
+
+    def end() -> None:
+        if process.pid is not None:
+            process.kill()
+            process.join()
+        ours.close()
+        shutil.rmtree(files, ignore_errors=True)
+
+    with contextlib.ExitStack() as starting:
+        starting.enter_context(cleaning_up(end))
+        process.start()
+        theirs.close()
+        return Worker(process, ours, starting.pop_all())
+
+
+def stop_started(starting: asyncio.Task[Worker]) -> None:
+    """Stop the process that was about to start, if it has: for when ``starting`` is done."""
+    if not starting.cancelled() and starting.exception() is None:
+        starting.result().stop()
+
+
+async def readable(pipe: Connection, end: float | None) -> None:
+    """Wait until there is something to read, for ever if there is no ``end``.
+
+    Raises
+    ------
+    TimeoutError
+        If there is nothing by ``end``.
+    """
+    loop = asyncio.get_running_loop()
+    ready = asyncio.Event()
+    loop.add_reader(pipe.fileno(), ready.set)
+    try:
+        async with asyncio.timeout_at(end):
+            await ready.wait()
+    finally:
+        loop.remove_reader(pipe.fileno())
+
+
+def _serve(work: Work, pipe: Connection, files: str) -> None:
+    """Work through requests until the pipe closes: the life of a process."""
+    import signal
+    import warnings
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server says when it is over
+    tempfile.tempdir = files  # the server removes what a process leaves that it stops
+    # Numbers beyond all measure are refused by what they lead to, not by a word on the terminal.
+    warnings.simplefilter("ignore", RuntimeWarning)
+    while True:
+        try:
+            name, payload = pipe.recv()
+        except EOFError:
+            return
+        last = -1.0
+
+        def advanced(share: float, what: str) -> None:
+            nonlocal last
+            if share >= last + STEP or share < last:
+                last = share
+                pipe.send(("progress", (share, what)))
+
+        try:
+            answer: tuple[Kind, Any] = ("result", work(name, payload, advanced))
+        except OrishellError as error:
+            answer = ("refusal", describe_error(error))
+        except Exception as error:
+            words = f"{type(error).__name__}: {error}"
+            answer = ("fault", words.replace(f"{files}{os.sep}", ""))
+        pipe.send(answer)
