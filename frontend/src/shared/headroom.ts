@@ -47,20 +47,24 @@ export function headroomOf(view: View, ground: number, half: number): Headroom |
   const coarse = highest(corners, plan(west, south, east - west, north - south, step), half);
   if (!coarse) return null;
   const near = step + half;
-  const best = highest(corners, plan(coarse.x - near, coarse.y - near, 2 * near, 2 * near, 2 * (half || near) / FINER), half) ?? coarse;
+  const best = highest(corners, plan(coarse.x - near, coarse.y - near, 2 * near, 2 * near, 2 * (half || near) / FINER), half, true) ?? coarse;
   const height = best.height - ground;
   return height > 0 ? { ...best, height } : null;
 }
 
-/** The place of a plan around which the lowest panel is highest. */
-function highest(corners: Float32Array, plan: Plan, half: number): Headroom | null {
+/** The place of a plan around which the lowest panel is highest; in a part of the whole plan, one whose square
+ * lies in it. */
+function highest(corners: Float32Array, plan: Plan, half: number, part = false): Headroom | null {
   const { x: west, y: south, step, across, up } = plan;
   const low = lowest(corners, plan);
   const reach = Math.floor(half / step + 1e-9);
   // The least of a square is the least along rows of the least along columns.
   const clear = along(along(low, across, up, reach, true), across, up, reach, false);
   let best = -1, height = -Infinity;
+  const rim = part ? reach : 0;
   for (let k = 0; k < low.length; k++) {
+    const column = k % across, row = Math.floor(k / across);
+    if (column < rim || column >= across - rim || row < rim || row >= up - rim) continue;
     if (low[k]! < Infinity && clear[k]! > height) [best, height] = [k, clear[k]!];
   }
   if (best < 0) return null;
