@@ -10,7 +10,7 @@ export interface Headroom {
   y: number;
 }
 
-/** Places along the longer side of the plan, at first and about the best. */
+/** Places along the longer side of the plan at first; about the best so many across the square. */
 const CELLS = 120;
 const FINER = 24;
 
@@ -22,8 +22,8 @@ interface Plan {
   up: number;
 }
 
-/** Null where nothing stands above the ground. */
-export function headroomOf(view: View, ground: number): Headroom | null {
+/** Room that is clear over a square of so large a half side; null where nothing stands above the ground. */
+export function headroomOf(view: View, ground: number, half: number): Headroom | null {
   const shells = [view, ...view.clipped].map((each) => triangles(each));
   const all = shells.reduce((sum, { length }) => sum + length, 0);
   const corners = new Float32Array(all);
@@ -44,17 +44,48 @@ export function headroomOf(view: View, ground: number): Headroom | null {
   const plan = (x: number, y: number, width: number, depth: number, size: number): Plan => ({
     x, y, step: size, across: Math.max(1, Math.ceil(width / size)), up: Math.max(1, Math.ceil(depth / size)),
   });
-  const coarse = highest(corners, plan(west, south, east - west, north - south, step));
+  const coarse = highest(corners, plan(west, south, east - west, north - south, step), half);
   if (!coarse) return null;
-  const fine = highest(corners, plan(coarse.x - step, coarse.y - step, 2 * step, 2 * step, (2 * step) / FINER));
-  const best = fine && fine.height > coarse.height ? fine : coarse;
+  const near = step + half;
+  const best = highest(corners, plan(coarse.x - near, coarse.y - near, 2 * near, 2 * near, 2 * (half || near) / FINER), half, true) ?? coarse;
   const height = best.height - ground;
   return height > 0 ? { ...best, height } : null;
 }
 
-/** The place of a plan whose lowest panel above it is highest. */
-function highest(corners: Float32Array, plan: Plan): Headroom | null {
+/** The place of a plan around which the lowest panel is highest; in a part of the whole plan, one whose square
+ * lies in it. */
+function highest(corners: Float32Array, plan: Plan, half: number, part = false): Headroom | null {
   const { x: west, y: south, step, across, up } = plan;
+  const low = lowest(corners, plan);
+  const reach = Math.floor(half / step + 1e-9);
+  // The least of a square is the least along rows of the least along columns.
+  const clear = along(along(low, across, up, reach, true), across, up, reach, false);
+  let best = -1, height = -Infinity;
+  const rim = part ? reach : 0;
+  for (let k = 0; k < low.length; k++) {
+    const column = k % across, row = Math.floor(k / across);
+    if (column < rim || column >= across - rim || row < rim || row >= up - rim) continue;
+    if (low[k]! < Infinity && clear[k]! > height) [best, height] = [k, clear[k]!];
+  }
+  if (best < 0) return null;
+  return { height, x: west + ((best % across) + 0.5) * step, y: south + (Math.floor(best / across) + 0.5) * step };
+}
+
+/** The least of so many places to either side, along rows or columns. */
+function along(values: Float64Array, across: number, up: number, reach: number, rows: boolean): Float64Array {
+  const least = values.slice();
+  const step = rows ? 1 : across;
+  for (let k = 0; k < values.length; k++) {
+    const at = rows ? k % across : Math.floor(k / across), last = (rows ? across : up) - 1;
+    for (let by = -Math.min(reach, at); by <= Math.min(reach, last - at); by++) {
+      if (values[k + by * step]! < least[k]!) least[k] = values[k + by * step]!;
+    }
+  }
+  return least;
+}
+
+/** The lowest panel above every place, infinite where there is none. */
+function lowest(corners: Float32Array, { x: west, y: south, step, across, up }: Plan): Float64Array {
   const low = new Float64Array(across * up).fill(Infinity);
   for (let i = 0; i < corners.length; i += 9) {
     const [ax, ay, az, bx, by, bz, cx, cy, cz] = corners.subarray(i, i + 9) as unknown as number[] as [number, number, number, number, number, number, number, number, number];
@@ -75,10 +106,7 @@ function highest(corners: Float32Array, plan: Plan): Headroom | null {
       }
     }
   }
-  let best = -1;
-  for (let k = 0; k < low.length; k++) if (low[k]! < Infinity && (best < 0 || low[k]! > low[best]!)) best = k;
-  if (best < 0) return null;
-  return { height: low[best]!, x: west + ((best % across) + 0.5) * step, y: south + (Math.floor(best / across) + 0.5) * step };
+  return low;
 }
 
 /** Corners (n, 3, 3) of two triangles for each panel of the shell as it stands. */

@@ -71,7 +71,7 @@ export class Loaded3D {
   paint(theme: Theme): void {
     this.creases.ink.value = theme.linear("--crease");
     this.before.ink.value = theme.linear("--text-2");
-    this.ties.ink.value = theme.linear("--target");
+    this.ties.ink.value = theme.linear("--tie");
   }
 
   dispose(): void {

@@ -33,7 +33,7 @@ export class Person3D implements Guest {
     this.figure = part(material(figureVertex, plainFragment, own), 0);
     const outline = PERSON.map(([x, y]) => new Vector2(x, y));
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(PERSON.flat()), 2));
+    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(PERSON.flatMap(([x, y]) => [x, y, 0])), 3));
     geometry.setIndex(ShapeUtils.triangulateShape(outline, []).flat());
     this.figure.geometry = geometry;
   }
@@ -65,7 +65,7 @@ export class Person3D implements Guest {
     if (this.inside) this.foot.value.set(room!.x, room!.y, 0);
     else {
       const { low, high } = extentOf([view.positions]);
-      this.foot.value.set(high.x + BESIDE * tall, low.y + 0.2 * (high.y - low.y), 0);
+      this.foot.value.set(0.3 * low.x + 0.7 * high.x, low.y - BESIDE * tall, 0);
     }
   }
 

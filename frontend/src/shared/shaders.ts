@@ -333,7 +333,7 @@ void main() {
 
 /** A flat figure that stands upright and turns about itself towards the eye. */
 export const figureVertex = /* glsl */ `${COMMON}
-in vec2 position;
+in vec3 position;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform vec3 foot, cameraPosition;
 uniform float tall;

@@ -56,6 +56,7 @@ export class Shell3D {
   private readonly overlays: Overlays;
   private readonly pace: Pace;
   private readonly guests: Guest[] = [];
+  private readonly beside = new Group();
   private ground: Ground | null = null;
 
   private view: View | null = null;
@@ -100,7 +101,7 @@ export class Shell3D {
     this.following = new Following(this.camera, this.controls.target);
     shareTouch(canvas, (x, y) => this.isShell(x, y));
 
-    this.unloaded.add(...this.sheet.drawn, this.clipped.solids);
+    this.unloaded.add(...this.sheet.drawn, this.clipped.solids, this.beside);
     this.scene.add(this.unloaded, this.loaded.drawn);
     for (const depth of [this.sheet.depth, this.clipped.depths]) this.sun.add(depth);
     this.overlays = new Overlays(this.scene, this.u);
@@ -149,7 +150,7 @@ export class Shell3D {
   /** Draw something else as well; it may ask for another frame. */
   add(guest: Guest): () => void {
     this.guests.push(guest);
-    this.unloaded.add(...guest.drawn);
+    this.beside.add(...guest.drawn);
     guest.paint(themeOf(this.container));
     this.posed = false;
     this.invalidate();
@@ -175,13 +176,16 @@ export class Shell3D {
     return [box.left + (0.5 + 0.5 * x) * box.width, box.top + (0.5 - 0.5 * y) * box.height];
   }
 
-  /** A small picture of what is drawn. */
+  /** A small picture of the shell alone. */
   picture(width: number, height: number): HTMLCanvasElement {
     const small = Object.assign(document.createElement("canvas"), { width, height });
+    this.beside.visible = false;
     this.draw();
+    this.beside.visible = true;
     const { width: w, height: h } = this.canvas;
     const scale = Math.max(width / w, height / h);
     small.getContext("2d")?.drawImage(this.canvas, (width - w * scale) / 2, (height - h * scale) / 2, w * scale, h * scale);
+    this.draw();
     return small;
   }
 

@@ -1,10 +1,13 @@
 // Looking closely: what is chosen, distances, and what stands around the shell.
 
 import { Touch3D } from "../shared/moving3d.ts";
+import type { View } from "../shared/view.ts";
+import { Compare } from "./compare.ts";
 import { h } from "./dom.ts";
 import { InspectCard } from "./inspect-card.ts";
 import { Measure } from "./measure.ts";
 import { foldByKeys } from "./motion-keys.ts";
+import { PastDesigns } from "./past.ts";
 import type { Results } from "./results.ts";
 import { Selection } from "./selection.ts";
 import { Sight } from "./sight.ts";
@@ -27,11 +30,17 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
   sight.onMove((room, event) => (measure.active.value ? measure : selection).point(room, event));
   measure.active.watch(() => selection.pointed.set(null));
   const standing = new Standing(store, stage);
-  results.onFigures = (figures) => addFigures(figures, store.view.value!, standing, selection);
+  const more = (figures: HTMLElement, view: View): void => addFigures(figures, view, standing, selection);
+  const compare = new Compare(store, stage, results, more);
+  const past = new PastDesigns(store, stage);
+  results.onFigures = (figures) => {
+    more(figures, store.view.value!);
+    compare.annotate(figures);
+  };
   standing.headroom.watch(() => results.showFigures());
+  stage.frame.after(h("div", { class: "inspect-cards" }, measure.element, card.element), past.element);
   stage.frame.append(
-    h("div", { class: "inspect-cards" }, measure.element, card.element),
-    h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button),
+    h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button, compare.button, past.button),
     standing.legend,
   );
   foldByKeys(fold);
@@ -40,6 +49,7 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
     if ((event.target as HTMLElement).closest(TYPING)) return;
     if (event.key.toLowerCase() === "m") measure.toggle();
     else if (event.key !== "Escape") return;
+    else if (!past.element.hidden) past.show(false);
     else if (measure.active.value) measure.active.set(false);
     else selection.chosen.set(null);
   });

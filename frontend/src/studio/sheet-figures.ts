@@ -11,7 +11,7 @@ import type { Standing } from "./standing.ts";
 export function addFigures(figures: HTMLElement, view: View, standing: Standing, selection: Selection): void {
   const { unit } = view.header;
   const room = standing.headroom.value;
-  if (room) row(figures, "height", "headroom", "Headroom", length(room.height, unit), "clear above the ground, at most");
+  if (room) row(figures, "height", "headroom", "Headroom", length(room.height, unit), "clear above a person, where most");
   if (panelCount(view) < 2) return;
   const { smallest, largest, areas, shortest } = sheetOf(view);
   const square = unit === "unit" ? "" : ` ${unit}\u00b2`;
