@@ -85,6 +85,6 @@ def test_edges_that_no_sheet_has_are_refused() -> None:
 
 
 def test_what_the_family_refuses_at_every_size_is_refused_for_its_own_reason() -> None:
-    pattern = {"depth": 0.12, "flap": 3.0, "rows": 9, "columns": 13}
-    with pytest.raises(DesignError, match="flap"):
+    pattern = {"depth": 3.0, "rows": 9, "columns": 13}
+    with pytest.raises(DesignError, match="depth"):
         find_tradeoff(design_of(pattern=pattern))

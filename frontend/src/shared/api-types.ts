@@ -831,12 +831,15 @@ export interface TieReport {
   fails_at_deg: number | null;
 }
 
-/** Sheets of many sizes: see :class:`~orishell.shell.tradeoff.Tradeoff`. */
+/** Sheets of many sizes, and the best of them. */
 export interface Tradeoff {
+  /** All sheets that were made, measured quickly, by panels. */
   tried: Trial[];
+  /** Those that no other beats, or nearly so, in both error and number of panels, with edges as long as the design's tolerance allows, measured carefully. */
   best: Trial[];
+  /** Number of sizes that the family refuses. */
   refused: number;
-  /** Keys of the table [pattern] beside rows and columns that all of them were made with. */
+  /** Keys of the pattern, besides rows and columns, that the design leaves open, with the values that all trials have. */
   settled: Record<string, unknown>;
 }
 

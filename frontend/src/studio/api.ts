@@ -83,13 +83,26 @@ export async function exportDesign(
   return { name: file, blob: await response.blob() };
 }
 
+export type Progressed = (share: number, what: string) => void;
+
 /** Prove how the motion ends; aborting stops the proof. */
-export async function verify(
-  design: Design,
-  signal: AbortSignal,
-  progressed: (share: number, what: string) => void,
-): Promise<Verified> {
-  const response = await ask("verify", { design }, signal);
+export function verify(design: Design, signal: AbortSignal, progressed: Progressed): Promise<Verified> {
+  return streamed("verify", { design }, signal, progressed);
+}
+
+/** What fewer panels cost, and how near a sheet of the size given comes; aborting stops the search. */
+export function findTradeoff(design: Design, size: { rows: number; columns: number } | null, signal: AbortSignal, progressed: Progressed): Promise<Api.Tradeoff> {
+  return streamed("tradeoff", { design, size }, signal, progressed);
+}
+
+/** The drawings that a workshop gets; aborting stops the work. */
+export function drawSheets(design: Design, signal: AbortSignal, progressed: Progressed): Promise<Api.Sheets> {
+  return streamed("sheets", { design }, signal, progressed);
+}
+
+/** The result of work whose progress is told while it is under way. */
+async function streamed<T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed): Promise<T> {
+  const response = await ask(path, body, signal);
   const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
   for (;;) {
@@ -98,7 +111,7 @@ export async function verify(
     rest = done ? "" : lines.pop()!;
     for (const line of lines) {
       if (!line.trim()) continue;
-      const message = JSON.parse(line) as Api.Advance | Api.Result | Api.Refusal;
+      const message = JSON.parse(line) as Api.Advance | { result: T } | Api.Refusal;
       if ("error" in message) throw refusalOf(message);
       if ("result" in message) return message.result;
       progressed(message.progress, message.what);

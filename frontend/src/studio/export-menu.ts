@@ -1,17 +1,21 @@
-// Every format, of the shell at its target, its pack, the flat sheet, or the state on the screen.
+// Every format, of the shell at its target, its pack, the flat sheet, or the state on the screen;
+// beside them the workshop's settings and its sheets.
 
 import { exportDesign } from "./api.ts";
 import { button, segmented } from "./controls.ts";
 import { download, h, setAttribute } from "./dom.ts";
 import { faultOf, sentence } from "./faults.ts";
+import { SheetPreview } from "./sheet-preview.ts";
 import type { Store } from "./store.ts";
 import type { FileFormat } from "./types.ts";
+import { WorkshopSettings } from "./workshop-settings.ts";
 
 type State = "target" | "pack" | "flat" | "shown";
 
 export class ExportMenu {
   readonly element: HTMLElement;
   private readonly menu: HTMLElement;
+  private readonly sheets: SheetPreview;
   private readonly opener: HTMLButtonElement;
   private readonly note = h("p", { class: "note", role: "status" });
   private readonly states = segmented<State>(
@@ -33,6 +37,7 @@ export class ExportMenu {
     private readonly store: Store,
     private readonly frameOf: (frames: number) => number,
   ) {
+    this.sheets = new SheetPreview(store);
     this.opener = button({
       label: "Export",
       icon: "export",
@@ -47,25 +52,35 @@ export class ExportMenu {
     setAttribute(this.opener, "aria-haspopup", "dialog");
     this.menu = h(
       "div",
-      { class: "menu", popover: "auto", role: "dialog", "aria-label": "Export" },
-      h("div", { class: "menu-head" }, h("span", { class: "quiet" }, "State"), this.states.element),
-      this.note,
-      h("div", { class: "formats" }, ...store.info.formats.map((format) => this.entry(format))),
+      { class: "menu export-window", popover: "auto", role: "dialog", "aria-label": "Export" },
+      h("div", { class: "export-head" }, h("h2", {}, "Export"), button({ label: "Close", icon: "close", testid: "export-close", act: () => this.menu.hidePopover() })),
+      h(
+        "section",
+        { class: "export-files" },
+        h("div", { class: "menu-head" }, h("span", { class: "quiet" }, "State"), this.states.element),
+        this.note,
+        h("div", { class: "formats" }, ...store.info.formats.map((format) => this.entry(format))),
+      ),
+      h("section", {}, h("h3", {}, "Workshop: DXF, SVG, PDF, 3MF"), new WorkshopSettings(store).element),
+      h("section", {}, h("h3", {}, "Sheets"), this.sheets.element),
     );
     this.menu.addEventListener("toggle", (event) => {
       const open = (event as ToggleEvent).newState === "open";
       setAttribute(this.opener, "aria-expanded", String(open));
+      this.sheets.shown(open);
       if (open) this.opened();
     });
     this.states.set("target");
     this.element = h("div", { class: "menu-frame" }, this.opener, this.menu);
-    store.freshness.bind((freshness) => (this.opener.disabled = freshness === "outdated"));
+    // Settings that do not fit are mended here: the window opens all the same, only nothing is written.
+    store.freshness.bind((now, before) => {
+      const outdated = now === "outdated";
+      for (const format of this.menu.querySelectorAll<HTMLButtonElement>(".format")) format.disabled = outdated;
+      if (outdated || before === "outdated") this.explain();
+    });
   }
 
   private opened(): void {
-    const box = this.opener.getBoundingClientRect();
-    this.menu.style.top = `${box.bottom + 6}px`;
-    this.menu.style.right = `${document.documentElement.clientWidth - box.right}px`;
     this.explain();
     this.menu.querySelector<HTMLElement>(".format")?.focus();
   }
@@ -100,7 +115,8 @@ export class ExportMenu {
       flat: "Formats with one state show the flat sheet.",
       shown: `Formats with one state show frame ${this.frame()}, the nearest to the screen.`,
     };
-    this.note.textContent = words[this.state];
+    const outdated = this.store.freshness.value === "outdated";
+    this.note.textContent = outdated ? "Nothing is written before the shell works again." : words[this.state];
     this.note.classList.remove("error");
   }
 

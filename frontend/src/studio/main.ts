@@ -12,6 +12,8 @@ import "./stage.css";
 import "./results.css";
 import "./overlays.css";
 import "./inspect.css";
+import "./tradeoff.css";
+import "./export-window.css";
 import "./windows.css";
 import "./touch.css";
 import "./theme.ts";

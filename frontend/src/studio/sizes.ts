@@ -4,10 +4,14 @@ import { button, numberBox, segmented, setNumber } from "./controls.ts";
 import { h } from "./dom.ts";
 import { short } from "./numbers.ts";
 import type { Live } from "./live.ts";
+import { roundUp, toleranceOf, withTolerance } from "./front.ts";
 import { sized } from "./sizing.ts";
 import type { Store } from "./store.ts";
+import { TradeoffCard } from "./tradeoff.ts";
 import type { Tolerance } from "./types.ts";
 
+/** The tolerance that is offered first and what takes its place are one step of the history. */
+const OFFER = "offer!";
 type Mode = "sizes" | "tolerance";
 const BOXES: { key: keyof Tolerance; label: string; help: string }[] = [
   { key: "surface", label: "Surface", help: "largest distance between shell and surface" },
@@ -41,6 +45,7 @@ export class Sizes {
     testid: "keep",
     act: () => this.toSizes(),
   });
+  private readonly tradeoff: TradeoffCard;
   private readonly fields: HTMLElement;
   /** The tolerance that the design had last. */
   private remembered: Tolerance | null = null;
@@ -50,6 +55,7 @@ export class Sizes {
     private readonly live: Live,
     private readonly rows: HTMLElement,
   ) {
+    this.tradeoff = new TradeoffCard(store);
     this.fields = h(
       "div",
       { class: "tolerance" },
@@ -57,7 +63,7 @@ export class Sizes {
       h("div", { class: "actions" }, this.choose, this.keep),
       this.chosen,
     );
-    this.element = h("div", { class: "sizes" }, this.mode.element, this.rows, this.fields);
+    this.element = h("div", { class: "sizes" }, this.mode.element, this.rows, this.fields, this.tradeoff.element);
     store.design.bind(() => this.refresh());
     store.report.bind(() => this.refresh());
     store.busy.bind(() => this.refresh());
@@ -87,16 +93,25 @@ export class Sizes {
   }
 
   private toTolerance(): void {
-    const design = this.store.design.value;
-    const { rows: _rows, columns: _columns, ...pattern } = design.pattern;
-    const tolerance = this.remembered ?? { surface: this.guess() };
-    this.store.change({ ...design, pattern, tolerance }, "tolerance");
+    const { store } = this;
+    if (this.remembered) {
+      store.change(withTolerance(store.design.value, this.remembered), "tolerance");
+      return this.tradeoff.find();
+    }
+    const offered = this.guess();
+    store.change(withTolerance(store.design.value, { surface: offered }), "tolerance", OFFER);
+    this.tradeoff.find((trial) => {
+      const { design } = store;
+      // What was typed meanwhile stays.
+      if (design.value.tolerance?.surface !== offered) return;
+      store.change(withTolerance(design.value, { ...design.value.tolerance, surface: toleranceOf(trial) }), "tolerance", OFFER);
+    });
   }
 
-  /** A distance that the present shell about keeps, to begin with. */
+  /** A distance that the present shell keeps, until it is known what others can. */
   private guess(): number {
     const { deviation, deployed } = this.store.report.value ?? {};
-    return Number(short(deviation?.surface?.max ?? 0.01 * (deployed?.width ?? 10), 2));
+    return roundUp(deviation?.surface?.max ?? 0.05 * (deployed?.width ?? 10), 2);
   }
 
   private toSizes(): void {

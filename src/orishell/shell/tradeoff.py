@@ -19,6 +19,8 @@ from orishell.shell.tolerance import measure
 
 MOST_PANELS = 1_000
 """Panels of the sheets that are tried, at most, but twice those of the present sheet."""
+GAIN = 0.99
+"""Share of the error of a sheet with fewer panels that one with more must stay below."""
 TRYING, MEASURING = "trying rows and columns", "measuring the nearest carefully"
 TRIED = 0.6
 """Share of the work that is the trials; the rest is careful measuring."""
@@ -33,8 +35,8 @@ class Tradeoff:
     tried
         All sheets that were made, measured quickly, by panels.
     best
-        Those that no other beats in both error and number of panels, with edges as long as the
-        design's tolerance allows, measured carefully.
+        Those that no other beats, or nearly so, in both error and number of panels, with edges as
+        long as the design's tolerance allows, measured carefully.
     refused
         Number of sizes that the family refuses.
     settled
@@ -54,7 +56,7 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
     """Design sheets of many sizes, and measure how near they come to the surface.
 
     The sizes are those of the search that meets a tolerance, each number of rows with each number
-    of columns, and the design's own.
+    of columns, and the pattern's own.
 
     Parameters
     ----------
@@ -74,7 +76,7 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
     def make(rows: int, columns: int) -> Design:
         return pattern.sized(rows, columns).design(file.f, file.g)
 
-    sizes = _sizes(file)
+    sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []
     refusal: DesignError | None = None
     for size in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
@@ -97,16 +99,25 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
         for trial in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
     ]
     tried.sort(key=lambda trial: (trial.panels, trial.error))
-    return Tradeoff(tuple(tried), unbeaten(careful), len(sizes) - len(tried), settled)
+    best = _told_apart(unbeaten(careful))
+    return Tradeoff(tuple(tried), best, len(sizes) - len(tried), settled)
 
 
-def _sizes(file: DesignFile) -> list[tuple[int, int]]:
+def _told_apart(best: tuple[Trial, ...]) -> tuple[Trial, ...]:
+    """The best without those whose panels gain next to nothing."""
+    kept: list[Trial] = []
+    for trial in best:
+        if not kept or trial.error < GAIN * kept[-1].error:
+            kept.append(trial)
+    return tuple(kept)
+
+
+def _sizes(most: int, now: tuple[int, int]) -> list[tuple[int, int]]:
     """Rows and columns that are tried, the fewest panels first."""
-    now = None if file.tolerance else (file.pattern.rows, file.pattern.columns)
-    most = max(MOST_PANELS, 2 * _panels(now) if now else 0)
-    rows, columns = size_ladder(file.pattern.most)
-    sizes = {size for size in product(rows, [2, *columns]) if _panels(size) <= most}
-    return sorted(sizes | ({now} if now else set()), key=lambda size: (_panels(size), size))
+    panels = max(MOST_PANELS, 2 * _panels(now))
+    rows, columns = size_ladder(most)
+    sizes = {size for size in product(rows, [2, *columns]) if _panels(size) <= panels}
+    return sorted(sizes | {now}, key=lambda size: (_panels(size), size))
 
 
 def _panels(size: tuple[int, int]) -> int:

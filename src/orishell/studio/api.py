@@ -12,8 +12,8 @@ from orishell.document import FirstContact
 from orishell.errors import DesignError, InputError, OrishellError
 from orishell.families.parameters import Kind, Measure
 from orishell.io.view import Curves
-from orishell.shell.choice import Trial
 from orishell.shell.report import Report
+from orishell.shell.tradeoff import Tradeoff
 from orishell.workshop.drawing import Layer
 from orishell.workshop.sheets import Waste
 
@@ -219,21 +219,6 @@ class Verified(TypedDict):
     distance: str
     refusal: Fault | None
     view: str | None
-
-
-class Tradeoff(TypedDict):
-    """Sheets of many sizes: see :class:`~orishell.shell.tradeoff.Tradeoff`.
-
-    Parameters
-    ----------
-    settled
-        Keys of the table [pattern] beside rows and columns that all of them were made with.
-    """
-
-    tried: tuple[Trial, ...]
-    best: tuple[Trial, ...]
-    refused: int
-    settled: dict[str, Any]
 
 
 class DrawnSheet(TypedDict):

@@ -21,8 +21,9 @@ from orishell.workshop.sheets import draw_sheet_files, measure_waste
 
 PATTERN = "pattern.svg"
 """What the format calls its file."""
-SEEN = "plain"
-"""The palette whose lines can be seen at any size: a picture takes their widths."""
+SEEN, PAGE_MM = "plain", 160.0
+"""The palette whose lines can be seen at any size, and the page on which they are that wide: a
+picture of the drawings is small."""
 
 
 def preview_sheets(file: DesignFile, progress: Progress) -> Sheets:
@@ -86,7 +87,7 @@ def _visible(palette: Palette) -> Palette:
         layer: replace(pen, width_mm=seen.pens[layer].width_mm)
         for layer, pen in palette.pens.items()
     }
-    return replace(palette, pens=pens, page_mm=seen.page_mm)
+    return replace(palette, pens=pens, page_mm=PAGE_MM)
 
 
 def _paper_model(document: Document, workshop: Workshop) -> str:

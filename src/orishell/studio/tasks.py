@@ -27,7 +27,7 @@ from orishell.io.view import Curves, Drawn, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
 from orishell.shell.overlay import lay_surface
-from orishell.shell.tradeoff import find_tradeoff
+from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
     DroppedCurve,
@@ -36,7 +36,6 @@ from orishell.studio.api import (
     RefusalError,
     Sheets,
     Tables,
-    Tradeoff,
     Verified,
     Written,
     describe_error,
@@ -194,13 +193,14 @@ class Task:
         DesignError
             If the family refuses all sizes.
         """
-        found = find_tradeoff(self._design(), self.progress)
-        return {
-            "tried": found.tried,
-            "best": found.best,
-            "refused": found.refused,
-            "settled": found.settled,
-        }
+        file = self._design()
+        size = self.payload.get("size")
+        if isinstance(size, dict):
+            # Where sizes are to be chosen, those of the shell on the screen.
+            shown = {"rows": size.get("rows"), "columns": size.get("columns")}
+            file = replace(file, pattern=file.pattern.changed(shown, type(file.pattern)))
+            _require_small(file)
+        return find_tradeoff(file, self.progress)
 
     def draw_sheets(self) -> Sheets:
         """The drawings that a workshop gets.
@@ -254,15 +254,7 @@ class Task:
         file.require_target()
         if file.tolerance is not None and not tolerated:
             return file
-        vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
-        if vertices > MAX_VERTICES:
-            raise InputError(
-                "the sheet is too large for the studio",
-                where="[pattern] rows, columns",
-                got=f"{vertices} vertices",
-                expected=f"at most {MAX_VERTICES}",
-                remedy="use orishell design",
-            )
+        _require_small(file)
         return file
 
 
@@ -283,6 +275,19 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
 def answer(name: str, payload: dict[str, Any], progress: Progress) -> Any:
     """The answer to a request of a page."""
     return TASKS[name](Task(payload, progress))
+
+
+def _require_small(file: DesignFile) -> None:
+    """Refuse a sheet that is too large for the studio."""
+    vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
+    if vertices > MAX_VERTICES:
+        raise InputError(
+            "the sheet is too large for the studio",
+            where="[pattern] rows, columns",
+            got=f"{vertices} vertices",
+            expected=f"at most {MAX_VERTICES}",
+            remedy="use orishell design",
+        )
 
 
 def _text(content: bytes) -> str:
