@@ -105,7 +105,11 @@ def test_a_case_is_chosen_and_drawn(browser: Browser, tmp_path: Path) -> None:
         moves = pixels(page, ".stage canvas")
 
         choose(page, "case", "")
-        assert page.locator(".orishell-legend").inner_text().split() == ["upper", "side", "underside"]
+        assert page.locator(".orishell-legend").inner_text().split() == [
+            "upper",
+            "side",
+            "underside",
+        ]
         bare = pixels(page, ".stage canvas")
         pictures = (half, snow, larger, moves, bare)
         for k, one in enumerate(pictures):

@@ -22,6 +22,7 @@ import { forgetWhatIsStale } from "./stale.ts";
 import type { Store } from "./store.ts";
 import { announceTheme } from "./theme.ts";
 import { Toolbar } from "./toolbar.ts";
+import { tourHint } from "./tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
   const files = new Files(store, () => {
@@ -56,7 +57,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),
-    help: () => help.open(),
+    help: () => help.tour(),
     example,
   });
   const drop = new Drop({
@@ -71,7 +72,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     redo: () => store.redo(),
     open: () => void files.open(),
     save: () => void files.save(),
-    help: () => help.open(),
+    help: () => help.list(),
     play: () => stage.fold.toggle(),
   });
   root.replaceChildren(
@@ -83,6 +84,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
       h(
         "div",
         { class: "inputs", role: "region", "aria-label": "Design" },
+        tourHint(store, () => help.tour()),
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
         h("section", { "aria-labelledby": "curves-title" }, h("h2", { id: "curves-title" }, "Curves"), ...editors.map((editor) => editor.element)),
         parameters.element,

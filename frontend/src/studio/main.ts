@@ -11,6 +11,7 @@ import "./parameters.css";
 import "./stage.css";
 import "./results.css";
 import "./overlays.css";
+import "./tour.css";
 import "./windows.css";
 import "./touch.css";
 import "./theme.ts";
