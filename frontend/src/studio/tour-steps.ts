@@ -25,13 +25,8 @@ export const STEPS: Step[] = [
   },
   {
     region: ".scene-frame",
-    title: "Look at the shell",
-    text: "It follows every change. Drag it to turn it, zoom with the wheel or two fingers, double click to see all of it.",
-  },
-  {
-    region: ".fold-bar",
-    title: "Fold it",
-    text: "From the flat sheet, or the pack, to the target. Space plays the motion; a mark shows where panels touch.",
+    title: "Turn it and fold it",
+    text: "The shell follows every change. Drag it to turn it, zoom with the wheel or two fingers. The slider below folds it; Space plays the motion.",
   },
   {
     region: ".results",
