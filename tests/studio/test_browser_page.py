@@ -104,7 +104,7 @@ def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> No
 def _box(element: Locator) -> dict[str, float]:
     box = element.bounding_box()
     assert box is not None
-    return dict(box)
+    return {"x": box["x"], "y": box["y"], "width": box["width"], "height": box["height"]}
 
 
 def _is_one_column(page: Page) -> None:
