@@ -23,6 +23,7 @@ import { forgetWhatIsStale } from "./stale.ts";
 import type { Store } from "./store.ts";
 import { announceTheme } from "./theme.ts";
 import { Toolbar } from "./toolbar.ts";
+import { tourHint } from "./tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
   const files = new Files(store, () => {
@@ -57,7 +58,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),
-    help: () => help.open(),
+    help: () => help.tour(),
     example,
   });
   const drop = new Drop({
@@ -73,7 +74,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     redo: () => store.redo(),
     open: () => void files.open(),
     save: () => void files.save(),
-    help: () => help.open(),
+    help: () => help.list(),
     play: () => stage.fold.toggle(),
   });
   root.replaceChildren(
@@ -85,6 +86,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
       h(
         "div",
         { class: "inputs", role: "region", "aria-label": "Design" },
+        tourHint(store, () => help.tour()),
         h("section", { "aria-labelledby": "family-title" }, h("h2", { id: "family-title" }, "Family"), new Families(store).element),
         h("section", { "aria-labelledby": "curves-title" }, h("h2", { id: "curves-title" }, "Curves"), ...editors.map((editor) => editor.element)),
         parameters.element,

@@ -14,6 +14,7 @@ import "./overlays.css";
 import "./inspect.css";
 import "./tradeoff.css";
 import "./export-window.css";
+import "./tour.css";
 import "./windows.css";
 import "./touch.css";
 import "./theme.ts";

@@ -117,7 +117,7 @@ export class Store {
     const pattern = { ...design.pattern };
     if (value === undefined) delete pattern[key];
     else pattern[key] = value;
-    this.change({ ...design, pattern }, key, gesture);
+    this.change({ ...design, pattern }, this.labels.of(key), gesture);
   }
 
   setCurve(name: CurveName, table: CurveTable, what: string, gesture = ""): void {

@@ -66,7 +66,7 @@ export class Toolbar {
   private describe(control: HTMLButtonElement, word: string, what: string | null): void {
     // Not disabled: it would lose the focus in the middle of a run of undos.
     setAttribute(control, "aria-disabled", what === null ? "true" : "false");
-    control.title = what === null ? `Nothing to ${word.toLowerCase()}` : `${word}: ${what}`;
+    control.title = what === null ? `Nothing to ${word.toLowerCase()}` : `${word}: ${this.store.labels.said(what)}`;
   }
 
   private units(): HTMLElement {

@@ -1,0 +1,289 @@
+"""The studio's page itself: at four sizes, in two themes, in words, by keys, fingers and drops."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from node_tools import PACKAGES, lacking
+from orishell.design_file import starter_file
+from studio_pages import SIZES, choose, drawn, opened, settle
+from viewer_pages import await_frames, wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Locator, Page
+
+STARTS = ["orishell-theme", "orishell.tour"]
+MISPLACED = """() => {
+  const controls = "button, select, output, label, input, [role=status]";
+  const seen = [];
+  for (const each of document.querySelectorAll(controls)) {
+    // A box in its label is placed with it.
+    if (each.matches("input") && each.closest("label")) continue;
+    if (!each.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
+    const own = each.getBoundingClientRect();
+    let { left, top, right, bottom } = own;
+    for (let room = each.parentElement; room !== document.body; room = room.parentElement) {
+      const { overflowX, overflowY } = getComputedStyle(room);
+      if (overflowX === "visible" && overflowY === "visible") continue;
+      const box = room.getBoundingClientRect();
+      [left, right] = [Math.max(left, box.left), Math.min(right, box.right)];
+      [top, bottom] = [Math.max(top, box.top), Math.min(bottom, box.bottom)];
+    }
+    if (right - left < 2 || bottom - top < 2) continue;
+    const name = each.dataset.testid || each.ariaLabel || each.textContent.trim();
+    const cut = own.left < left - 1 || own.right > right + 1;
+    seen.push({ each, name, left, top, right, bottom, cut });
+  }
+  const wrong = [];
+  for (const [k, one] of seen.entries()) {
+    const { each, name, left, right } = one;
+    if (left < -0.5 || right > innerWidth + 0.5 || one.cut) wrong.push(`${name} is out of view`);
+    if (each.matches("button, .number") && each.scrollWidth > each.clientWidth + 1) {
+      wrong.push(`${name} is cut`);
+    }
+    for (const other of seen.slice(0, k)) {
+      if (each.contains(other.each) || other.each.contains(each)) continue;
+      const across = Math.min(right, other.right) - Math.max(left, other.left);
+      const down = Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top);
+      if (across > 1 && down > 1) wrong.push(`${name} lies on ${other.name}`);
+    }
+  }
+  return wrong;
+}"""
+"""Controls that are not in the window (or in what scrolls), whose text is cut, or that overlap."""
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> None:
+    axe = PACKAGES / "axe-core" / "axe.min.js"
+    if not axe.is_file():
+        lacking("axe-core is not installed: make node")
+    options: dict[str, Any] = {**SIZES[size], "bypass_csp": True, "color_scheme": "light"}
+    with opened(browser, address, **options) as page:
+        width, height = options["width"], options["height"]
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        scene = _box(page.get_by_test_id("scene"))
+        assert scene["width"] >= 0.45 * width
+        assert scene["height"] >= 0.35 * height
+        if size == "phone":
+            _is_one_column(page)
+        else:
+            assert page.evaluate("document.documentElement.scrollHeight") <= height
+            for name in ("curve-f", "curve-g"):
+                curve = _box(page.get_by_test_id(name))
+                assert 0 <= curve["y"] <= height - min(curve["height"], 80)
+                assert curve["x"] + curve["width"] <= scene["x"]
+        if "has_touch" in options:
+            for name in ("play", "undo", "export", "more-rows", "param-xi_deg"):
+                assert _box(page.get_by_test_id(name))["height"] >= 44
+        page.add_script_tag(path=str(axe))
+        for theme in ("light", "dark"):
+            assert page.evaluate("document.documentElement.dataset.theme") == theme
+            await_frames(page)
+            assert page.evaluate(MISPLACED) == []
+            found = page.evaluate("axe.run().then((result) => result.violations)")
+            serious = [
+                (each["id"], [node["html"][:120] for node in each["nodes"]])
+                for each in found
+                if each["impact"] in {"serious", "critical"}
+            ]
+            assert serious == []
+            page.get_by_test_id("theme").click()
+        # What is wrong is said beside the shell, and leaves it in sight.
+        page.evaluate("window.__orishell.store.setPattern('xi_deg', 120)")
+        settle(page)
+        scene, banner = (_box(page.get_by_test_id(each)) for each in ("scene", "banner"))
+        assert banner["y"] + banner["height"] <= scene["y"] or banner["y"] >= scene["y"] + 100
+        assert scene["height"] >= 0.2 * height
+        assert page.evaluate(MISPLACED) == []
+
+
+def _box(element: Locator) -> dict[str, float]:
+    box = element.bounding_box()
+    assert box is not None
+    return {"x": box["x"], "y": box["y"], "width": box["width"], "height": box["height"]}
+
+
+def _is_one_column(page: Page) -> None:
+    """Shell, fold, curves, parameters, pattern and figures below each other; the shell stays."""
+    places = [
+        _box(page.locator(each).first)
+        for each in (".scene", ".fold-bar", ".plot-frame", ".parameters", ".sheet", ".figures")
+    ]
+    ends = [place["y"] for place in places]
+    assert ends == sorted(ends)
+    assert all(place["width"] >= 340 for place in places)
+    # A swipe beside the shell scrolls the page, one that begins on it turns it.
+    camera = "window.__orishell.shell3d.camera.position.toArray()"
+    client = page.context.new_cdp_session(page)
+
+    def swipe(x: float, y: float, down: float) -> None:
+        for kind, steps in (("touchStart", [0]), ("touchMove", range(1, 9)), ("touchEnd", [None])):
+            for step in steps:
+                at = [] if step is None else [{"x": x, "y": y + down * step / 8}]
+                client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": at})
+                await_frames(page)
+
+    scene = places[0]
+    middle = scene["x"] + scene["width"] / 2, scene["y"] + scene["height"] / 2
+    before = page.evaluate(camera)
+    swipe(*middle, -80)
+    assert page.evaluate("scrollY") == 0
+    assert page.evaluate(camera) != before
+    page.get_by_test_id("fit").click()
+    await_frames(page)
+    swipe(scene["x"] + 12, scene["y"] + scene["height"] - 60, -120)
+    wait_until(page, "scrollY > 40")
+    page.evaluate("scrollTo(0, 1e6)")
+    await_frames(page)
+    assert _box(page.get_by_test_id("scene"))["y"] == pytest.approx(0, abs=1)
+    page.evaluate("scrollTo(0, 0)")
+
+
+def test_words_are_those_of_the_page(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    settle(page)
+    counted = page.get_by_test_id("panel-count").inner_text()
+    assert "9 \u00d7 11 vertices" in counted
+    assert "10 \u00d7 12 = 120 panels" in counted
+    assert page.evaluate("window.__orishell.store.view.value.faces.length") == 4 * 120
+    page.get_by_test_id("param-xi_deg").fill("120")
+    settle(page)
+    banner = page.get_by_test_id("banner")
+    assert "Crease angle \u03be = 120\u00b0 is too large for f." in banner.inner_text()
+    assert "Use crease angle \u03be = 53" in banner.inner_text()
+    assert "Go to Crease angle \u03be" in banner.inner_text()
+    assert "_deg" not in page.locator("body").inner_text()
+    # Another design: what was wrong with the one before is gone at once.
+    gone = page.evaluate(
+        "() => { const { store } = window.__orishell; const design = store.design.value;"
+        " store.change({ ...design, shell: { ...design.shell } }, 'another');"
+        " return store.fault.value; }"
+    )
+    assert gone is None
+    choose(page, "parallel-repeating")
+    settle(page)
+    assert banner.is_hidden()
+
+
+def test_the_designs_name_is_that_of_its_files(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    name = page.get_by_test_id("design-name")
+    name.fill("Zelt: 3 m / ")
+    name.press("Enter")
+    assert name.input_value() == "Zelt 3 m"
+    assert page.title().startswith("Zelt 3 m")
+    with page.expect_download() as saved:
+        page.get_by_test_id("save").click()
+    assert saved.value.suggested_filename == "Zelt 3 m.toml"
+    page.get_by_test_id("export").click()
+    with page.expect_download() as exported:
+        page.get_by_test_id("export-csv").click()
+    assert exported.value.suggested_filename == "Zelt 3 m-csv.zip"
+    page.keyboard.press("Escape")
+
+
+def test_every_colour_is_explained(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    legend = page.locator(".orishell-legend")
+    assert "underside" in legend.inner_text()
+    page.locator("label:has([data-testid=colour-signs])").click()
+    for name, words in (("surface", "target surface"), ("f", "curve f"), ("g", "curve g")):
+        assert words not in legend.inner_text()
+        page.get_by_test_id(f"overlay-{name}").check()
+        assert words in legend.inner_text()
+        page.get_by_test_id(f"overlay-{name}").uncheck()
+    for each in (legend, page.get_by_test_id("pattern-legend")):
+        assert {"mountain", "valley", "edge"} <= set(each.inner_text().split())
+    page.locator("label:has([data-testid=colour-plain])").click()
+
+
+def test_the_camera_follows_a_shell_that_grows(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    look = (
+        "(({ camera, controls }) => { const arm = camera.position.clone().sub(controls.target);"
+        " return [arm.clone().normalize().toArray(), arm.length()]; })(window.__orishell.shell3d)"
+    )
+    page.locator(".scene canvas").focus()
+    for key in ("ArrowLeft", "ArrowLeft", "ArrowUp"):
+        page.keyboard.press(key)
+    await_frames(page)
+    direction, away = page.evaluate(look)
+    page.evaluate(
+        "() => { const { store } = window.__orishell; const { target } = store.design.value;"
+        " store.setPattern('flap', 1.2);"
+        " for (const name of ['f', 'g'])"
+        " store.setCurve(name, { ...target[name], scale: 4 }, 'larger');"
+        "}"
+    )
+    drawn(page)
+    turned, farther = page.evaluate(look)
+    assert turned == pytest.approx(direction, abs=1e-3)
+    assert farther > 3 * away
+    # All of it is in view, no larger and no smaller than it would be brought into view.
+    page.get_by_test_id("fit").click()
+    assert page.evaluate(look)[1] == pytest.approx(farther, rel=1e-6)
+
+
+def test_files_dropped_anywhere(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    drop = """([name, text]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], name));
+      const options = { dataTransfer: data, bubbles: true, cancelable: true };
+      for (const kind of ["dragenter", "dragover", "drop"])
+        document.querySelector(".results").dispatchEvent(new DragEvent(kind, options));
+      return document.documentElement.classList.contains("dropping-file");
+    }"""
+    assert not page.evaluate(drop, ["arch.csv", "x,y\n-2,0\n-1,1.2\n0,1.6\n1,1.2\n2,0\n"])
+    choice = page.get_by_test_id("drop-choice")
+    assert "arch.csv" in choice.inner_text()
+    page.get_by_test_id("drop-as-f").click()
+    wait_until(page, "'formula' in window.__orishell.store.design.value.target.f === false")
+    drawn(page)
+    assert choice.is_hidden()
+    page.evaluate(drop, ["picture.png", ""])
+    assert "picture.png is neither" in page.get_by_test_id("said").inner_text()
+    page.evaluate(drop, ["mine.toml", starter_file("longitudinal-linear-repeating")])
+    wait_until(page, "window.__orishell.store.name.value === 'mine'")
+    drawn(page)
+    assert page.evaluate("window.__orishell.report.family") == "longitudinal-linear-repeating"
+
+
+def test_who_is_new_is_shown_around_once(browser: Browser, address: str) -> None:
+    with opened(browser, address, width=390, height=844, reduced_motion="reduce") as page:
+        # By keys alone: past what comes first, to the shell.
+        page.keyboard.press("Tab")
+        page.keyboard.press("Enter")
+        assert page.evaluate("document.activeElement.matches('.scene canvas')")
+        page.get_by_test_id("tour-start").click()
+        card = page.get_by_test_id("tour-card")
+        titles = []
+        for _ in range(20):
+            await_frames(page)
+            box = _box(card)
+            assert min(box["x"], box["y"]) >= 0
+            assert box["x"] + box["width"] <= 390
+            assert box["y"] + box["height"] <= 844
+            titles.append(card.locator("h2").inner_text())
+            if titles[-1] == "Keys and gestures":
+                break
+            page.keyboard.press("ArrowRight")
+        assert 6 <= len(titles) <= 7
+        assert "Space" in card.inner_text()
+        page.keyboard.press("ArrowLeft")
+        assert card.locator("h2").inner_text() == titles[-2]
+        page.keyboard.press("Escape")
+        assert card.is_hidden()
+        page.keyboard.press("?")
+        assert "Keys and gestures" in card.inner_text()
+        page.get_by_test_id("tour-next").click()
+        assert card.is_hidden()
+        page.reload()
+        wait_until(page, "window.__orishell !== undefined && window.__orishell.idle")
+        assert page.get_by_test_id("tour-hint").count() == 0
+        kept = page.evaluate("JSON.stringify(Object.keys(localStorage))")
+        assert set(json.loads(kept)) <= set(STARTS)
