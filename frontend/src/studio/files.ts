@@ -4,7 +4,7 @@ import { formatDesign, parseDesign } from "./api.ts";
 import { download, pickFile } from "./dom.ts";
 import { ServerFault, faultOf, ownFault } from "./faults.ts";
 import { designOf, fragmentOf, isLink } from "./link.ts";
-import type { Store } from "./store.ts";
+import type { Named, Store } from "./store.ts";
 import { tomlOf } from "./toml.ts";
 
 export class Files {
@@ -36,11 +36,15 @@ export class Files {
   /** Take the text of a design file in place of the present design; undo brings that back. */
   async take(text: string, name: string): Promise<void> {
     await this.guarded(async () => {
-      const design = await parseDesign(text);
-      this.opening();
-      this.store.open({ name, design });
-      this.store.saved.set(design);
+      this.begin({ name, design: await parseDesign(text) });
     });
+  }
+
+  /** Take another design in place of the present one; undo brings that back. */
+  begin(named: Named): void {
+    this.opening();
+    this.store.open(named);
+    this.store.saved.set(named.design);
   }
 
   async save(): Promise<void> {

@@ -6,6 +6,7 @@ import "../shared/views.css";
 import "./studio.css";
 import "./controls.css";
 import "./curves.css";
+import "./drawing.css";
 import "./parameters.css";
 import "./stage.css";
 import "./results.css";
