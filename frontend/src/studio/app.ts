@@ -1,5 +1,6 @@
 // Puts the studio together.
 
+import { blankCover, blankDesign } from "./blank.ts";
 import { Banner } from "./banner.ts";
 import { CurveEditor } from "./curve-editor.ts";
 import { h } from "./dom.ts";
@@ -55,6 +56,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
   const help = new Help(store.info.version);
   const exportMenu = new ExportMenu(store, (frames) => stage.fold.frameOf(frames));
   const toolbar = new Toolbar(store, exportMenu.element, {
+    blank: () => files.begin(blankDesign(store)),
     open: () => void files.open(),
     save: () => void files.save(),
     link: () => void files.link(),
@@ -67,6 +69,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
     refused: (words) => store.said.set(words),
   });
   forgetWhatIsStale(store);
+  stage.frame.append(blankCover(store));
   linkHover(stage, results);
   addInspection(store, stage, results);
   listenForShortcuts({

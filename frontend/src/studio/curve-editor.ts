@@ -1,59 +1,53 @@
-// One target curve: drawn as a spline, typed as a formula, or read from a file.
+// One target curve: drawn by hand or point by point, typed as a formula, or read from a file.
 
 import { readCurve } from "./api.ts";
 import { type Segmented, button, segmented } from "./controls.ts";
 import { CurvePlot } from "./curve-plot.ts";
-import { h, pickFile } from "./dom.ts";
+import * as tables from "./curve-table.ts";
+import { BLANK, FALLBACK, FILES, MODES, TITLES, WIDTHS, WORDS } from "./curve-words.ts";
+import { Dimensions } from "./dimensions.ts";
+import { h, pickFile, setAttribute } from "./dom.ts";
 import { faultOf, isAbout, sentence } from "./faults.ts";
 import { FormulaFields } from "./formula-fields.ts";
+import { groundOf } from "./ground.ts";
 import { icon } from "./icons.ts";
 import { PointFields } from "./point-fields.ts";
-import { between, fitPoints, placeAmong } from "./spline.ts";
+import { fitStroke } from "./spline.ts";
 import type { Store } from "./store.ts";
 import type { CurveName, CurveTable, Point } from "./types.ts";
-
-type Mode = "spline" | "lines" | "formula" | "file";
-const FILES = ".csv,.txt,.svg,.dxf";
-const TITLES: Record<CurveName, string> = { f: "profile", g: "path" };
-const WORDS: Record<CurveName, string> = {
-  f: "the profile that is swept",
-  g: "the path that f is swept along",
-};
-const FALLBACK: Record<CurveName, CurveTable> = {
-  f: { formula: "-x**2", range: [-1, 1] },
-  g: { formula: "0.25*sin(pi*x/2)", range: [0, 4] },
-};
 
 export class CurveEditor {
   readonly element: HTMLElement;
   private readonly plot: CurvePlot;
   private readonly formula: FormulaFields;
   private readonly fields: PointFields;
+  private readonly dimensions: Dimensions;
   private readonly note = h("p", { class: "note", hidden: true });
-  private readonly mode: Segmented<Mode>;
+  private readonly mode: Segmented<tables.Mode>;
+  private readonly draw: HTMLButtonElement;
   /** The formula that the curve had, for the way back from the spline. */
   private remembered: CurveTable;
   private shown: CurveTable | null = null;
+  private stale = false;
+  /** What the present drawing has made: who goes back beyond it begins anew. */
+  private drawn = new Set<CurveTable>();
 
   constructor(
     private readonly store: Store,
     private readonly name: CurveName,
   ) {
     this.remembered = FALLBACK[name];
-    this.mode = segmented<Mode>(
+    this.mode = segmented<tables.Mode>(
       `How ${name} is given`,
-      [
-        { value: "spline", text: "Spline", testid: `mode-${name}-spline`, title: "a smooth curve through points that can be dragged" },
-        { value: "lines", text: "Lines", testid: `mode-${name}-lines`, title: "straight lines between points that can be dragged" },
-        { value: "formula", text: "Formula", testid: `mode-${name}-formula`, title: "type y(x), or x(t) and y(t)" },
-      ],
+      MODES.map((each) => ({ ...each, testid: `mode-${name}-${each.value}` })),
       (mode) => this.switchTo(mode),
     );
-    const moved = (index: number, to: Point, gesture: string): void => this.move(index, to, gesture);
+    const moved = (index: number, to: Point, gesture: string): void =>
+      store.setCurve(name, tables.moved(this.table, index, to), `a point of ${name}`, gesture);
     const removed = (index: number): void => this.removePoint(index);
     this.plot = new CurvePlot(
       name,
-      `Curve ${name}, ${WORDS[name]}. Arrow keys move the view, plus and minus zoom, 0 fits.`,
+      `Curve ${name}, ${WORDS[name]}. Arrow keys move the view, plus and minus zoom, 0 fits, D draws anew.`,
       {
         moved,
         removed,
@@ -63,36 +57,66 @@ export class CurveEditor {
           if (index !== null) this.fields.select(index);
           this.plot.select(index);
         },
+        clicked: (at) => this.putPoint(at),
+        stroked: (track) => this.take([...this.begun, ...fitStroke(track)], true, `a stroke of ${name}`),
+        turned: (on) => this.turned(on),
+        last: () => this.begun.at(-1) ?? null,
+        backdrop: (plane) =>
+          name === "f" ? groundOf(plane, this.samples, store.design.value.shell.unit, store.figure.value) : [],
       },
     );
     this.fields = new PointFields(name, {
       moved,
       removed,
-      added: (after) => this.addAfter(after),
+      added: (after) => {
+        const at = tables.placeAfter(this.table, after);
+        if (at) this.addPoint(at);
+      },
     });
     this.formula = new FormulaFields(name, (table, gesture) =>
       store.setCurve(name, table, `formula of ${name}`, gesture),
     );
+    this.dimensions = new Dimensions(name, (factors, what, gesture) =>
+      store.setCurve(name, tables.withScale(this.table, factors), what, gesture),
+    );
+    this.draw = button({
+      label: `Draw ${name} anew`,
+      icon: "pencil",
+      text: "Draw",
+      testid: `draw-${name}`,
+      class: "button draw",
+      act: () => this.plot.drawing.turn(!this.plot.drawing.active),
+    });
     this.element = this.build();
     this.listenForFiles();
     store.design.bind(() => this.refresh());
-    store.curves.bind(() => this.refresh());
+    store.curves.bind(() => {
+      this.stale = false;
+      this.refresh();
+    });
     store.fault.bind(() => this.showFault());
+    store.figure.watch(() => this.plot.draw());
   }
 
   private get table(): CurveTable {
     return this.store.design.value.target[this.name];
   }
 
-  /** Control points as they are drawn: enlarged by the table's scale. */
-  private get points(): Point[] {
-    const { points, scale = 1 } = this.table;
-    if (!Array.isArray(points)) return [];
-    return scale === 1 ? points : points.map(([x, y]) => [x * scale, y * scale]);
+  private get samples(): Point[] {
+    return tables.samplesOf(this.table) ?? this.store.curves.value?.[this.name] ?? [];
+  }
+
+  /** The points that the present drawing has put. */
+  private get begun(): Point[] {
+    const { points } = this.table;
+    return this.drawn.has(this.table) && Array.isArray(points) ? points : [];
   }
 
   private build(): HTMLElement {
-    const { name } = this;
+    const { name, store } = this;
+    const figure = h("input", { type: "checkbox", "data-testid": "figure-f", onchange: () => store.figure.set(figure.checked) });
+    store.figure.bind((on) => (figure.checked = on));
+    const person = h("label", { class: "check", title: "a person of 1.75 m, where that is no speck and fits" }, figure, "Person");
     const tools = h(
       "div",
       { class: "plot-tools" },
@@ -108,13 +132,20 @@ export class CurveEditor {
         "header",
         { class: "curve-head" },
         h("h3", { title: WORDS[name] }, h("span", { class: `curve-badge curve-${name}` }, name), h("span", { class: "curve-word" }, TITLES[name])),
+        this.mode.element,
+      ),
+      h(
+        "div",
+        { class: "curve-tools" },
+        this.draw,
         button({
           label: `Read ${name} from a CSV, SVG or DXF file`,
           icon: "drop",
           testid: `file-${name}`,
           act: () => void pickFile(FILES).then((file) => file && this.read(file)),
         }),
-        this.mode.element,
+        name === "f" ? person : null,
+        this.dimensions.element,
       ),
       this.plot.element,
       this.fields.element,
@@ -124,100 +155,112 @@ export class CurveEditor {
   }
 
   private refresh(): void {
-    const { table } = this;
-    const mode = modeOf(table);
-    const samples = this.store.curves.value?.[this.name] ?? [];
+    const { table, store } = this;
+    const mode = tables.modeOf(table);
+    const handles = tables.handlesIn(table);
+    const { unit } = store.design.value.shell;
     if (this.shown !== table) {
       // What was said was of another curve.
       if (!isAbout(this.store.fault.value, this.name)) this.say("");
-      const drawn = mode === "spline" || mode === "lines";
+      const before = this.shown && tables.modeOf(this.shown);
+      const drawn = handles.length > 0 && mode !== "file";
       // Another kind of curve, or one from elsewhere: show all of it.
-      const before = this.shown && modeOf(this.shown);
       if (before !== mode && !(drawn && before && before !== "file")) this.plot.refit();
+      if (Array.isArray(table.points) && !table.points.length) this.begin();
+      else if (!tables.isCurve(table) || this.begun.length) this.drawn.add(table);
       this.shown = table;
+      this.stale = !tables.samplesOf(table);
       if (mode === "formula") this.remembered = table;
       this.mode.set(mode);
       this.fields.element.hidden = !drawn;
       this.formula.element.hidden = mode !== "formula";
       if (mode === "formula") this.formula.show(table);
-      if (drawn) this.fields.show(this.points);
-      if (mode === "file") this.say(`The design names a file; drop it here: ${fileOf(table)}`);
+      if (drawn) this.fields.show(handles.map(({ at }) => at));
+      if (mode === "file") this.say(`The design names a file; drop it here: ${tables.fileOf(table)}`);
     }
-    this.plot.show(samples, this.points);
+    const blank = Array.isArray(table.points) && !table.points.length;
+    this.plot.show({
+      samples: this.samples,
+      stale: this.stale,
+      handles,
+      joined: mode === "spline" || mode === "lines",
+      blank: blank ? { words: BLANK[this.name], width: WIDTHS[unit] ?? 8 } : null,
+    });
     this.plot.select(this.fields.selected);
+    this.dimensions.show(table, this.samples, unit);
   }
 
   /** Show all of the curve when it is next drawn: another design has been opened. */
   refit(): void {
+    this.plot.drawing.turn(false);
     this.plot.refit();
   }
 
-  private move(index: number, to: Point, gesture: string): void {
-    const points = this.points.map((point, i) => (i === index ? to : point));
-    this.setPoints(points, `point ${index + 1} of ${this.name}`, gesture);
+  /** Nothing is drawn yet: the plane waits for it. */
+  private begin(): void {
+    this.drawn.clear();
+    this.plot.refit();
+    this.plot.drawing.turn(true);
+  }
+
+  private turned(on: boolean): void {
+    this.drawn.clear();
+    setAttribute(this.draw, "aria-pressed", String(on));
+    this.store.rest();
+    if (!on) this.refresh();
+  }
+
+  private putPoint(at: Point): void {
+    const rounded = at.map((value) => Number(value.toPrecision(6)) + 0) as Point;
+    const points = [...this.begun, rounded];
+    this.take(points, this.table.smooth !== false || this.table.path !== undefined, `point ${points.length} of ${this.name}`);
+  }
+
+  private take(points: Point[], smooth: boolean, what: string): void {
+    const table: CurveTable = { points, smooth };
+    this.drawn.add(table);
+    this.store.setCurve(this.name, table, what);
   }
 
   private addPoint(at: Point): void {
-    const { points } = this;
-    if (points.length < 2) return;
-    this.insert(placeAmong(points, at), at);
-  }
-
-  private addAfter(after: number): void {
-    const { points } = this;
-    const index = Math.min(after, points.length - 2);
-    this.insert(index + 1, between(points, index));
-  }
-
-  private insert(index: number, at: Point): void {
-    const rounded = at.map((value) => Number(value.toPrecision(6))) as Point;
-    this.setPoints(this.points.toSpliced(index, 0, rounded), `a point of ${this.name}`);
-    this.fields.select(index);
-    this.plot.focus(index);
+    const found = tables.withPointNear(this.table, at);
+    if (!found) return;
+    this.store.setCurve(this.name, found.table, `a point of ${this.name}`);
+    this.fields.select(found.index);
+    this.plot.focus(found.index);
   }
 
   private removePoint(index: number): void {
-    if (this.points.length <= 2) return;
-    this.setPoints(this.points.toSpliced(index, 1), `point ${index + 1} of ${this.name} removed`);
-    this.plot.focus(Math.min(index, this.points.length - 1));
+    this.store.setCurve(this.name, tables.removed(this.table, index), `point ${index + 1} of ${this.name} removed`);
+    this.plot.focus(Math.min(index, tables.handlesIn(this.table).length - 1));
   }
 
-  private setPoints(points: Point[], what: string, gesture = ""): void {
-    const { scale = 1 } = this.table;
-    const own = scale === 1 ? points : points.map(([x, y]): Point => [x / scale, y / scale]);
-    this.store.setCurve(this.name, { ...this.table, points: own }, what, gesture);
-  }
-
-  private switchTo(mode: Mode): void {
-    const now = modeOf(this.table);
-    if (mode === now) return;
+  private switchTo(mode: tables.Mode): void {
+    const now = tables.modeOf(this.table);
+    if (mode === now || mode === "file") return;
+    this.plot.drawing.turn(false);
     if (mode === "formula") {
       this.store.setCurve(this.name, this.remembered, `formula of ${this.name}`);
       return;
     }
-    const smooth = mode === "spline";
-    const what = `${this.name} as ${smooth ? "a spline" : "lines"}`;
-    if (now !== "formula" && now !== "file") {
-      this.store.setCurve(this.name, { ...this.table, smooth }, what);
-      return;
-    }
-    const samples = this.store.curves.value?.[this.name];
-    if (!samples || samples.length < 2) {
+    const table = tables.given(this.table, mode, this.samples);
+    if (!table) {
       this.mode.set(now);
       this.say("There is no curve yet to put points on.");
       return;
     }
-    this.store.setCurve(this.name, { points: fitPoints(samples), smooth }, what);
+    this.store.setCurve(this.name, table, `${this.name} as ${mode === "spline" ? "a spline" : mode === "lines" ? "lines" : "a path"}`);
   }
 
   /** Take the curve of a CSV, SVG or DXF file. */
   async read(file: File): Promise<void> {
     try {
-      const curve = await readCurve(file, this.store.design.value.shell.unit);
-      const table: CurveTable = { points: curve.points, smooth: curve.smooth };
+      const { table, note } = await readCurve(file, this.store.design.value.shell.unit);
+      this.plot.drawing.turn(false);
       this.plot.refit();
-      this.store.setCurve(this.name, table, `${this.name} from ${file.name}`);
-      this.say(sentence(curve.note));
+      this.store.setCurve(this.name, table as CurveTable, `${this.name} from ${file.name}`);
+      const beyond = tables.piecesBeyond(table as CurveTable);
+      this.say(sentence(note) + (beyond ? " These are too many to be dragged one by one: Spline puts few points on it." : ""));
     } catch (error) {
       this.say(sentence(faultOf(error).message), true);
     }
@@ -257,14 +300,4 @@ export class CurveEditor {
     this.note.hidden = !text;
     this.note.classList.toggle("error", wrong);
   }
-}
-
-function modeOf(table: CurveTable): Mode {
-  if (table.formula !== undefined) return "formula";
-  if (!Array.isArray(table.points)) return "file";
-  return table.smooth === false ? "lines" : "spline";
-}
-
-function fileOf(table: CurveTable): string {
-  return String(table.points ?? table["svg"] ?? table["dxf"] ?? "");
 }

@@ -1,54 +1,69 @@
-// A curve in its plane, with control points that can be dragged.
+// A curve in its plane: shown, dragged by its handles, drawn anew.
 
 import { h, s, setAttribute } from "./dom.ts";
-import { pretty, roundTo } from "./numbers.ts";
+import { type DrawEvents, Drawing } from "./drawing.ts";
 import { Plane, boxOf } from "./plane.ts";
+import { gridOf, guidesOf, line } from "./plot-grid.ts";
+import { ARROWS, type Handle, type HandleEvents, PlotHandles } from "./plot-handles.ts";
+import { type Caught, caught } from "./snapping.ts";
 import type { CurveName, Point } from "./types.ts";
 
-export interface PlotEvents {
-  /** A control point is moved; `gesture` names the motion for the history. */
-  moved(index: number, to: Point, gesture: string): void;
-  released(): void;
+export interface PlotEvents extends HandleEvents, DrawEvents {
+  /** A point is wanted where the curve is nearest. */
   added(at: Point): void;
-  removed(index: number): void;
-  selected(index: number | null): void;
+  /** What stands behind the curve. */
+  backdrop(plane: Plane): Node[];
 }
 
-/** A control point moves by this share of a grid step with an arrow key. */
-const NUDGE = 1 / 20;
+export interface Shown {
+  /** Close samples of the curve. */
+  samples: Point[];
+  handles: Handle[];
+  /** Whether the samples are those of an earlier curve, until the server has answered. */
+  stale: boolean;
+  /** Whether handles are joined by a line in their order. */
+  joined: boolean;
+  /** What to do where there is no curve yet, and how wide the plane then is. */
+  blank: { words: string; width: number } | null;
+}
+
+/** From how far points are caught, in pixels. */
+const REACH = { mouse: 7, touch: 12 };
+const NOTHING_YET = "Nothing is drawn yet: press Draw.";
+const HOW_TO_DRAW = "click point by point, or draw a stroke; Enter ends.";
 
 export class CurvePlot {
   readonly element: HTMLElement;
+  readonly drawing: Drawing;
   private readonly svg: SVGSVGElement;
   private readonly plane = new Plane();
+  private readonly backdrop = s("g", {});
   private readonly grid = s("g", { class: "plot-grid" });
   private readonly labels = s("g", { class: "plot-labels" });
   private readonly line = s("path", { class: "plot-line" });
   private readonly control = s("path", { class: "plot-control" });
-  private readonly handles = s("g", {});
-  private circles: SVGGElement[] = [];
-  private samples: Point[] = [];
-  private points: Point[] = [];
+  private readonly guides = s("path", { class: "plot-guide" });
+  private readonly hint = h("p", { class: "plot-hint", hidden: true });
+  private readonly handles: PlotHandles;
+  private shown: Shown = { samples: [], stale: false, handles: [], joined: false, blank: null };
   private wantsFit = true;
-  private dragging: number | null = null;
-  private held = false;
 
   constructor(
-    private readonly name: CurveName,
+    name: CurveName,
     label: string,
     private readonly events: PlotEvents,
   ) {
     const arrow = `arrow-${name}`;
     this.line.setAttribute("marker-end", `url(#${arrow})`);
+    const place = {
+      plane: this.plane,
+      pixels: (event: MouseEvent): Point => this.pixels(event),
+      free: (): void => this.free(),
+    };
+    this.handles = new PlotHandles(name, { ...place, catch: (at, index, event) => this.catchHandle(at, index, event) }, events);
     this.svg = s(
       "svg",
-      {
-        class: "plot",
-        role: "group",
-        tabindex: 0,
-        "aria-label": label,
-        "data-testid": `curve-${name}`,
-      },
+      { class: "plot", role: "group", tabindex: 0, "aria-label": label, "data-testid": `curve-${name}` },
       s(
         "defs",
         {},
@@ -59,28 +74,39 @@ export class CurvePlot {
         ),
       ),
       this.grid,
+      this.backdrop,
       this.labels,
       this.control,
       this.line,
-      this.handles,
+      this.guides,
+      this.handles.element,
     );
-    this.element = h("div", { class: `plot-frame curve-${name}` }, this.svg);
+    const turned = (on: boolean): void => {
+      events.turned(on);
+      this.showHint();
+    };
+    this.drawing = new Drawing(this.svg, { ...place, catch: (at, event) => this.catchDrawn(at, event) }, { ...events, turned });
+    this.svg.append(this.drawing.element);
+    this.element = h("div", { class: `plot-frame curve-${name}` }, this.svg, this.hint);
     this.listen();
     new ResizeObserver(() => this.resized()).observe(this.element);
   }
 
-  /** Draw a curve through close samples, and its control points if it has any. */
-  show(samples: Point[], points: Point[]): void {
-    this.samples = samples;
-    this.points = points;
-    const box = boxOf(samples.length ? samples : points);
-    if (box && !this.held) {
-      const follow = this.wantsFit || (!points.length && !this.plane.suits(box));
+  show(shown: Shown): void {
+    this.shown = shown;
+    const { samples, stale, handles, blank } = shown;
+    const box = boxOf(samples.length ? samples : handles.map(({ at }) => at));
+    if (blank) {
+      if (this.wantsFit) this.plane.fit({ low: [-blank.width / 2, 0], high: [blank.width / 2, blank.width / 4] });
+      this.wantsFit = false;
+    } else if (box && !stale && !this.handles.held && !this.drawing.active) {
+      const follow = this.wantsFit || (!handles.length && !this.plane.suits(box));
       if (follow && samples.length) {
         this.plane.fit(box);
         this.wantsFit = false;
       }
     }
+    this.showHint();
     this.draw();
   }
 
@@ -90,7 +116,7 @@ export class CurvePlot {
   }
 
   fit(): void {
-    const box = boxOf([...this.samples, ...this.points]);
+    const box = boxOf([...this.shown.samples, ...this.shown.handles.map(({ at }) => at)]);
     if (box) this.plane.fit(box);
     this.draw();
   }
@@ -101,11 +127,25 @@ export class CurvePlot {
   }
 
   select(index: number | null): void {
-    this.circles.forEach((each, i) => each.classList.toggle("selected", i === index));
+    this.handles.select(index);
   }
 
   focus(index: number): void {
-    this.circles[index]?.focus();
+    this.handles.focus(index);
+  }
+
+  draw(): void {
+    const { width, height } = this.plane;
+    setAttribute(this.svg, "viewBox", `0 0 ${width} ${height}`);
+    const { lines, texts } = gridOf(this.plane);
+    this.grid.replaceChildren(...lines);
+    this.labels.replaceChildren(...texts);
+    this.backdrop.replaceChildren(...this.events.backdrop(this.plane));
+    const { samples, handles, joined } = this.shown;
+    this.line.setAttribute("d", line(...samples.map((point) => this.plane.toPixels(point))));
+    this.control.setAttribute("d", joined ? line(...handles.map(({ at }) => this.plane.toPixels(at))) : "");
+    this.handles.draw(handles);
+    this.drawing.draw();
   }
 
   private resized(): void {
@@ -114,117 +154,46 @@ export class CurvePlot {
     const grown = width / this.plane.width;
     this.plane.width = width;
     this.plane.height = height;
-    if (Math.abs(grown - 1) > 0.01) this.fit();
+    if (this.shown.blank) this.wantsFit = true;
+    if (this.shown.blank) this.show(this.shown);
+    else if (Math.abs(grown - 1) > 0.01) this.fit();
     else this.draw();
   }
 
-  private draw(): void {
-    const { width, height } = this.plane;
-    setAttribute(this.svg, "viewBox", `0 0 ${width} ${height}`);
-    this.drawGrid();
-    this.line.setAttribute("d", this.path(this.samples));
-    this.control.setAttribute("d", this.path(this.points));
-    this.drawHandles();
+  private catchHandle(at: Point, index: number, event: PointerEvent): Caught {
+    const { handles } = this.shown;
+    const { kind } = handles[index]!;
+    const points = handles.filter((each) => each.kind === "point").map((each) => each.at);
+    const inner = kind === "point" && index > 0 && index < points.length - 1;
+    const middle = inner ? (points[0]![0] + points.at(-1)![0]) / 2 : null;
+    return this.caught(at, kind === "point" ? points.toSpliced(index, 1) : [], middle, event);
   }
 
-  private path(points: Point[]): string {
-    const pixels = points.map((point) => this.plane.toPixels(point));
-    return pixels.length
-      ? `M${pixels.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`
-      : "";
+  private catchDrawn(at: Point, event: { altKey: boolean }): Caught {
+    const begun = this.events.last() !== null;
+    return this.caught(at, begun ? this.shown.handles.map((each) => each.at) : [], null, event);
   }
 
-  private drawGrid(): void {
-    const { plane } = this;
-    const { step, width, height } = plane;
-    const lines: Node[] = [];
-    const texts: Node[] = [];
-    for (const value of plane.ticks(0, step)) {
-      const [x] = plane.toPixels([value, 0]);
-      const kind = Math.abs(value) < step / 1e6 ? "axis" : "";
-      lines.push(s("path", { d: `M${x.toFixed(1)} 0V${height}`, class: kind }));
-      if (x > 30 && x < width - 14) {
-        texts.push(s("text", { x, y: height - 5, "text-anchor": "middle" }, tick(value, step)));
-      }
-    }
-    for (const value of plane.ticks(1, step)) {
-      const [, y] = plane.toPixels([0, value]);
-      const kind = Math.abs(value) < step / 1e6 ? "axis" : "";
-      lines.push(s("path", { d: `M0 ${y.toFixed(1)}H${width}`, class: kind }));
-      if (y > 8 && y < height - 16) texts.push(s("text", { x: 5, y: y + 3.5 }, tick(value, step)));
-    }
-    this.grid.replaceChildren(...lines);
-    this.labels.replaceChildren(...texts);
+  private caught(at: Point, others: Point[], middle: number | null, event: { altKey: boolean; pointerType?: string }): Caught {
+    const reach = (event.pointerType === "touch" ? REACH.touch : REACH.mouse) / this.plane.scale;
+    const found = event.altKey ? { at, guides: [], words: "" } : caught(at, { others, middle, step: this.plane.step, reach });
+    this.guides.setAttribute("d", guidesOf(this.plane, found.guides));
+    this.showHint(found.words);
+    return found;
   }
 
-  private drawHandles(): void {
-    while (this.circles.length > this.points.length) this.circles.pop()!.remove();
-    while (this.circles.length < this.points.length) this.addHandle(this.circles.length);
-    this.points.forEach((point, i) => {
-      const [x, y] = this.plane.toPixels(point);
-      const handle = this.circles[i]!;
-      handle.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
-      const place = `x ${pretty(point[0], 4)}, y ${pretty(point[1], 4)}`;
-      handle.setAttribute("aria-label", `${this.name}, point ${i + 1} of ${this.points.length}: ${place}`);
-    });
+  private free(): void {
+    this.guides.setAttribute("d", "");
+    this.showHint();
   }
 
-  private addHandle(index: number): void {
-    const handle = s(
-      "g",
-      {
-        class: "handle",
-        tabindex: 0,
-        role: "button",
-        "aria-roledescription": "control point",
-        "data-testid": `point-${this.name}-${index}`,
-      },
-      s("circle", { r: 13, class: "handle-reach" }),
-      s("circle", { r: 5.5, class: "handle-dot" }),
-    );
-    handle.addEventListener("focus", () => this.events.selected(index));
-    handle.addEventListener("keydown", (event) => this.pressed(event, index));
-    handle.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
-      event.stopPropagation();
-      event.preventDefault();
-      handle.focus({ preventScroll: true });
-      this.dragging = index;
-      this.held = true;
-      handle.setPointerCapture(event.pointerId);
-    });
-    handle.addEventListener("pointermove", (event) => {
-      if (this.dragging !== index) return;
-      const to = this.plane.fromPixels(this.pixels(event));
-      const fine = 1 / this.plane.scale;
-      this.events.moved(index, [roundTo(to[0], fine), roundTo(to[1], fine)], `drag-${this.name}-${index}!`);
-    });
-    const release = (): void => {
-      if (this.dragging !== index) return;
-      this.dragging = null;
-      this.held = false;
-      this.events.released();
-    };
-    handle.addEventListener("pointerup", release);
-    handle.addEventListener("lostpointercapture", release);
-    this.circles.push(handle);
-    this.handles.append(handle);
-  }
-
-  private pressed(event: KeyboardEvent, index: number): void {
-    const direction = ARROWS[event.key];
-    if (direction && !event.ctrlKey && !event.metaKey) {
-      const step = this.plane.step * NUDGE * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-      const [x, y] = this.points[index]!;
-      const to: Point = [roundTo(x + direction[0] * step, step), roundTo(y + direction[1] * step, step)];
-      this.events.moved(index, to, `nudge-${this.name}-${index}`);
-    } else if (event.key === "Delete" || event.key === "Backspace") {
-      this.events.removed(index);
-    } else {
-      return;
-    }
-    event.preventDefault();
-    event.stopPropagation();
+  private showHint(words = ""): void {
+    const { blank } = this.shown;
+    const waiting = this.drawing.active && this.events.last() === null;
+    const text = words || (waiting ? `${blank?.words ?? "A new curve:"} ${HOW_TO_DRAW}` : blank ? NOTHING_YET : "");
+    this.hint.textContent = text;
+    this.hint.hidden = !text;
+    this.hint.classList.toggle("waiting", !words);
   }
 
   private listen(): void {
@@ -264,6 +233,7 @@ export class CurvePlot {
       else if (event.key === "+" || event.key === "=") this.plane.zoom(1.25);
       else if (event.key === "-") this.plane.zoom(0.8);
       else if (event.key === "0" || event.key === "Home") return this.fit();
+      else if (event.key === "d" && !event.ctrlKey && !event.metaKey) this.drawing.turn(true);
       else return;
       event.preventDefault();
       this.draw();
@@ -274,15 +244,4 @@ export class CurvePlot {
     const box = this.svg.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
   }
-}
-
-const ARROWS: Record<string, Point> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
-
-function tick(value: number, step: number): string {
-  return pretty(roundTo(value, step), 5);
 }

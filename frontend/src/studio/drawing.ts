@@ -77,7 +77,7 @@ export class Drawing {
   }
 
   private down(event: PointerEvent): void {
-    if (!this.on || event.button !== 0) return;
+    if (!this.on || event.button !== 0 || this.pointer !== null) return;
     event.stopImmediatePropagation();
     event.preventDefault();
     this.svg.focus({ preventScroll: true });
@@ -109,8 +109,14 @@ export class Drawing {
     if (far < CLICK) {
       this.put(this.place.catch(first, event).at);
     } else {
-      const ends = [track[0]!, track.at(-1)!].map((point) => this.place.catch(point, event).at);
-      this.events.stroked([ends[0]!, ...track.slice(1, -1), ends[1]!]);
+      const [begin, end] = [first, track.at(-1)!].map((point) => away(point, this.place.catch(point, event).at));
+      // Where its ends are caught, the stroke goes along, so that it gets no kink.
+      this.events.stroked(
+        track.map(([x, y], i) => {
+          const share = i / (track.length - 1);
+          return [x + (1 - share) * begin![0] + share * end![0], y + (1 - share) * begin![1] + share * end![1]];
+        }),
+      );
       this.turn(false);
     }
     this.draw();
@@ -146,4 +152,8 @@ export class Drawing {
     event.stopImmediatePropagation();
     this.draw();
   }
+}
+
+function away(from: Point, to: Point): Point {
+  return [to[0] - from[0], to[1] - from[1]];
 }

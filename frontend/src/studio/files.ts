@@ -5,7 +5,7 @@ import { download, pickFile } from "./dom.ts";
 import { ServerFault, faultOf, ownFault } from "./faults.ts";
 import { designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "./stale.ts";
-import type { Store } from "./store.ts";
+import type { Named, Store } from "./store.ts";
 import { tomlOf } from "./toml.ts";
 
 export class Files {
@@ -27,12 +27,15 @@ export class Files {
   /** Take the text of a design file in place of the present design; undo brings that back. */
   async take(text: string, name: string): Promise<void> {
     await this.guarded(async () => {
-      const design = await parseDesign(text);
-      this.opening();
-      const opened = { name, design };
-      this.store.open(opened);
-      this.store.saved.set(opened);
+      this.begin({ name, design: await parseDesign(text) });
     });
+  }
+
+  /** Take another design in place of the present one; undo brings that back. */
+  begin(named: Named): void {
+    this.opening();
+    this.store.open(named);
+    this.store.saved.set(named);
   }
 
   async save(): Promise<void> {

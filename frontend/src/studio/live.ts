@@ -3,6 +3,7 @@
 
 import { type View, decodeView } from "../shared/view.ts";
 import { decodeBytes, decodeFloats, fetchRanges, fetchView, verify } from "./api.ts";
+import { isWhole } from "./curve-table.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { earlyContact } from "./lock.ts";
 import { sized } from "./sizing.ts";
@@ -56,6 +57,13 @@ export class Live {
     this.stopResting();
     const { store } = this;
     store.proof.set({ state: "none" });
+    if (!isWhole(store.design.value)) {
+      // A curve is being drawn: there is nothing to ask for.
+      this.pending = null;
+      store.fault.set(null);
+      store.freshness.set("outdated");
+      return;
+    }
     if (store.design.value.tolerance) {
       // Sizes are chosen at the user's word: the search takes seconds.
       this.pending = null;

@@ -7,6 +7,7 @@ import "./studio.css";
 import "./toolbar.css";
 import "./controls.css";
 import "./curves.css";
+import "./drawing.css";
 import "./parameters.css";
 import "./stage.css";
 import "./results.css";

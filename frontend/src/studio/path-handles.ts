@@ -128,6 +128,11 @@ export function withNode(path: Path, near: Point): { path: Path; index: number }
   return { path: { ...path, pieces: path.pieces.toSpliced(best.index, 1, ...parts) }, index: best.index + 1 };
 }
 
+/** The point halfway along a piece. */
+export function halfway(path: Path, index: number): Point {
+  return cut(nodesOf(path)[index]!, path.pieces[index]!, 0.5).at;
+}
+
 function cut(start: Point, piece: Piece, share: number): { at: Point; parts: [Piece, Piece] } {
   if (piece.kind === "A") return cutArc(start, piece, share);
   let row: Point[] = [start, ...piece.control, piece.to];

@@ -7,6 +7,9 @@ const FEWEST = 4;
 const MOST = 17;
 /** Distance of a fitted spline from the curve, relative to the curve's size. */
 const CLOSE = 0.003;
+/** The same of a stroke that was drawn by hand, and the points that it is smoothed with. */
+const BY_HAND = 0.012;
+const STROKE = 80;
 
 /** The spline as a function of the share of the whole chord length. */
 export function splineThrough(points: Point[]): (share: number) => Point {
@@ -29,14 +32,14 @@ export function splineThrough(points: Point[]): (share: number) => Point {
 }
 
 /** As few control points as put a spline on a curve that is given by close samples. */
-export function fitPoints(samples: Point[]): Point[] {
+export function fitPoints(samples: Point[], close = CLOSE): Point[] {
   const lengths = chordLengths(samples);
   const size = Math.hypot(extent(samples, 0), extent(samples, 1));
   let points: Point[] = [];
   for (let count = FEWEST; count <= MOST; count++) {
     points = Array.from({ length: count }, (_, i) => pointAt(samples, lengths, i / (count - 1)));
     if (samples.length <= count) return samples.map(tidy(size));
-    if (farthest(samples, splineThrough(points)) < CLOSE * size) break;
+    if (farthest(samples, splineThrough(points)) < close * size) break;
   }
   return points.map(tidy(size));
 }
@@ -57,6 +60,19 @@ export function splineControls(points: Point[]): [Point, Point][] {
       }) as Point;
     return [control(true), control(false)];
   });
+}
+
+/** Few control points for a stroke that a hand drew, its trembling smoothed out. */
+export function fitStroke(track: Point[]): Point[] {
+  const lengths = chordLengths(track);
+  let smooth = Array.from({ length: STROKE }, (_, i) => pointAt(track, lengths, i / (STROKE - 1)));
+  for (let pass = 0; pass < 4; pass++) {
+    smooth = smooth.map(([x, y], i): Point => {
+      const [a, b] = [smooth[i - 1], smooth[i + 1]];
+      return a && b ? [(a[0] + 2 * x + b[0]) / 4, (a[1] + 2 * y + b[1]) / 4] : [x, y];
+    });
+  }
+  return fitPoints(smooth, BY_HAND);
 }
 
 /**

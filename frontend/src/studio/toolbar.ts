@@ -8,6 +8,7 @@ import type { Store } from "./store.ts";
 import { theme, toggleTheme } from "./theme.ts";
 
 export interface ToolbarEvents {
+  blank(): void;
   open(): void;
   save(): void;
   link(): void;
@@ -51,6 +52,7 @@ export class Toolbar {
       h(
         "div",
         { class: "group" },
+        button({ label: "New design, to be drawn", icon: "blank", text: "New", class: "button with-word", testid: "new", act: events.blank }),
         button({ label: "Open a design file", icon: "open", text: "Open", class: "button with-word", keys: "Ctrl+O", testid: "open", act: events.open }),
         button({ label: "Save the design file", icon: "save", text: "Save", class: "button with-word", keys: "Ctrl+S", testid: "save", act: events.save }),
         button({ label: "Copy a link that holds this design", icon: "link", testid: "link", act: events.link }),
