@@ -7,6 +7,10 @@ if (parent !== window) {
   addEventListener("wheel", (event) => {
     if (!used && !event.ctrlKey) event.stopImmediatePropagation();
   }, { capture: true, passive: true });
+  // One finger up or down is the other page's, wherever it begins; to the side it turns the shell.
+  addEventListener("touchstart", (event) => {
+    if (event.touches.length === 1) event.stopImmediatePropagation();
+  }, { capture: true, passive: true });
   addEventListener("message", ({ source, data }) => {
     if (source === parent && (data === "light" || data === "dark")) window.orishell.setTheme(data);
   });
