@@ -188,7 +188,7 @@ def test_the_front_page_folds_by_itself(browser: Browser, site: Path) -> None:
         assert page.evaluate(OVERFLOW) == 0
         assert frame.evaluate(OVERFLOW) == 0
         assert_folds(page, frame)
-        drawn = "orishell.shell.camera.position.toArray().join()"
+        drawn = "orishell.shell.camera.position.toArray().map((x) => x.toFixed(6)).join()"
         stood = frame.evaluate(drawn)
         swipe(page, 0, -150)
         assert page.evaluate("scrollY") > 100  # up or down: the page's, wherever it begins
