@@ -59,6 +59,7 @@ elif any(GALLERY.glob("plot_*.py")):
         "ignore_pattern": r"^(?!.*plot_)",
         "run_stale_examples": True,
         "abort_on_example_error": False,
+        "capture_repr": (),  # "object at 0x7f..." says nothing, and another thing every time
         "image_scrapers": ("matplotlib", keep_shells),
         "reset_modules": ("matplotlib",),
         "write_computation_times": False,

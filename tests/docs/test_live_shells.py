@@ -142,6 +142,21 @@ def assert_folds(page: Page, frame: Frame) -> None:
     assert np.abs(pixels(page, ".live-stage") - before).mean() > CHANGED
 
 
+def swipe(page: Page, right: float, down: float) -> None:
+    """Move a finger from the middle of the shell."""
+    box = page.locator(".live-stage").bounding_box()
+    assert box is not None
+    x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.6 * box["height"]
+    session = page.context.new_cdp_session(page)
+    for step in range(21):
+        finger = {"x": x + right * step / 20, "y": y + down * step / 20}
+        kind = "touchMove" if step else "touchStart"
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [finger]})
+        page.wait_for_timeout(16)
+    session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    page.wait_for_timeout(300)
+
+
 def test_an_example_is_opened_by_a_key_and_folds_from_disk(browser: Browser, site: Path) -> None:
     base = site.as_uri() + "/"
     size = {"width": 1280, "height": 720}
@@ -173,6 +188,15 @@ def test_the_front_page_folds_by_itself(browser: Browser, site: Path) -> None:
         assert page.evaluate(OVERFLOW) == 0
         assert frame.evaluate(OVERFLOW) == 0
         assert_folds(page, frame)
+        drawn = "orishell.shell.camera.position.toArray().map((x) => x.toFixed(6)).join()"
+        stood = frame.evaluate(drawn)
+        swipe(page, 0, -150)
+        assert page.evaluate("scrollY") > 100  # up or down: the page's, wherever it begins
+        assert frame.evaluate(drawn) == stood
+        page.evaluate("scrollTo(0, 0)")
+        swipe(page, -150, 0)
+        assert page.evaluate("scrollY") == 0
+        assert frame.evaluate(drawn) != stood
         assert page.locator(".ways li").count() == 3
         assert page.locator("article .toctree-wrapper li").count() == 0
 

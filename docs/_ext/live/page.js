@@ -7,6 +7,19 @@ if (parent !== window) {
   addEventListener("wheel", (event) => {
     if (!used && !event.ctrlKey) event.stopImmediatePropagation();
   }, { capture: true, passive: true });
+  // One finger up or down is the other page's, wherever it begins; to the side it turns the shell.
+  addEventListener("touchstart", (event) => {
+    if (event.touches.length === 1) event.stopImmediatePropagation();
+  }, { capture: true, passive: true });
+  let start = null;
+  addEventListener("pointerdown", ({ pointerType, isPrimary, clientX }) => {
+    start = pointerType === "touch" && isPrimary ? clientX : null;
+  }, true);
+  addEventListener("pointermove", (event) => {
+    // Until it is known which it is, the shell keeps still.
+    if (start !== null && Math.abs(event.clientX - start) < 12) event.stopImmediatePropagation();
+    else start = null;
+  }, true);
   addEventListener("message", ({ source, data }) => {
     if (source === parent && (data === "light" || data === "dark")) window.orishell.setTheme(data);
   });
