@@ -2,23 +2,20 @@
 // one waiting; when the design rests, its ranges and its proof.
 
 import { type View, decodeView } from "../shared/view.ts";
-import { decodeBytes, decodeFloats, fetchRanges, fetchView, verify } from "./api.ts";
+import { decodeBytes, decodeFloats, fetchRanges, verify } from "./api.ts";
 import { isWhole } from "./curve-table.ts";
+import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { earlyContact } from "./lock.ts";
 import { sized } from "./sizing.ts";
+import { STATES, allStates, liveStates } from "./states.ts";
 import type { Store } from "./store.ts";
 import type { Design, Report } from "./types.ts";
 
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
-const STATES = 25;
 /** A server that does not answer is asked again after so many milliseconds. */
 const AGAIN = 2000;
-/** Sheets of more vertices get fewer states while they change, and all of them when they rest. */
-const QUICK = 500;
-const MEDIUM = 3000;
-const LARGE = 15000;
 
 interface Pending {
   design: Design;
@@ -71,7 +68,7 @@ export class Live {
       store.freshness.set("outdated");
       return;
     }
-    this.request({ design: store.design.value, changedAt: store.changedAt, states: this.liveStates() });
+    this.request({ design: store.design.value, changedAt: store.changedAt, states: liveStates(store.design.value) });
   }
 
   /** Choose rows and columns by the tolerance. */
@@ -90,16 +87,6 @@ export class Live {
     this.design.abort();
     this.store.busy.set(null);
     this.store.freshness.set("outdated");
-  }
-
-  private liveStates(): number {
-    const vertices = this.vertices();
-    return vertices <= QUICK ? STATES : vertices <= MEDIUM ? 9 : 7;
-  }
-
-  private vertices(): number {
-    const { rows, columns } = this.store.design.value.pattern;
-    return (Number(rows) + 2) * (Number(columns) + 2) || 0;
   }
 
   private request(pending: Pending): void {
@@ -178,7 +165,7 @@ export class Live {
     window.setTimeout(() => {
       if (sequence !== this.sequence || this.running) return;
       const { store } = this;
-      this.request({ design: store.design.value, changedAt: performance.now(), states: this.liveStates() });
+      this.request({ design: store.design.value, changedAt: performance.now(), states: liveStates(store.design.value) });
     }, AGAIN);
   }
 
@@ -202,7 +189,7 @@ export class Live {
     this.rested = new AbortController();
     const { signal } = this.rested;
     const design = this.store.design.value;
-    const all = this.vertices() <= LARGE ? STATES : 13;
+    const all = allStates(design);
     const refined = shown && !design.tolerance && shown.states < all ? this.refine(design, all, signal) : null;
     await Promise.all([
       design.tolerance ? null : this.findRanges(design, signal),

@@ -1,0 +1,24 @@
+// The first shell is asked for while the page that draws it is still being loaded.
+
+import { fetchView as fetchAnew } from "./api.ts";
+import { liveStates } from "./states.ts";
+import type { Design } from "./types.ts";
+
+let early: { design: Design; states: number; view: Promise<ArrayBuffer> } | null = null;
+
+export function askEarly(design: Design): void {
+  if (design.tolerance) return;
+  const states = liveStates(design);
+  const view = fetchAnew(design, states);
+  // Whoever fetches it hears of its fault.
+  view.catch(() => undefined);
+  early = { design, states, view };
+}
+
+/** The view of a design, in bytes: the one asked for early, if it is that. */
+export function fetchView(design: Design, states: number, signal?: AbortSignal): Promise<ArrayBuffer> {
+  const asked = early;
+  early = null;
+  if (asked && asked.design === design && asked.states === states) return asked.view;
+  return fetchAnew(design, states, signal);
+}
