@@ -1,10 +1,10 @@
 // The first shell is asked for while the page that draws it is still being loaded.
 
-import { fetchView as fetchAnew } from "./api.ts";
+import { type Answer, fetchView as fetchAnew } from "./api.ts";
 import { liveStates } from "./states.ts";
 import type { Design } from "./types.ts";
 
-let early: { design: Design; states: number; view: Promise<ArrayBuffer> } | null = null;
+let early: { design: Design; states: number; view: Promise<Answer> } | null = null;
 
 export function askEarly(design: Design): void {
   if (design.tolerance) return;
@@ -15,8 +15,8 @@ export function askEarly(design: Design): void {
   early = { design, states, view };
 }
 
-/** The view of a design, in bytes: the one asked for early, if it is that. */
-export function fetchView(design: Design, states: number, signal?: AbortSignal): Promise<ArrayBuffer> {
+/** The view of a design: the one asked for early, if it is that. */
+export function fetchView(design: Design, states: number, signal?: AbortSignal): Promise<Answer> {
   const asked = early;
   early = null;
   if (asked && asked.design === design && asked.states === states) return asked.view;

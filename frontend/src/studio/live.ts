@@ -1,4 +1,4 @@
-// Keeps the shell on the screen up with the design: at most one request under way and the newest
+// Keeps the shell on the screen up with the design: requests as flights.ts lets them begin, the newest
 // one waiting; when the design rests, its ranges and its proof.
 
 import { type View, decodeView } from "../shared/view.ts";
@@ -6,6 +6,7 @@ import { decodeBytes, decodeFloats, fetchRanges, verify } from "./api.ts";
 import { isWhole } from "./curve-table.ts";
 import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
+import { Flights } from "./flights.ts";
 import { earlyContact } from "./lock.ts";
 import { sized } from "./sizing.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
@@ -26,9 +27,12 @@ interface Pending {
 export class Live {
   /** From the input event to the frame that shows its shell, in milliseconds, newest last. */
   readonly latencies: number[] = [];
-  private running = false;
+  private readonly flights = new Flights();
   private pending: Pending | null = null;
+  private turn = 0;
   private sequence = 0;
+  /** The newest that has been drawn, or refused. */
+  private drawn = 0;
   private timer = 0;
   private resting = false;
   private design = new AbortController();
@@ -44,7 +48,7 @@ export class Live {
 
   /** Nothing is under way or waiting. */
   get idle(): boolean {
-    return !this.running && !this.pending && !this.timer && !this.resting;
+    return !this.flights.under && !this.pending && !this.timer && !this.resting;
   }
 
   /** The design has changed, or is to be computed again. */
@@ -92,17 +96,27 @@ export class Live {
   private request(pending: Pending): void {
     this.pending = pending;
     this.store.freshness.set("computing");
-    if (!this.running) void this.run();
+    void this.advance();
   }
 
-  private async run(): Promise<void> {
-    this.running = true;
-    while (this.pending) {
-      const next = this.pending;
-      this.pending = null;
-      await this.compute(next, this.sequence);
+  /** Ask for what is waiting, as soon as another request may begin. */
+  private async advance(): Promise<void> {
+    clearTimeout(this.turn);
+    if (!this.pending) return;
+    const wait = this.flights.wait(performance.now());
+    if (wait > 0) {
+      if (wait < Infinity) this.turn = window.setTimeout(() => void this.advance(), wait);
+      return;
     }
-    this.running = false;
+    const next = this.pending;
+    this.pending = null;
+    this.flights.begin(performance.now());
+    try {
+      await this.compute(next, this.sequence);
+    } finally {
+      this.flights.end();
+    }
+    void this.advance();
   }
 
   private async compute(next: Pending, sequence: number): Promise<void> {
@@ -112,8 +126,12 @@ export class Live {
     this.design = new AbortController();
     const signal = next.design.tolerance ? this.design.signal : undefined;
     try {
-      const view = decodeView(await fetchView(next.design, next.states, signal));
+      const begun = performance.now();
+      const { bytes, server } = await fetchView(next.design, next.states, signal);
+      this.flights.answered(performance.now() - begun, server);
       if (this.overtaken(next, sequence)) return;
+      this.drawn = sequence;
+      const view = decodeView(bytes);
       store.curves.set(view.header.curves ?? store.curves.value);
       leaveOpen(view);
       store.report.set(view.header.report as Report);
@@ -131,6 +149,7 @@ export class Live {
       if (this.latencies.length > 1000) this.latencies.shift();
     } catch (error) {
       if (signal?.aborted || sequence !== this.sequence) return;
+      this.drawn = sequence;
       this.failed(error);
     }
   }
@@ -139,6 +158,7 @@ export class Live {
    * by other means (another family, an opened file), where it would flash up. */
   private overtaken(next: Pending, sequence: number): boolean {
     if (sequence === this.sequence) return false;
+    if (sequence < this.drawn) return true;
     const now = this.store.design.value;
     return (
       now.shell !== next.design.shell ||
@@ -163,7 +183,7 @@ export class Live {
   /** Ask until the server is back, or the design changes. */
   private tryAgain(sequence: number): void {
     window.setTimeout(() => {
-      if (sequence !== this.sequence || this.running) return;
+      if (sequence !== this.sequence || this.flights.under) return;
       const { store } = this;
       this.request({ design: store.design.value, changedAt: performance.now(), states: liveStates(store.design.value) });
     }, AGAIN);
@@ -202,7 +222,7 @@ export class Live {
   private async refine(design: Design, states: number, signal: AbortSignal): Promise<void> {
     const before = this.store.view.value;
     try {
-      const view = decodeView(await fetchView(design, states, signal));
+      const view = decodeView((await fetchView(design, states, signal)).bytes);
       // The proof may have come first, with a shell of its own: other flaps, or boards as cut.
       if (signal.aborted || this.store.view.value !== before) return;
       leaveOpen(view);
