@@ -1,13 +1,14 @@
 // The first shell is asked for while the page that draws it is still being loaded.
 
 import { type Answer, fetchView as fetchAnew } from "./api.ts";
+import { isWhole } from "./curve-table.ts";
 import { liveStates } from "./states.ts";
 import type { Design } from "./types.ts";
 
 let early: { design: Design; states: number; view: Promise<Answer> } | null = null;
 
 export function askEarly(design: Design): void {
-  if (design.tolerance) return;
+  if (design.tolerance || !isWhole(design)) return;
   const states = liveStates(design);
   const view = fetchAnew(design, states);
   // Whoever fetches it hears of its fault.

@@ -1,13 +1,14 @@
 // Keeps the shell on the screen up with the design: requests as flights.ts lets them begin, the newest
 // one waiting; when the design rests, its ranges and its proof.
 
-import { type View, decodeView } from "../shared/view.ts";
+import { decodeView } from "../shared/view.ts";
 import { decodeBytes, decodeFloats, fetchRanges, verify } from "./api.ts";
 import { isWhole } from "./curve-table.ts";
 import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { Flights } from "./flights.ts";
 import { earlyContact } from "./lock.ts";
+import { leaveOpen } from "./left-open.ts";
 import { sized } from "./sizing.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
 import type { Store } from "./store.ts";
@@ -295,12 +296,4 @@ export class Live {
       if (fault.kind === "network") this.tryAgain(this.sequence);
     }
   }
-}
-
-/** Take from a view what only the proof can say: the figures then call it not yet known. */
-function leaveOpen(view: View): void {
-  const { lock: _, deviation, ...rest } = view.header.report;
-  const { surface: _surface, ...known } = deviation ?? {};
-  view.header.report = { ...rest, deviation: known };
-  view.header.contact = null;
 }
