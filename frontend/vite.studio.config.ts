@@ -1,9 +1,26 @@
 // The studio: index.html and hashed files beside it, with relative addresses.
-import { defineConfig } from "vite";
+import { type Plugin, defineConfig } from "vite";
+
+/** What the page imports first of all is loaded along with what imports it. */
+const preloadApp: Plugin = {
+  name: "preload-app",
+  transformIndexHtml: {
+    order: "post",
+    handler: (_, { bundle }) =>
+      Object.values(bundle ?? {})
+        .filter((each) => each.type === "chunk" && each.isDynamicEntry)
+        .map(({ fileName }) => ({
+          tag: "link",
+          injectTo: "head" as const,
+          attrs: { rel: "modulepreload", crossorigin: "", href: `./${fileName}` },
+        })),
+  },
+};
 
 export default defineConfig({
   base: "./",
   publicDir: false,
+  plugins: [preloadApp],
   build: {
     outDir: "../src/orishell/studio/static",
     emptyOutDir: false,

@@ -236,11 +236,12 @@ export interface DroppedCurve {
   note: string;
 }
 
-/** A design to begin with, as the text of a design file. */
+/** A design to begin with: its tables, and the text of its file. */
 export interface Example {
   name: string;
   title: string;
   text: string;
+  design: Record<string, unknown>;
 }
 
 /** A family of crease patterns. */

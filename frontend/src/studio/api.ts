@@ -39,13 +39,22 @@ export function fetchInfo(): Promise<Info> {
   return json("info");
 }
 
-/** The view of a design, in bytes; see shared/view.ts. */
+export interface Answer {
+  /** See shared/view.ts. */
+  bytes: ArrayBuffer;
+  /** How long the server took (milliseconds). */
+  server: number;
+}
+
+/** The view of a design. */
 export async function fetchView(
   design: Design,
   states: number,
   signal?: AbortSignal,
-): Promise<ArrayBuffer> {
-  return (await ask("design", { design, states }, signal)).arrayBuffer();
+): Promise<Answer> {
+  const response = await ask("design", { design, states }, signal);
+  const server = Number(/dur=([\d.]+)/.exec(response.headers.get("Server-Timing") ?? "")?.[1] ?? 0);
+  return { bytes: await response.arrayBuffer(), server };
 }
 
 export async function fetchRanges(design: Design, signal: AbortSignal): Promise<Ranges> {

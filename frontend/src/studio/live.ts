@@ -1,24 +1,23 @@
-// Keeps the shell on the screen up with the design: at most one request under way and the newest
+// Keeps the shell on the screen up with the design: requests as flights.ts lets them begin, the newest
 // one waiting; when the design rests, its ranges and its proof.
 
-import { type View, decodeView } from "../shared/view.ts";
-import { decodeBytes, decodeFloats, fetchRanges, fetchView, verify } from "./api.ts";
+import { decodeView } from "../shared/view.ts";
+import { decodeBytes, decodeFloats, fetchRanges, verify } from "./api.ts";
 import { isWhole } from "./curve-table.ts";
+import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
+import { Flights } from "./flights.ts";
 import { earlyContact } from "./lock.ts";
+import { leaveOpen } from "./left-open.ts";
 import { sized } from "./sizing.ts";
+import { STATES, allStates, liveStates } from "./states.ts";
 import type { Store } from "./store.ts";
 import type { Design, Report } from "./types.ts";
 
 /** Rest after which ranges and the proof are asked for, in milliseconds. */
 const REST = 400;
-const STATES = 25;
 /** A server that does not answer is asked again after so many milliseconds. */
 const AGAIN = 2000;
-/** Sheets of more vertices get fewer states while they change, and all of them when they rest. */
-const QUICK = 500;
-const MEDIUM = 3000;
-const LARGE = 15000;
 
 interface Pending {
   design: Design;
@@ -29,9 +28,12 @@ interface Pending {
 export class Live {
   /** From the input event to the frame that shows its shell, in milliseconds, newest last. */
   readonly latencies: number[] = [];
-  private running = false;
+  private readonly flights = new Flights();
   private pending: Pending | null = null;
+  private turn = 0;
   private sequence = 0;
+  /** The newest that has been drawn, or refused. */
+  private drawn = 0;
   private timer = 0;
   private resting = false;
   private design = new AbortController();
@@ -47,7 +49,7 @@ export class Live {
 
   /** Nothing is under way or waiting. */
   get idle(): boolean {
-    return !this.running && !this.pending && !this.timer && !this.resting;
+    return !this.flights.under && !this.pending && !this.timer && !this.resting;
   }
 
   /** The design has changed, or is to be computed again. */
@@ -71,7 +73,7 @@ export class Live {
       store.freshness.set("outdated");
       return;
     }
-    this.request({ design: store.design.value, changedAt: store.changedAt, states: this.liveStates() });
+    this.request({ design: store.design.value, changedAt: store.changedAt, states: liveStates(store.design.value) });
   }
 
   /** Choose rows and columns by the tolerance. */
@@ -92,30 +94,30 @@ export class Live {
     this.store.freshness.set("outdated");
   }
 
-  private liveStates(): number {
-    const vertices = this.vertices();
-    return vertices <= QUICK ? STATES : vertices <= MEDIUM ? 9 : 7;
-  }
-
-  private vertices(): number {
-    const { rows, columns } = this.store.design.value.pattern;
-    return (Number(rows) + 2) * (Number(columns) + 2) || 0;
-  }
-
   private request(pending: Pending): void {
     this.pending = pending;
     this.store.freshness.set("computing");
-    if (!this.running) void this.run();
+    void this.advance();
   }
 
-  private async run(): Promise<void> {
-    this.running = true;
-    while (this.pending) {
-      const next = this.pending;
-      this.pending = null;
-      await this.compute(next, this.sequence);
+  /** Ask for what is waiting, as soon as another request may begin. */
+  private async advance(): Promise<void> {
+    clearTimeout(this.turn);
+    if (!this.pending) return;
+    const wait = this.flights.wait(performance.now());
+    if (wait > 0) {
+      if (wait < Infinity) this.turn = window.setTimeout(() => void this.advance(), wait);
+      return;
     }
-    this.running = false;
+    const next = this.pending;
+    this.pending = null;
+    this.flights.begin(performance.now());
+    try {
+      await this.compute(next, this.sequence);
+    } finally {
+      this.flights.end();
+    }
+    void this.advance();
   }
 
   private async compute(next: Pending, sequence: number): Promise<void> {
@@ -125,8 +127,12 @@ export class Live {
     this.design = new AbortController();
     const signal = next.design.tolerance ? this.design.signal : undefined;
     try {
-      const view = decodeView(await fetchView(next.design, next.states, signal));
+      const begun = performance.now();
+      const { bytes, server } = await fetchView(next.design, next.states, signal);
+      this.flights.answered(performance.now() - begun, server);
       if (this.overtaken(next, sequence)) return;
+      this.drawn = sequence;
+      const view = decodeView(bytes);
       store.curves.set(view.header.curves ?? store.curves.value);
       leaveOpen(view);
       store.report.set(view.header.report as Report);
@@ -144,6 +150,7 @@ export class Live {
       if (this.latencies.length > 1000) this.latencies.shift();
     } catch (error) {
       if (signal?.aborted || sequence !== this.sequence) return;
+      this.drawn = sequence;
       this.failed(error);
     }
   }
@@ -152,6 +159,7 @@ export class Live {
    * by other means (another family, an opened file), where it would flash up. */
   private overtaken(next: Pending, sequence: number): boolean {
     if (sequence === this.sequence) return false;
+    if (sequence < this.drawn) return true;
     const now = this.store.design.value;
     return (
       now.shell !== next.design.shell ||
@@ -176,9 +184,9 @@ export class Live {
   /** Ask until the server is back, or the design changes. */
   private tryAgain(sequence: number): void {
     window.setTimeout(() => {
-      if (sequence !== this.sequence || this.running) return;
+      if (sequence !== this.sequence || this.flights.under) return;
       const { store } = this;
-      this.request({ design: store.design.value, changedAt: performance.now(), states: this.liveStates() });
+      this.request({ design: store.design.value, changedAt: performance.now(), states: liveStates(store.design.value) });
     }, AGAIN);
   }
 
@@ -202,7 +210,7 @@ export class Live {
     this.rested = new AbortController();
     const { signal } = this.rested;
     const design = this.store.design.value;
-    const all = this.vertices() <= LARGE ? STATES : 13;
+    const all = allStates(design);
     const refined = shown && !design.tolerance && shown.states < all ? this.refine(design, all, signal) : null;
     await Promise.all([
       design.tolerance ? null : this.findRanges(design, signal),
@@ -215,7 +223,7 @@ export class Live {
   private async refine(design: Design, states: number, signal: AbortSignal): Promise<void> {
     const before = this.store.view.value;
     try {
-      const view = decodeView(await fetchView(design, states, signal));
+      const view = decodeView((await fetchView(design, states, signal)).bytes);
       // The proof may have come first, with a shell of its own: other flaps, or boards as cut.
       if (signal.aborted || this.store.view.value !== before) return;
       leaveOpen(view);
@@ -288,12 +296,4 @@ export class Live {
       if (fault.kind === "network") this.tryAgain(this.sequence);
     }
   }
-}
-
-/** Take from a view what only the proof can say: the figures then call it not yet known. */
-function leaveOpen(view: View): void {
-  const { lock: _, deviation, ...rest } = view.header.report;
-  const { surface: _surface, ...known } = deviation ?? {};
-  view.header.report = { ...rest, deviation: known };
-  view.header.contact = null;
 }

@@ -19,19 +19,19 @@ import "./tour.css";
 import "./windows.css";
 import "./touch.css";
 import "./theme.ts";
-import { fetchInfo, parseDesign } from "./api.ts";
-import { buildStudio } from "./app.ts";
+import { fetchInfo } from "./api.ts";
 import { h } from "./dom.ts";
+import { askEarly } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { keepUnsaved, readKept, storageOf } from "./kept.ts";
 import { type Named, Store } from "./store.ts";
 import type { Design } from "./types.ts";
 
 async function start(root: HTMLElement): Promise<void> {
+  const page = import("./app.ts");
   const info = await fetchInfo();
   const first = info.start ?? info.examples[0]!;
-  const design = "design" in first ? (first.design as unknown as Design) : await parseDesign(first.text);
-  const named: Named = { name: first.name, design };
+  const named: Named = { name: first.name, design: first.design as unknown as Design };
   const kept = readKept(storageOf(window));
   const other = kept !== null && info.start !== null && kept.name !== first.name;
   const store = new Store(info, other ? kept : named);
@@ -43,7 +43,8 @@ async function start(root: HTMLElement): Promise<void> {
     store.open(kept, "work that was not saved");
     store.said.set("Your unsaved work is back; undo leaves it");
   }
-  buildStudio(root, store);
+  askEarly(store.design.value);
+  (await page).buildStudio(root, store);
   keepUnsaved(store, window);
 }
 

@@ -56,11 +56,12 @@ class Family(TypedDict):
 
 
 class Example(TypedDict):
-    """A design to begin with, as the text of a design file."""
+    """A design to begin with: its tables, and the text of its file."""
 
     name: str
     title: str
     text: str
+    design: Tables
 
 
 class FileFormat(TypedDict):

@@ -7,6 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.design_file.workshop import WorkshopTable
 from orishell.families.parameters import knobs_of
@@ -22,7 +23,12 @@ def describe_families() -> dict[str, Family]:
 def describe_examples() -> list[Example]:
     """A design of every family to begin with."""
     return [
-        {"name": name, "title": f"{family.label} shell of the paper", "text": starter_file(name)}
+        {
+            "name": name,
+            "title": f"{family.label} shell of the paper",
+            "text": starter_file(name),
+            "design": parse_toml(starter_file(name)),
+        }
         for name, family in FAMILIES.items()
     ]
 
