@@ -47,6 +47,8 @@ export class CurvePlot {
   private readonly handles: PlotHandles;
   private shown: Shown = { samples: [], stale: false, handles: [], joined: false, blank: null };
   private wantsFit = true;
+  /** Where a point is caught. */
+  private words = "";
 
   constructor(
     name: CurveName,
@@ -178,16 +180,19 @@ export class CurvePlot {
     const reach = (event.pointerType === "touch" ? REACH.touch : REACH.mouse) / this.plane.scale;
     const found = event.altKey ? { at, guides: [], words: "" } : caught(at, { others, middle, step: this.plane.step, reach });
     this.guides.setAttribute("d", guidesOf(this.plane, found.guides));
-    this.showHint(found.words);
+    this.words = found.words;
+    this.showHint();
     return found;
   }
 
   private free(): void {
     this.guides.setAttribute("d", "");
+    this.words = "";
     this.showHint();
   }
 
-  private showHint(words = ""): void {
+  private showHint(): void {
+    const { words } = this;
     const { blank } = this.shown;
     const waiting = this.drawing.active && this.events.last() === null;
     const text = words || (waiting ? `${blank?.words ?? "A new curve:"} ${HOW_TO_DRAW}` : blank ? NOTHING_YET : "");
