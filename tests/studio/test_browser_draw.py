@@ -78,6 +78,7 @@ def test_from_empty_planes_to_a_shell(page: Page) -> None:
     assert 4 <= len(target(page, "f")["points"]) <= 9
     assert "path g" in cover.inner_text()
     # Each click goes to the end, whichever way it lies; undo takes one back.
+    still = plane(page, "g")["y"]
     put(page, "g", (0.2, 0.6), (0.8, 0.6), (0.5, 0.4))
     xs = [x for x, _ in target(page, "g")["points"]]
     assert xs[0] < xs[2] < xs[1]
@@ -85,6 +86,7 @@ def test_from_empty_planes_to_a_shell(page: Page) -> None:
     assert [x for x, _ in target(page, "g")["points"]] == xs[:2]
     page.keyboard.press("Enter")
     assert page.get_by_test_id("draw-g").get_attribute("aria-pressed") == "false"
+    assert plane(page, "g")["y"] == still  # nothing moves under who draws
     drawn(page)
     assert cover.is_hidden()
     # From left to right between two ends: the order stays what it was.
@@ -246,7 +248,9 @@ def test_curves_are_drawn_with_a_finger(browser: Browser, address: str) -> None:
             for x, y in places:
                 page.touchscreen.tap(box["x"] + x * box["width"], box["y"] + y * box["height"])
             await_frames(page)
-            assert len(target(page, name)["points"]) == len(places)
+            points = target(page, name)["points"]
+            assert len(points) == len(places)
+            assert points[0][1] == points[-1][1]
             page.get_by_test_id(f"draw-{name}").tap()
         drawn(page)
         keep_picture(page, "studio-drawn-phone")
