@@ -162,7 +162,7 @@ export class CurvePlot {
   }
 
   private resized(): void {
-    const { width, height } = this.element.getBoundingClientRect();
+    const { width, height } = this.svg.getBoundingClientRect();
     if (!width || !height) return;
     const grown = width / this.plane.width;
     this.plane.width = width;
