@@ -78,6 +78,7 @@ def test_from_empty_planes_to_a_shell(page: Page) -> None:
     assert 4 <= len(target(page, "f")["points"]) <= 9
     assert "path g" in cover.inner_text()
     # Each click goes to the end, whichever way it lies; undo takes one back.
+    still = plane(page, "g")["y"]
     put(page, "g", (0.2, 0.6), (0.8, 0.6), (0.5, 0.4))
     xs = [x for x, _ in target(page, "g")["points"]]
     assert xs[0] < xs[2] < xs[1]
@@ -85,6 +86,7 @@ def test_from_empty_planes_to_a_shell(page: Page) -> None:
     assert [x for x, _ in target(page, "g")["points"]] == xs[:2]
     page.keyboard.press("Enter")
     assert page.get_by_test_id("draw-g").get_attribute("aria-pressed") == "false"
+    assert plane(page, "g")["y"] == still  # nothing moves under who draws
     drawn(page)
     assert cover.is_hidden()
     # From left to right between two ends: the order stays what it was.
@@ -223,17 +225,36 @@ def test_a_spline_as_a_path_keeps_its_shape_and_has_tangents(page: Page) -> None
     drawn(page)
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_tools_of_the_curves_have_room(browser: Browser, address: str, size: str) -> None:
-    with opened(browser, address, **SIZES[size]) as page:
-        page.get_by_test_id("new").click()
-        stroke(page, "f")
-        put(page, "g", (0.2, 0.6), (0.8, 0.6))
-        page.get_by_test_id("draw-g").click()
-        drawn(page)
+def test_tools_of_the_curves_have_room(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    page.locator("label:has([data-testid=mode-f-path])").click()
+    drawn(page)
+    for size in SIZES.values():
+        page.set_viewport_size({"width": size["width"], "height": size["height"]})
         for name in "fg":
             controls = page.locator(
                 f"[data-curve={name}] :is(.curve-tools :is(button, .number), .curve-head label)"
             )
-            require_apart(page, controls.all(), SIZES[size]["width"])
-        keep_picture(page, f"studio-drawn-{size}")
+            require_apart(page, controls.all(), size["width"])
+    page.set_viewport_size({"width": 1280, "height": 720})
+
+
+def test_curves_are_drawn_with_a_finger(browser: Browser, address: str) -> None:
+    with opened(browser, address, **SIZES["phone"], color_scheme="dark") as page:
+        page.get_by_test_id("new").tap()
+        drawings = {"f": ((0.3, 0.7), (0.5, 0.4), (0.7, 0.7)), "g": ((0.1, 0.5), (0.9, 0.5))}
+        for name, places in drawings.items():
+            box = plane(page, name)
+            for x, y in places:
+                page.touchscreen.tap(box["x"] + x * box["width"], box["y"] + y * box["height"])
+            await_frames(page)
+            points = target(page, name)["points"]
+            assert len(points) == len(places)
+            assert points[0][1] == points[-1][1]
+            page.get_by_test_id(f"draw-{name}").tap()
+        drawn(page)
+        keep_picture(page, "studio-drawn-phone")
+        reach = place(page.locator("[data-testid=point-f-1] .handle-reach"))
+        assert min(reach["width"], reach["height"]) >= 44
+        page.get_by_test_id("add-g").tap()
+        assert len(target(page, "g")["points"]) == 3

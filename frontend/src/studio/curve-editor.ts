@@ -8,8 +8,9 @@ import { BLANK, FALLBACK, FILES, MODES, TITLES, WIDTHS, WORDS } from "./curve-wo
 import { Dimensions } from "./dimensions.ts";
 import { h, pickFile, setAttribute } from "./dom.ts";
 import { faultOf, isAbout, sentence } from "./faults.ts";
+import { figureSwitch } from "./figure-switch.ts";
 import { FormulaFields } from "./formula-fields.ts";
-import { groundOf } from "./ground.ts";
+import { groundOf, headOf } from "./ground.ts";
 import { icon } from "./icons.ts";
 import { PointFields } from "./point-fields.ts";
 import { fitStroke } from "./spline.ts";
@@ -61,8 +62,8 @@ export class CurveEditor {
         stroked: (track) => this.take([...this.begun, ...fitStroke(track)], true, `a stroke of ${name}`),
         turned: (on) => this.turned(on),
         last: () => this.begun.at(-1) ?? null,
-        backdrop: (plane) =>
-          name === "f" ? groundOf(plane, this.samples, store.design.value.shell.unit, store.figure.value) : [],
+        beside: () => (name === "f" && store.figure.value ? headOf(this.samples, this.unit) : []),
+        backdrop: (plane) => (name === "f" ? groundOf(plane, this.samples, this.unit, store.figure.value) : []),
       },
     );
     this.fields = new PointFields(name, {
@@ -102,6 +103,10 @@ export class CurveEditor {
     return this.store.design.value.target[this.name];
   }
 
+  private get unit(): string {
+    return this.store.design.value.shell.unit;
+  }
+
   private get samples(): Point[] {
     return tables.samplesOf(this.table) ?? this.store.curves.value?.[this.name] ?? [];
   }
@@ -113,18 +118,8 @@ export class CurveEditor {
   }
 
   private build(): HTMLElement {
-    const { name, store } = this;
-    const figure = h("input", { type: "checkbox", "data-testid": "figure-f", onchange: () => store.figure.set(figure.checked) });
-    store.figure.bind((on) => (figure.checked = on));
-    const person = h("label", { class: "check", title: "a person of 1.75 m, where that is no speck and fits" }, figure, "Person");
-    const tools = h(
-      "div",
-      { class: "plot-tools" },
-      button({ label: `Zoom in on ${name}`, icon: "plus", act: () => this.plot.zoom(1.25) }),
-      button({ label: `Zoom out of ${name}`, icon: "minus", act: () => this.plot.zoom(0.8) }),
-      button({ label: `Fit ${name} into view`, icon: "fit", act: () => this.plot.fit() }),
-    );
-    this.plot.element.append(tools, h("div", { class: "drop-hint" }, "Drop a CSV, SVG or DXF file"));
+    const { name } = this;
+    this.plot.element.append(h("div", { class: "drop-hint" }, "Drop a CSV, SVG or DXF file"));
     return h(
       "section",
       { class: "curve-editor", "aria-label": `Curve ${name}`, "data-curve": name },
@@ -144,7 +139,7 @@ export class CurveEditor {
           testid: `file-${name}`,
           act: () => void pickFile(FILES).then((file) => file && this.read(file)),
         }),
-        name === "f" ? person : null,
+        name === "f" ? figureSwitch(this.store) : null,
         this.dimensions.element,
       ),
       this.plot.element,
@@ -155,10 +150,9 @@ export class CurveEditor {
   }
 
   private refresh(): void {
-    const { table, store } = this;
+    const { table, unit } = this;
     const mode = tables.modeOf(table);
     const handles = tables.handlesIn(table);
-    const { unit } = store.design.value.shell;
     if (this.shown !== table) {
       // What was said was of another curve.
       if (!isAbout(this.store.fault.value, this.name)) this.say("");
@@ -255,7 +249,7 @@ export class CurveEditor {
   /** Take the curve of a CSV, SVG or DXF file. */
   async read(file: File): Promise<void> {
     try {
-      const { table, note } = await readCurve(file, this.store.design.value.shell.unit);
+      const { table, note } = await readCurve(file, this.unit);
       this.plot.drawing.turn(false);
       this.plot.refit();
       this.store.setCurve(this.name, table as CurveTable, `${this.name} from ${file.name}`);

@@ -1,5 +1,6 @@
 // A curve in its plane: shown, dragged by its handles, drawn anew.
 
+import { button } from "./controls.ts";
 import { h, s, setAttribute } from "./dom.ts";
 import { type DrawEvents, Drawing } from "./drawing.ts";
 import { Plane, boxOf } from "./plane.ts";
@@ -11,6 +12,8 @@ import type { CurveName, Point } from "./types.ts";
 export interface PlotEvents extends HandleEvents, DrawEvents {
   /** A point is wanted where the curve is nearest. */
   added(at: Point): void;
+  /** What is in view with the curve. */
+  beside(): Point[];
   /** What stands behind the curve. */
   backdrop(plane: Plane): Node[];
 }
@@ -47,6 +50,8 @@ export class CurvePlot {
   private readonly handles: PlotHandles;
   private shown: Shown = { samples: [], stale: false, handles: [], joined: false, blank: null };
   private wantsFit = true;
+  /** Where a point is caught. */
+  private words = "";
 
   constructor(
     name: CurveName,
@@ -87,7 +92,14 @@ export class CurvePlot {
     };
     this.drawing = new Drawing(this.svg, { ...place, catch: (at, event) => this.catchDrawn(at, event) }, { ...events, turned });
     this.svg.append(this.drawing.element);
-    this.element = h("div", { class: `plot-frame curve-${name}` }, this.svg, this.hint);
+    const tools = h(
+      "div",
+      { class: "plot-tools" },
+      button({ label: `Zoom in on ${name}`, icon: "plus", act: () => this.zoom(1.25) }),
+      button({ label: `Zoom out of ${name}`, icon: "minus", act: () => this.zoom(0.8) }),
+      button({ label: `Fit ${name} into view`, icon: "fit", act: () => this.fit() }),
+    );
+    this.element = h("div", { class: `plot-frame curve-${name}` }, this.svg, this.hint, tools);
     this.listen();
     new ResizeObserver(() => this.resized()).observe(this.element);
   }
@@ -95,7 +107,7 @@ export class CurvePlot {
   show(shown: Shown): void {
     this.shown = shown;
     const { samples, stale, handles, blank } = shown;
-    const box = boxOf(samples.length ? samples : handles.map(({ at }) => at));
+    const box = boxOf([...(samples.length ? samples : handles.map(({ at }) => at)), ...this.events.beside()]);
     if (blank) {
       if (this.wantsFit) this.plane.fit({ low: [-blank.width / 2, 0], high: [blank.width / 2, blank.width / 4] });
       this.wantsFit = false;
@@ -116,7 +128,8 @@ export class CurvePlot {
   }
 
   fit(): void {
-    const box = boxOf([...this.shown.samples, ...this.shown.handles.map(({ at }) => at)]);
+    const { samples, handles } = this.shown;
+    const box = boxOf([...samples, ...handles.map(({ at }) => at), ...this.events.beside()]);
     if (box) this.plane.fit(box);
     this.draw();
   }
@@ -149,7 +162,7 @@ export class CurvePlot {
   }
 
   private resized(): void {
-    const { width, height } = this.element.getBoundingClientRect();
+    const { width, height } = this.svg.getBoundingClientRect();
     if (!width || !height) return;
     const grown = width / this.plane.width;
     this.plane.width = width;
@@ -178,16 +191,19 @@ export class CurvePlot {
     const reach = (event.pointerType === "touch" ? REACH.touch : REACH.mouse) / this.plane.scale;
     const found = event.altKey ? { at, guides: [], words: "" } : caught(at, { others, middle, step: this.plane.step, reach });
     this.guides.setAttribute("d", guidesOf(this.plane, found.guides));
-    this.showHint(found.words);
+    this.words = found.words;
+    this.showHint();
     return found;
   }
 
   private free(): void {
     this.guides.setAttribute("d", "");
+    this.words = "";
     this.showHint();
   }
 
-  private showHint(words = ""): void {
+  private showHint(): void {
+    const { words } = this;
     const { blank } = this.shown;
     const waiting = this.drawing.active && this.events.last() === null;
     const text = words || (waiting ? `${blank?.words ?? "A new curve:"} ${HOW_TO_DRAW}` : blank ? NOTHING_YET : "");

@@ -68,9 +68,8 @@ export class Dimensions {
   show(table: CurveTable, samples: Point[], unit: string): void {
     const box = boxOf(samples);
     this.table = table;
-    this.element.hidden = !box;
-    if (!box) return;
-    this.extents = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
+    // Without a curve boxes stay, empty: what is below does not move under the pointer that draws it.
+    this.extents = box ? [box.high[0] - box.low[0], box.high[1] - box.low[1]] : [0, 0];
     const least = NOTHING * Math.max(...this.extents);
     MEASURES[this.name].forEach((measure, k) => {
       const extent = this.extents[measure.axis(this.extents)];
@@ -78,7 +77,7 @@ export class Dimensions {
       input.disabled = !(extent > least);
       this.units[k]!.textContent = unit;
       // While it is typed into, a box says what is typed.
-      if (!this.base || document.activeElement !== input) setNumber(input, short(extent, 5));
+      if (!this.base || document.activeElement !== input) setNumber(input, box ? short(extent, 5) : "");
     });
   }
 

@@ -2,13 +2,25 @@
 
 import { PERSON, heightOfPerson } from "../shared/person.ts";
 import { s } from "./dom.ts";
-import type { Plane } from "./plane.ts";
+import { type Plane, boxOf } from "./plane.ts";
 import { line } from "./plot-grid.ts";
 import type { Point } from "./types.ts";
 
 /** Shares of the plane's height between which a person is worth drawing. */
 const [SMALLEST, LARGEST] = [0.05, 1];
+/** How many times as high as the curve a person may be who is to be in view with it. */
+const TALLER = 1.6;
 const HATCH = 8;
+
+/** What of a person is to be in view beside a curve, unless that would make a speck of it. */
+export function headOf(samples: Point[], unit: string): Point[] {
+  const box = boxOf(samples);
+  if (!box) return [];
+  const height = heightOfPerson(unit);
+  const level = Math.min(samples[0]![1], samples.at(-1)![1]);
+  const large = height < TALLER * (box.high[1] - box.low[1]);
+  return large ? [[(box.low[0] + box.high[0]) / 2, level + height]] : [];
+}
 
 /** The ground at a curve's lower end, and a person on it in the middle of the curve. */
 export function groundOf(plane: Plane, samples: Point[], unit: string, person: boolean): Node[] {
