@@ -98,8 +98,9 @@ export class Touch3D implements Guest {
 
   move(motion: Motion, { drive }: Drawing): void {
     const contact = this.view && contactOf(this.view);
-    this.dot.visible = contact !== null && Math.abs(drive - contact.drive_deg) < NEAR;
-    if (!contact || !this.dot.visible) return;
+    const here = contact && Math.abs(drive - contact.drive_deg) < NEAR;
+    this.dot.visible = here === true;
+    if (!here) return;
     const [one, other] = contact.panels.map((panel) => [0, 1, 2, 3].map((k) => motion.at(4 * panel + k, new Vector3())));
     this.dot.set(Float32Array.from(nearestOf(one!, other!).point));
   }
