@@ -14,8 +14,6 @@ import type { View } from "./view.ts";
 
 /** Dashes of a slack tie. */
 const DASHES = 24;
-/** Panels this near to each other, as a share of their size, touch as far as one can see. */
-const TOUCHING = 0.02;
 /** Drives nearer to the contact than this show its place (degrees). */
 const NEAR = 1;
 
@@ -100,12 +98,11 @@ export class Touch3D implements Guest {
 
   move(motion: Motion, { drive }: Drawing): void {
     const contact = this.view && contactOf(this.view);
-    this.dot.visible = contact !== null && Math.abs(drive - contact.drive_deg) < NEAR;
-    if (!contact || !this.dot.visible) return;
+    const here = contact && Math.abs(drive - contact.drive_deg) < NEAR;
+    this.dot.visible = here === true;
+    if (!here) return;
     const [one, other] = contact.panels.map((panel) => [0, 1, 2, 3].map((k) => motion.at(4 * panel + k, new Vector3())));
-    const { gap, point } = nearestOf(one!, other!);
-    this.dot.visible = gap < TOUCHING * one![0]!.distanceTo(one![2]!);
-    this.dot.set(Float32Array.from(point));
+    this.dot.set(Float32Array.from(nearestOf(one!, other!).point));
   }
 
   paint(theme: Theme): void {

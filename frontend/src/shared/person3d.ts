@@ -16,11 +16,15 @@ const SMALLEST = 0.5;
 const LARGEST = 40;
 /** Clear of the shell beside which it stands, in its height. */
 const BESIDE = 0.35;
+/** How much of it is seen through the shell. */
+const THROUGH = 0.35;
 /** Room over its head where it stands inside, in its height. */
 const OVER = 1.03;
 
 export class Person3D implements Guest {
   private readonly figure;
+  /** The same, faintly where the shell hides it. */
+  private readonly hidden;
   private readonly ink = { value: [0, 0, 0] };
   private readonly foot = { value: new Vector3() };
   private readonly tall = { value: 1 };
@@ -29,17 +33,18 @@ export class Person3D implements Guest {
   private on = true;
 
   constructor(uniforms: Uniforms) {
-    const own = { ...uniforms, ink: this.ink, foot: this.foot, tall: this.tall, opacity: { value: 1 } };
-    this.figure = part(material(figureVertex, plainFragment, own), 0);
+    const own = { ...uniforms, ink: this.ink, foot: this.foot, tall: this.tall };
+    this.figure = part(material(figureVertex, plainFragment, { ...own, opacity: { value: 1 } }), 0);
+    this.hidden = part(material(figureVertex, plainFragment, { ...own, opacity: { value: THROUGH } }, { transparent: true, depthTest: false, depthWrite: false }), 7);
     const outline = PERSON.map(([x, y]) => new Vector2(x, y));
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(Float32Array.from(PERSON.flatMap(([x, y]) => [x, y, 0])), 3));
     geometry.setIndex(ShapeUtils.triangulateShape(outline, []).flat());
-    this.figure.geometry = geometry;
+    this.figure.geometry = this.hidden.geometry = geometry;
   }
 
   get drawn() {
-    return [this.figure];
+    return [this.figure, this.hidden];
   }
 
   /** Whether a person says anything of a shell's size. */
@@ -71,7 +76,7 @@ export class Person3D implements Guest {
 
   /** Inside only while the shell stands: on the way panels would cut through it. */
   move(_: Motion, { atTarget, ground }: Drawing): void {
-    this.figure.visible = this.on && this.fits && (atTarget || !this.inside);
+    this.figure.visible = this.hidden.visible = this.on && this.fits && (atTarget || !this.inside);
     this.foot.value.z = ground;
   }
 
@@ -81,6 +86,6 @@ export class Person3D implements Guest {
 
   dispose(): void {
     this.figure.geometry.dispose();
-    this.figure.material.dispose();
+    for (const each of this.drawn) each.material.dispose();
   }
 }

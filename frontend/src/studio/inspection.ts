@@ -18,6 +18,9 @@ import type { Store } from "./store.ts";
 
 const TYPING = "input, select, textarea, dialog, [popover]";
 
+/** Windows in which cards would lie over the whole shell. */
+const NARROW = matchMedia("(max-width: 560px)");
+
 export function addInspection(store: Store, stage: Stage, results: Results): void {
   const { shell, fold } = stage;
   const { pattern } = results;
@@ -38,11 +41,15 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
     compare.annotate(figures);
   };
   standing.headroom.watch(() => results.showFigures());
-  stage.frame.after(h("div", { class: "inspect-cards" }, measure.element, card.element), past.element);
+  const cards = h("div", { class: "inspect-cards" }, measure.element, card.element);
+  const place = (): void => void (NARROW.matches ? stage.frame.after(cards) : stage.frame.append(cards));
+  NARROW.addEventListener("change", place);
+  stage.frame.after(past.element);
   stage.frame.append(
     h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button, compare.button, past.button),
     standing.legend,
   );
+  place();
   foldByKeys(fold);
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;

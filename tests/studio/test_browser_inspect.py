@@ -1,0 +1,262 @@
+"""Looking closely in the studio: panels, distances, the motion, what stands around, comparing."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from node_tools import PACKAGES, lacking
+from studio_pages import SIZES, choose, fold, opened, settle
+from viewer_pages import await_frames, keep_picture, pixels, require_apart, wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+DROP = """([text, name]) => {
+    const brought = new DataTransfer();
+    brought.items.add(new File([text], name));
+    document.dispatchEvent(
+        new DragEvent("drop", { dataTransfer: brought, bubbles: true, cancelable: true }));
+}"""
+# A ring whose ends meet before it is closed (as in test_app.py).
+TOUCHING = """() => {
+    const store = window.__orishell.store, design = structuredClone(store.design.value);
+    design.target = {
+        f: { formula: "-0.3*x**2", range: [-1, 1] },
+        g: { formula: ["4*cos(t)", "4*sin(t)"], range: [0, 2 * Math.PI] },
+    };
+    Object.assign(design.pattern, { columns: 30, xi_deg: 90 });
+    store.change(design, "ring");
+}"""
+# Where the middle of a panel is in the window.
+PANEL = """(() => {
+    const { shell3d } = window.__orishell, place = () => shell3d.camera.position.clone();
+    const corner = (k) => shell3d.motion.at(4 * 53 + k, place());
+    return shell3d.onScreen(corner(0).add(corner(2)).multiplyScalar(0.5));
+})()"""
+
+
+def bring(page: Page, name: str) -> None:
+    """Drop an example's file on the page."""
+    page.evaluate(DROP, [(EXAMPLES / name).read_text(), name])
+    settle(page)
+
+
+def middle(page: Page, test_id: str) -> tuple[float, float]:
+    box = page.get_by_test_id(test_id).locator("canvas").first.bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def folds(page: Page) -> list[tuple[str, str]]:
+    """Fold angles of the panel's creases, now and at the target, on its card."""
+    now, target = (
+        page.get_by_test_id("inspect-card").locator(f"td:nth-of-type({k})").all_inner_texts()
+        for k in (2, 3)
+    )
+    return [pair for pair in zip(now, target, strict=True) if pair[0] != "edge"]
+
+
+def leave(page: Page) -> None:
+    """Take the focus from every control."""
+    page.evaluate("document.activeElement.blur()")
+
+
+def metres(page: Page, test_id: str) -> float:
+    return float(page.get_by_test_id(test_id).inner_text().removesuffix(" m"))
+
+
+def test_panels_and_creases_are_inspected(page: Page) -> None:
+    """A panel is chosen in the figures, in the pattern and in space, and by keys."""
+    choose(page, "orthodiagonal")
+    settle(page)
+    card = page.get_by_test_id("inspect-card")
+    areas = page.evaluate(
+        """(({ flat, faces }) => Array.from({ length: faces.length / 4 }, (_, panel) => {
+            const at = (k) => 2 * faces[4 * panel + k];
+            const across = (a, b, axis) => flat[b + axis] - flat[a + axis];
+            return Math.abs(across(at(0), at(2), 0) * across(at(1), at(3), 1)
+                - across(at(0), at(2), 1) * across(at(1), at(3), 0)) / 2;
+        }))(window.__orishell.store.view.value)"""
+    )
+    columns = page.evaluate("window.__orishell.store.view.value.header.grid[1]") - 1
+    for name, wanted in (("smallest", min(areas)), ("largest", max(areas))):
+        page.get_by_test_id(f"figure-{name}").click()
+        await_frames(page)
+        row, column = map(int, card.locator("h3").inner_text().removeprefix("Panel ").split(","))
+        assert areas[row * columns + column] == pytest.approx(wanted, rel=1e-6)
+        assert f"{name} panel" in card.inner_text().lower()
+    assert column + 1 < columns
+    pattern = page.get_by_test_id("pattern").locator("canvas").first
+    pattern.focus()
+    page.keyboard.press("ArrowRight")
+    await_frames(page)
+    assert card.locator("h3").inner_text() == f"Panel {row},{column + 1}"
+    angles = folds(page)
+    assert len(angles) >= 3
+    assert all(now == target for now, target in angles)
+    fold(page, 0)
+    await_frames(page)
+    assert folds(page) == [("0.0\u00b0", target) for _, target in angles]
+    page.keyboard.press("Escape")
+    await_frames(page)
+    assert card.is_hidden()
+    fold(page, 1)
+    x, y = middle(page, "scene")
+    page.mouse.click(x, y)
+    await_frames(page)
+    assert "Panel" in card.inner_text() or "crease" in card.inner_text()
+    page.get_by_test_id("inspect-close").click()
+    await_frames(page)
+    page.mouse.move(1, 1)
+    # Turning the shell chooses nothing.
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y + 10, steps=4)
+    page.mouse.up()
+    await_frames(page)
+    assert page.get_by_test_id("inspect-close").count() == 0
+
+
+def test_distances_follow_the_motion(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    settle(page)
+    leave(page)
+    page.keyboard.press("m")
+    x, y = middle(page, "pattern")
+    page.mouse.click(x - 50, y - 40)
+    page.mouse.click(x + 50, y + 40)
+    await_frames(page)
+    flat = metres(page, "measure-sheet")
+    assert metres(page, "measure-space") < 0.98 * flat
+    fold(page, 0)
+    assert metres(page, "measure-space") == metres(page, "measure-sheet") == flat
+    # By keys, from vertex to vertex: the distance of two that are one edge apart does not change.
+    fold(page, 1)
+    page.get_by_test_id("pattern").locator("canvas").first.focus()
+    for key in ("ArrowUp", "Enter", "ArrowRight", "Enter"):
+        page.keyboard.press(key)
+    await_frames(page)
+    assert 0 < metres(page, "measure-space") == metres(page, "measure-sheet") < flat
+    page.keyboard.press("Escape")
+    assert page.get_by_test_id("measure-card").is_hidden()
+    assert page.get_by_test_id("measure").get_attribute("aria-pressed") == "false"
+
+
+def test_the_motion_rests_where_panels_touch(page: Page) -> None:
+    choose(page, "parallel-repeating")
+    leave(page)
+    page.evaluate(TOUCHING)
+    settle(page)
+    page.keyboard.press("Home")
+    assert page.evaluate("window.__orishell.fold") == 0
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("window.__orishell.fold") == pytest.approx(0.01)
+    page.keyboard.press("PageUp")
+    drives, contact = page.evaluate(
+        "(({ header }) => [header.drives_deg, header.contact])(window.__orishell.store.view.value)"
+    )
+    touches = contact["drive_deg"] / drives[-1]
+    assert 0.05 < touches < 0.99
+    assert page.evaluate("window.__orishell.fold") == pytest.approx(touches, abs=1e-6)
+    touching = "window.__orishell.shell3d.u.touching.value.toArray()"
+    assert page.evaluate(touching) == contact["panels"]
+    await_frames(page)
+    reddish = pixels(page, "canvas")
+    assert ((reddish[..., 0] > 0.55) & (reddish[..., 1] < 0.3)).mean() > 1e-5  # the place
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("window.__orishell.fold") == pytest.approx(touches, abs=1e-6)
+    page.keyboard.press("End")
+    assert page.evaluate("window.__orishell.fold") == 1
+
+
+def test_what_stands_around_a_shell(page: Page) -> None:
+    bring(page, "shelter.toml")
+    wait_until(page, "document.querySelector('[data-figure=headroom]') !== null")
+    figures = page.get_by_test_id("figures").inner_text()
+    room = re.search(r"Headroom\s+([\d.]+) m", figures)
+    assert room is not None
+    assert 1.9 < float(room[1]) < page.evaluate("window.__orishell.report.deployed.height")
+    legend = page.get_by_test_id("standing-legend").inner_text()
+    assert legend.split() == ["feet", "ties"]
+    for name in ("person", "ties"):
+        switch = page.locator(f"label:has([data-testid={name}])")
+        on = pixels(page, "canvas")
+        switch.click()
+        await_frames(page)
+        assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 2e-4
+        switch.click()
+    keep_picture(page, "studio_shelter")
+    choose(page, "orthodiagonal")
+    assert page.locator("label:has([data-testid=ties])").is_hidden()
+    page.get_by_test_id("unit").select_option("mm")
+    settle(page)
+    wait_until(page, "document.querySelector('[data-testid=person]').closest('label').hidden")
+
+
+def test_designs_are_compared(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    settle(page)
+    page.get_by_test_id("pin").click()
+    assert page.get_by_test_id("change-panels").count() == 0
+    first = page.evaluate("JSON.stringify(window.__orishell.store.design.value)")
+    page.evaluate("window.__orishell.store.setPattern('columns', 17)")
+    settle(page)
+    assert page.get_by_test_id("change-panels").inner_text() == "+40"
+    on = pixels(page, "canvas")
+    page.get_by_test_id("past").click()
+    strip = page.get_by_test_id("past-strip").get_by_role("button")
+    assert strip.last.get_attribute("aria-current") == "true"
+    keep_picture(page, "studio_compare")
+    strip.nth(strip.count() - 2).click()
+    settle(page)
+    assert page.evaluate("JSON.stringify(window.__orishell.store.design.value)") == first
+    page.get_by_test_id("undo").click()
+    settle(page)
+    assert page.evaluate("window.__orishell.store.design.value.pattern.columns") == 17
+    page.get_by_test_id("past").click()
+    page.get_by_test_id("pin").click()
+    page.get_by_test_id("figures").get_by_text("pinned").wait_for(state="detached")
+    await_frames(page)
+    assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.05).mean() > 1e-3
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_cards_and_tools_lie_apart(browser: Browser, address: str, size: str) -> None:
+    with opened(browser, address, **SIZES[size], color_scheme="dark", bypass_csp=True) as page:
+        page.get_by_test_id("pin").click()
+        page.get_by_test_id("past").click()
+        x, y = page.evaluate(PANEL)
+        (page.touchscreen.tap if SIZES[size].get("has_touch") else page.mouse.click)(x, y)
+        await_frames(page)
+        assert page.get_by_test_id("inspect-close").is_visible()
+        page.get_by_test_id("measure").click()
+        require_apart(
+            page,
+            [
+                page.get_by_test_id("inspect-card"),
+                page.get_by_test_id("measure-card"),
+                page.locator(".scene-tools"),
+                page.get_by_test_id("past-strip"),
+                page.get_by_test_id("standing-legend"),
+                page.locator(".fold-bar"),
+                page.locator(".stage-tools"),
+            ],
+            SIZES[size]["width"],
+        )
+        if size == "laptop":
+            axe = PACKAGES / "axe-core" / "axe.min.js"
+            if not axe.is_file():
+                lacking("axe-core is not installed: make node")
+            page.add_script_tag(path=str(axe))
+            for _ in ("dark", "light"):
+                found = page.evaluate("axe.run().then((result) => result.violations)")
+                assert [e["id"] for e in found if e["impact"] in {"serious", "critical"}] == []
+                page.get_by_test_id("theme").click()
+                await_frames(page)
