@@ -41,11 +41,10 @@ from orishell.studio.api import (
     describe_error,
 )
 from orishell.studio.dropped import read_dropped
+from orishell.studio.limits import require_small
 from orishell.studio.ranges import find_ranges
 from orishell.studio.sheets import preview_sheets
 
-MAX_VERTICES = 60_000
-"""Vertices of a sheet in the studio, at most; the command line takes more."""
 DRAWN = 200
 """Points of a curve that are drawn, about."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
@@ -199,7 +198,7 @@ class Task:
             # Where sizes are to be chosen, those of the shell on the screen.
             shown = {"rows": size.get("rows"), "columns": size.get("columns")}
             file = replace(file, pattern=file.pattern.changed(shown, type(file.pattern)))
-            _require_small(file)
+            require_small(file)
         return find_tradeoff(file, self.progress)
 
     def draw_sheets(self) -> Sheets:
@@ -210,7 +209,7 @@ class Task:
         InputError
             If there is no design, or a setting does not fit the sheet.
         """
-        return preview_sheets(self._design(), self.progress)
+        return preview_sheets(self._design(), self._name(), self.progress)
 
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several.
@@ -252,9 +251,8 @@ class Task:
             raise InputError("there is no design", where="design", expected="its tables")
         file = check_design(design, Path(f"{self._name()}.toml"), files=False)
         file.require_target()
-        if file.tolerance is not None and not tolerated:
-            return file
-        _require_small(file)
+        if file.tolerance is None or tolerated:
+            require_small(file)
         return file
 
 
@@ -275,19 +273,6 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
 def answer(name: str, payload: dict[str, Any], progress: Progress) -> Any:
     """The answer to a request of a page."""
     return TASKS[name](Task(payload, progress))
-
-
-def _require_small(file: DesignFile) -> None:
-    """Refuse a sheet that is too large for the studio."""
-    vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
-    if vertices > MAX_VERTICES:
-        raise InputError(
-            "the sheet is too large for the studio",
-            where="[pattern] rows, columns",
-            got=f"{vertices} vertices",
-            expected=f"at most {MAX_VERTICES}",
-            remedy="use orishell design",
-        )
 
 
 def _text(content: bytes) -> str:
