@@ -17,6 +17,7 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.studio import api
+from orishell.studio.refusals import make_refusal
 from studio_server import running_studio
 from typescript import declarations, fits
 
@@ -117,7 +118,7 @@ def test_refusals_name_the_keys_that_they_are_about(
 
 
 def test_a_message_of_another_type_does_not_fit() -> None:
-    refusal = api.make_refusal("input", "no")
+    refusal = make_refusal("input", "no")
     assert fits(refusal, api.Refusal)
     assert not fits({**refusal, "more": 1}, api.Refusal)
     assert not fits({}, api.Refusal)

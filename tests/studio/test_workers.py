@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from orishell.design_file import starter_file
-from orishell.studio.api import RefusalError
+from orishell.studio.refusals import RefusalError
 from orishell.studio.tasks import answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 from warmth import notes_warmth

@@ -105,8 +105,8 @@ export function findTradeoff(design: Design, size: { rows: number; columns: numb
 }
 
 /** The drawings that a workshop gets; aborting stops the work. */
-export function drawSheets(design: Design, signal: AbortSignal, progressed: Progressed): Promise<Api.Sheets> {
-  return streamed("sheets", { design }, signal, progressed);
+export function drawSheets(design: Design, name: string, signal: AbortSignal, progressed: Progressed): Promise<Api.Sheets> {
+  return streamed("sheets", { design, name }, signal, progressed);
 }
 
 /** The result of work whose progress is told while it is under way. */

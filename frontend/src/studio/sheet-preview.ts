@@ -47,6 +47,7 @@ export class SheetPreview {
       this.leaf(step);
     });
     store.design.watch(() => this.later(REST));
+    store.name.watch(() => this.later(REST));
     store.freshness.watch((now) => now === "current" && this.later(REST));
     this.state = "none";
   }
@@ -68,7 +69,7 @@ export class SheetPreview {
   }
 
   private async draw(): Promise<void> {
-    const { design, report, freshness } = this.store;
+    const { design, name, report, freshness } = this.store;
     if (design.value.tolerance && freshness.value !== "current") {
       return this.refuse("Rows and columns have not been chosen yet: press Choose beside the tolerance.");
     }
@@ -76,7 +77,7 @@ export class SheetPreview {
     const { signal } = this.stopping;
     this.work.begin("drawing the sheets");
     try {
-      const sheets = await drawSheets(sized(design.value, report.value), signal, (share, what) => {
+      const sheets = await drawSheets(sized(design.value, report.value), name.value, signal, (share, what) => {
         if (!signal.aborted) this.work.show(share, what);
       });
       if (!signal.aborted) this.take(sheets);

@@ -5,11 +5,9 @@ Their types in ``frontend/src/shared/api-types.ts`` are written from these.
 
 from __future__ import annotations
 
-import re
 from typing import Any, Literal, NotRequired, TypedDict
 
 from orishell.document import FirstContact
-from orishell.errors import DesignError, InputError, OrishellError
 from orishell.families.parameters import Kind, Measure
 from orishell.io.view import Curves
 from orishell.shell.report import Report
@@ -294,71 +292,3 @@ class SheetsResult(TypedDict):
     """The last line of the answer: the drawings."""
 
     result: Sheets
-
-
-class RefusalError(OrishellError):
-    """A request is refused; ``body`` is the answer to send."""
-
-    def __init__(self, body: Refusal) -> None:
-        super().__init__(body["error"]["message"])
-        self.body = body
-
-
-def make_refusal(kind: FaultKind, what: str, **more: Any) -> Refusal:
-    """The answer to a request that failed.
-
-    Parameters
-    ----------
-    kind, what
-        What is wrong.
-    more
-        Further fields; those that are not given are empty.
-    """
-    names = ("where", "got", "expected", "remedy", "detail", "place", "size", "limit")
-    said = {"kind": kind, "message": what, "what": what, "keys": [], "remedies": [], **more}
-    fault: Any = {**dict.fromkeys(names, ""), **said}
-    return {"error": fault}
-
-
-def describe_error(error: OrishellError) -> Refusal:
-    """The answer to a request that raised an error."""
-    match error:
-        case RefusalError():
-            return error.body
-        case DesignError():
-            remedies = [
-                {"text": str(remedy), "changes": dict(remedy.changes)} for remedy in error.remedies
-            ]
-            return make_refusal(
-                "design",
-                error.condition,
-                message=str(error),
-                keys=list(error.keys),
-                place=error.place,
-                size=error.size,
-                limit=error.limit,
-                remedies=remedies,
-            )
-        case InputError():
-            return make_refusal(
-                "input",
-                error.what,
-                message=str(error).removeprefix(f"{NAME}.toml: "),
-                where=error.where,
-                keys=_keys_at(error.where),
-                got=error.got,
-                expected=error.expected,
-                remedy=error.remedy,
-                detail=error.detail,
-            )
-        case _:
-            return make_refusal("fault", str(error))
-
-
-def _keys_at(where: str) -> list[str]:
-    """The keys in a place such as "shell.toml: [pattern] rows, columns"; if none, the table."""
-    found = re.search(r"\[(\w+(?:\.\w+)*)\] ?((?:\w+, )*\w*)", where)
-    if found is None:
-        return []
-    table, names = found.groups()
-    return [f"{table}.{name}".rstrip(".") for name in names.split(", ")]

@@ -24,16 +24,16 @@ from orishell.studio.api import (
     Info,
     NamedDesign,
     Refusal,
-    RefusalError,
     Result,
     SheetsResult,
     TradeoffResult,
-    make_refusal,
 )
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
+from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.pages import Compressed, Pages
-from orishell.studio.tasks import MAX_VERTICES, answer
+from orishell.studio.refusals import RefusalError, make_refusal
+from orishell.studio.tasks import answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 
 PAGES = Path(__file__).parent / "static"

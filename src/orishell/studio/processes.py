@@ -17,7 +17,7 @@ from typing import Any, Literal
 from orishell.conventions.progress import Progress
 from orishell.conventions.stopping import cleaning_up
 from orishell.errors import OrishellError
-from orishell.studio.api import describe_error
+from orishell.studio.refusals import describe_error
 
 Payload = dict[str, Any]
 Work = Callable[[str, Payload, Progress], Any]

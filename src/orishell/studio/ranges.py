@@ -13,7 +13,8 @@ from orishell.curves import trace_curve
 from orishell.design_file import DesignFile
 from orishell.errors import OrishellError
 from orishell.numerics.bisection import bisect
-from orishell.studio.api import Range, describe_error
+from orishell.studio.api import Range
+from orishell.studio.refusals import describe_error
 
 SAMPLES, FEWEST = 13, 7
 """Number of values tried of each parameter before the ends; the smaller if a design takes long."""

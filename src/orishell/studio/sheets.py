@@ -19,18 +19,18 @@ from orishell.workshop.palettes import Palette, load_palette
 from orishell.workshop.paper_model import make_paper_model
 from orishell.workshop.sheets import draw_sheet_files, measure_waste
 
-PATTERN = "pattern.svg"
-"""What the format calls its file."""
 SEEN, PAGE_MM = "plain", 160.0
 """The palette whose lines can be seen at any size, and the page on which they are that wide: a
 picture of the drawings is small."""
 
 
-def preview_sheets(file: DesignFile, progress: Progress) -> Sheets:
+def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
     """The drawings of a design's flat sheet, and what they come to.
 
     Parameters
     ----------
+    name
+        What its files are called.
     progress
         Is told of the proof, where the sheet depends on what it finds.
 
@@ -55,7 +55,7 @@ def preview_sheets(file: DesignFile, progress: Progress) -> Sheets:
     sheets: list[DrawnSheet] = []
     drawn: set[str] = set()
     with tempfile.TemporaryDirectory(prefix="orishell-") as directory:
-        place = Path(directory) / PATTERN
+        place = Path(directory) / f"{name}.svg"
         for path, drawing in draw_sheet_files(place, document, workshop):
             dump_svg(path, drawing, _visible(palette))
             text = path.read_text(encoding="utf-8")

@@ -33,23 +33,21 @@ from orishell.studio.api import (
     DroppedCurve,
     Parsed,
     Ranges,
-    RefusalError,
     Sheets,
     Tables,
     Verified,
     Written,
-    describe_error,
 )
 from orishell.studio.dropped import read_dropped
+from orishell.studio.limits import require_small
+from orishell.studio.names import design_name, file_name
 from orishell.studio.ranges import find_ranges
+from orishell.studio.refusals import RefusalError, describe_error
 from orishell.studio.sheets import preview_sheets
 
-MAX_VERTICES = 60_000
-"""Vertices of a sheet in the studio, at most; the command line takes more."""
 DRAWN = 200
 """Points of a curve that are drawn, about."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
-LONGEST_NAME = 80
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 
@@ -199,7 +197,7 @@ class Task:
             # Where sizes are to be chosen, those of the shell on the screen.
             shown = {"rows": size.get("rows"), "columns": size.get("columns")}
             file = replace(file, pattern=file.pattern.changed(shown, type(file.pattern)))
-            _require_small(file)
+            require_small(file)
         return find_tradeoff(file, self.progress)
 
     def draw_sheets(self) -> Sheets:
@@ -210,7 +208,7 @@ class Task:
         InputError
             If there is no design, or a setting does not fit the sheet.
         """
-        return preview_sheets(self._design(), self.progress)
+        return preview_sheets(self._design(), self._name(), self.progress)
 
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several.
@@ -232,7 +230,7 @@ class Task:
             write_format(shell, format_, Path(directory), settings)
             paths = sorted(Path(directory).iterdir())
             if len(paths) == 1:
-                return _named(paths[0].name, self._name()), paths[0].read_bytes()
+                return file_name(paths[0].name, self._name()), paths[0].read_bytes()
             archive = io.BytesIO()
             with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
                 for path in paths:
@@ -240,10 +238,7 @@ class Task:
             return f"{self._name()}-{format_.name}.zip", archive.getvalue()
 
     def _name(self) -> str:
-        """What the design is called, in letters that every system has in names of files."""
-        said = str(self.payload.get("name", NAME))
-        kept = "".join(each if each.isalnum() or each in "-_" else " " for each in said)
-        return " ".join(kept.split())[:LONGEST_NAME] or NAME
+        return design_name(str(self.payload.get("name", NAME)))
 
     def _design(self, *, tolerated: bool = False) -> DesignFile:
         """The design file of the payload, small enough for the studio."""
@@ -252,9 +247,8 @@ class Task:
             raise InputError("there is no design", where="design", expected="its tables")
         file = check_design(design, Path(f"{self._name()}.toml"), files=False)
         file.require_target()
-        if file.tolerance is not None and not tolerated:
-            return file
-        _require_small(file)
+        if file.tolerance is None or tolerated:
+            require_small(file)
         return file
 
 
@@ -277,19 +271,6 @@ def answer(name: str, payload: dict[str, Any], progress: Progress) -> Any:
     return TASKS[name](Task(payload, progress))
 
 
-def _require_small(file: DesignFile) -> None:
-    """Refuse a sheet that is too large for the studio."""
-    vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
-    if vertices > MAX_VERTICES:
-        raise InputError(
-            "the sheet is too large for the studio",
-            where="[pattern] rows, columns",
-            got=f"{vertices} vertices",
-            expected=f"at most {MAX_VERTICES}",
-            remedy="use orishell design",
-        )
-
-
 def _text(content: bytes) -> str:
     return base64.b64encode(content).decode()
 
@@ -306,14 +287,6 @@ def _sampled(curve: Curve, name: str) -> Drawn:
     extremes = [*trace.points.argmin(axis=0), *trace.points.argmax(axis=0)]
     points = trace.points[np.unique([*kept, *corners[:DRAWN], *extremes])]
     return [(float(x), float(y)) for x, y in points]
-
-
-def _named(file: str, name: str) -> str:
-    """A file of the command line's with the name of its design, as in pattern.dxf, panels.csv."""
-    for stem in ("shell", "pattern"):
-        if file.startswith(stem):
-            return name + file.removeprefix(stem)
-    return f"{name}-{file}"
 
 
 def _state(value: object) -> int | str | None:

@@ -8,7 +8,6 @@ from collections.abc import AsyncGenerator
 from dataclasses import dataclass, field
 from typing import Any
 
-from orishell.studio.api import RefusalError
 from orishell.studio.processes import (
     Kind,
     Payload,
@@ -18,6 +17,7 @@ from orishell.studio.processes import (
     start_worker,
     stop_started,
 )
+from orishell.studio.refusals import RefusalError
 
 
 class OutOfTimeError(Exception):

@@ -1,0 +1,21 @@
+"""Names of designs, and of the files that are made of them."""
+
+from __future__ import annotations
+
+from orishell.studio.api import NAME
+
+LONGEST_NAME = 80
+
+
+def design_name(said: str) -> str:
+    """What a design is called, in letters that every system has in names of files."""
+    kept = "".join(each if each.isalnum() or each in "-_" else " " for each in said)
+    return " ".join(kept.split())[:LONGEST_NAME] or NAME
+
+
+def file_name(file: str, name: str) -> str:
+    """A file of the command line's with the name of its design, as in pattern.dxf, panels.csv."""
+    for stem in ("shell", "pattern"):
+        if file.startswith(stem):
+            return name + file.removeprefix(stem)
+    return f"{name}-{file}"

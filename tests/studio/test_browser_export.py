@@ -1,0 +1,180 @@
+"""Tolerances from a plot, the workshop's settings and its sheets, in a real browser."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from node_tools import PACKAGES, lacking
+from studio_pages import SIZES, choose, opened, settle
+from viewer_pages import await_frames, keep_picture, wait_until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+DESIGN = "window.__orishell.store.design.value"
+SHEETS = "document.querySelector('[data-testid=sheet-preview]').dataset.state"
+TRADEOFF = "document.querySelector('[data-testid=tradeoff]').dataset.state"
+
+
+def design(page: Page) -> dict[str, Any]:
+    found: dict[str, Any] = page.evaluate(DESIGN)
+    return found
+
+
+def say(page: Page, key: str, value: str) -> None:
+    """Type a setting of the workshop, and leave the box."""
+    box = page.get_by_test_id(f"workshop-{key}")
+    box.fill(value)
+    box.press("Enter")
+
+
+def await_sheets(page: Page, state: str = "shown") -> None:
+    wait_until(page, f"{SHEETS} === '{state}'")
+    await_frames(page)
+
+
+def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page) -> None:
+    choose(page, "longitudinal-linear-repeating")
+    settle(page)
+    sizes = design(page)["pattern"]
+    page.get_by_test_id("mode-tolerance").check(force=True)
+    wait_until(page, f"{TRADEOFF} === 'running'")
+    work = page.get_by_test_id("tradeoff-work")
+    wait_until(page, "document.querySelector('[data-testid=tradeoff-work] progress').value > 0")
+    assert "rows and columns" in work.inner_text().lower()
+    wait_until(page, f"{TRADEOFF} === 'found'")
+    assert not work.is_visible()
+
+    # What is offered is what a sheet of about as many panels keeps.
+    offered = design(page)["tolerance"]["surface"]
+    assert f"Allow {offered} m" in page.get_by_test_id("take-tolerance").inner_text()
+    assert page.get_by_test_id("tolerance-surface").input_value() == str(offered)
+    page.get_by_test_id("choose").click()
+    settle(page)
+    assert page.evaluate("window.__orishell.report.chosen.error") <= offered
+    page.get_by_test_id("undo").click()
+    assert design(page)["pattern"] == sizes  # one step
+
+    page.get_by_test_id("redo").click()
+    page.get_by_test_id("front-0").click()
+    most = page.get_by_test_id("tradeoff-facts").inner_text()
+    page.keyboard.press("ArrowRight")
+    assert page.get_by_test_id("front-1").get_attribute("aria-checked") == "true"
+    assert page.get_by_test_id("tradeoff-facts").inner_text() != most
+    page.get_by_test_id("take-tolerance").click()
+    assert design(page)["tolerance"]["surface"] != offered
+    page.keyboard.press("Tab")
+    page.get_by_test_id("front-1").focus()
+    page.keyboard.press("End")
+    keep_picture(page, "tolerance")
+    page.get_by_test_id("take-sizes").click()
+    settle(page)
+    taken = design(page)
+    assert "tolerance" not in taken
+    said = page.get_by_test_id("tradeoff-facts").text_content() or ""
+    assert f"{taken['pattern']['rows']} × {taken['pattern']['columns']}" in said
+    assert page.evaluate("window.__orishell.report.rows") == taken["pattern"]["rows"]
+
+
+def test_a_search_for_sizes_is_stopped_and_says_why_it_fails(page: Page) -> None:
+    choose(page, "longitudinal-linear-repeating")
+    page.get_by_test_id("mode-tolerance").check(force=True)
+    page.get_by_test_id("tradeoff-work-stop").click()
+    assert page.evaluate(TRADEOFF) == "none"
+    assert "Stopped" in page.get_by_test_id("tradeoff").inner_text()
+    page.get_by_test_id("tolerance-panel_min").fill("50")
+    page.get_by_test_id("find-tradeoff").click()
+    wait_until(page, f"{TRADEOFF} === 'refused'")
+    assert "panel edges from 50" in page.get_by_test_id("tradeoff").inner_text()
+
+
+def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Path) -> None:
+    choose(page, "orthodiagonal")
+    page.get_by_test_id("export").click()
+    await_sheets(page)
+    assert "workshop" not in design(page)
+    assert not page.get_by_test_id("workshop-margin").is_visible()  # there is no stock
+    say(page, "stock-width", "2.5")
+    assert "workshop" not in design(page)  # half a size is none
+    say(page, "stock-height", "2.5")
+    page.get_by_test_id("workshop-palette").select_option("shop")
+    say(page, "margin", "0.05")
+    page.get_by_test_id("workshop-title_block").uncheck()
+    table = {"stock": [2.5, 2.5], "palette": "shop", "margin": 0.05, "title_block": False}
+    assert design(page)["workshop"] == table
+    await_sheets(page)
+    facts = page.get_by_test_id("sheet-facts").inner_text().split()
+    assert facts[facts.index("cut") + 1] == "4"
+    place = page.get_by_test_id("sheet-place")
+    assert place.inner_text() == "1 of 5: orthodiagonal"
+    page.get_by_test_id("sheet-next").click()
+    assert place.inner_text() == "2 of 5: orthodiagonal-1"
+    picture = page.get_by_test_id("sheet-picture")
+    picture.locator("..").press("ArrowRight")
+    assert place.inner_text() == "3 of 5: orthodiagonal-2"
+    wait_until(page, "document.querySelector('[data-testid=sheet-picture]').naturalWidth > 0")
+    assert (picture.get_attribute("src") or "").startswith("blob:")
+    keep_picture(page, "export")
+
+    say(page, "stock-height", "0.3")
+    await_sheets(page, "refused")
+    words = page.get_by_test_id("sheet-note").inner_text()
+    assert "do not fit the stock" in words
+    assert "Remedy: larger stock" in words
+    page.keyboard.press("Escape")
+    # The window opens all the same: that is where it is mended.
+    page.get_by_test_id("export").click()
+    assert page.get_by_test_id("export-dxf").is_disabled()
+    say(page, "stock-height", "2.5")
+    await_sheets(page)
+    settle(page)
+    page.get_by_test_id("export-close").click()
+    with page.expect_download() as download:
+        page.get_by_test_id("save").click()
+    download.value.save_as(tmp_path / "mine.toml")
+    assert tomllib.loads((tmp_path / "mine.toml").read_text())["workshop"] == table
+
+    # What says nothing new is not in the file.
+    page.get_by_test_id("export").click()
+    page.get_by_test_id("workshop-palette").select_option("plain")
+    page.get_by_test_id("workshop-title_block").check()
+    say(page, "margin", "0")
+    for side in ("width", "height"):
+        say(page, f"stock-{side}", "")
+    assert "workshop" not in design(page)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_window_lies_within_the_page(browser: Browser, address: str, size: str) -> None:
+    axe = PACKAGES / "axe-core" / "axe.min.js"
+    if not axe.is_file():
+        lacking("axe-core is not installed: make node")
+    shape = SIZES[size]
+    with opened(browser, address, bypass_csp=True, **shape) as page:
+        page.add_script_tag(path=str(axe))
+        page.get_by_test_id("export").click()
+        await_sheets(page)
+        page.get_by_test_id("workshop-labels").scroll_into_view_if_needed()
+        window = page.get_by_role("dialog", name="Export")
+        box = window.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["y"] >= 0
+        assert box["x"] + box["width"] <= shape["width"]
+        assert box["y"] + box["height"] <= shape["height"]
+        assert window.evaluate("window => window.scrollWidth <= window.clientWidth")
+        # However far it is scrolled, it can be closed.
+        assert page.get_by_test_id("export-close").is_visible()
+        for theme in ("light", "dark"):
+            page.evaluate("theme => { document.documentElement.dataset.theme = theme; }", theme)
+            found = page.evaluate(
+                "axe.run('.export-window').then((result) => result.violations.filter("
+                "({ impact }) => ['serious', 'critical'].includes(impact)).map(({ id }) => id))"
+            )
+            assert found == []
+        page.get_by_test_id("export-close").click()
+        assert not window.is_visible()
