@@ -28,9 +28,6 @@ const MARKS = {
   surface: ["target surface", "--target"],
   f: ["curve f", "--curve-f"],
   g: ["curve g", "--curve-g"],
-  flap: ["flap", "--flap"],
-  tie: ["tie", "--tie"],
-  foot: ["foot", "--foot"],
   contact: ["panels that touch", "--contact"],
 } as const;
 export type Mark = keyof typeof MARKS;

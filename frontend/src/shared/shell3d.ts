@@ -99,7 +99,7 @@ export class Shell3D {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", this.invalidate);
     this.following = new Following(this.camera, this.controls.target);
-    shareTouch(canvas, (x, y) => this.isShell(x, y));
+    shareTouch(canvas, (x, y) => this.under(x, y) !== null);
 
     this.unloaded.add(...this.sheet.drawn, this.clipped.solids, this.beside);
     this.scene.add(this.unloaded, this.loaded.drawn);
@@ -463,15 +463,6 @@ export class Shell3D {
     const { origin: o, direction: d } = this.ray.ray;
     const found = this.sheet.motion?.pick(o.x, o.y, o.z, d.x, d.y, d.z) ?? -1;
     this.hover(found < 0 ? null : found);
-  }
-
-  /** Whether the shell is at a place of the window. */
-  private isShell(x: number, y: number): boolean {
-    const box = this.renderer.domElement.getBoundingClientRect();
-    this.ray.setFromCamera(new Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
-    this.pose();
-    const { origin: o, direction: d } = this.ray.ray;
-    return (this.sheet.motion?.pick(o.x, o.y, o.z, d.x, d.y, d.z) ?? -1) >= 0;
   }
 
   private hover(panel: number | null): void {

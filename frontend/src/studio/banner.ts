@@ -48,8 +48,8 @@ export class Banner {
         h("p", { class: "banner-title" }, TITLES[fault.kind] ?? "Something went wrong"),
         h("p", {}, sentence(this.store.labels.said(fault.what))),
         fault.detail ? h("pre", {}, fault.detail) : null,
-        facts(fault, this.store.labels),
         this.actions(fault),
+        facts(fault, this.store.labels),
       ),
     );
   }

@@ -17,7 +17,7 @@ export class Results {
   onFigures: ((figures: HTMLElement) => void) | null = null;
   private readonly figures = h("div", { class: "figures", "data-testid": "figures" });
   private readonly said = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
-  private readonly legend = h("div", { class: "sheet-legend", "data-testid": "pattern-legend" });
+  private readonly legend = h("div", { class: "pattern-legend", "data-testid": "pattern-legend" });
   private keepView = false;
 
   constructor(private readonly store: Store) {
