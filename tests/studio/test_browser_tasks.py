@@ -5,6 +5,8 @@ How long each step takes is printed with the tests, not limited.
 
 from __future__ import annotations
 
+import base64
+import json
 import math
 import time
 import zipfile
@@ -12,26 +14,36 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
+from xml.etree import ElementTree
 
 import pytest
-from ezdxf.filemanagement import readfile
+from ezdxf.filemanagement import new, readfile
 
+from command_line import orishell
 from orishell.shell.make import design_shell
-from studio_pages import drawn, opened, settle
+from studio_pages import choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Download, Page
+    from playwright.sync_api import Browser, Page
 
-SHEETS = "document.querySelector('[data-testid=sheet-place]').textContent !== ''"
-Record = Callable[[str, object], None]
+SHEETS = "document.querySelector('[data-testid=sheet-preview]').dataset.state === 'shown'"
+TRADEOFF = "document.querySelector('[data-testid=tradeoff]').dataset.state === 'found'"
+DROP = """([content, name]) => {
+    const bytes = Uint8Array.from(atob(content), (each) => each.charCodeAt(0));
+    const brought = new DataTransfer();
+    brought.items.add(new File([bytes], name));
+    const drop = new DragEvent("drop", { dataTransfer: brought, bubbles: true, cancelable: true });
+    document.querySelector("[data-curve=f] .plot").dispatchEvent(drop);
+}"""
+Places = list[tuple[float, float]]
 
 
 class Steps:
     """Takes the time of the steps of a task."""
 
-    def __init__(self, task: str, record: Record) -> None:
-        self.task, self.record, self.steps = task, record, dict[str, float]()
+    def __init__(self) -> None:
+        self.steps: dict[str, float] = {}
 
     @contextmanager
     def step(self, what: str) -> Iterator[None]:
@@ -39,36 +51,46 @@ class Steps:
         yield
         self.steps[what] = time.perf_counter() - begin
 
-    def done(self) -> None:
+    def __str__(self) -> str:
         said = ", ".join(f"{what} {seconds:.1f} s" for what, seconds in self.steps.items())
-        self.record(self.task, f"{said}; {sum(self.steps.values()):.0f} s in all")
+        return f"{said}; {sum(self.steps.values()):.0f} s in all"
 
 
-def stroke(page: Page, name: str, points: list[tuple[float, float]]) -> None:
-    """Draw in one go, through shares of a curve's plane from its upper left corner."""
+@pytest.fixture
+def steps(
+    request: pytest.FixtureRequest, record_property: Callable[[str, object], None]
+) -> Iterator[Steps]:
+    taken = Steps()
+    yield taken
+    record_property(request.node.name.removeprefix("test_").replace("_", " "), taken)
+
+
+def stroke(page: Page, name: str, places: Places) -> None:
+    """Draw in one go, or click, at shares of a curve's plane from its upper left corner."""
     curve = page.get_by_test_id(f"curve-{name}")
     curve.scroll_into_view_if_needed()
     box = curve.bounding_box()
     assert box is not None
-    places = [(box["x"] + x * box["width"], box["y"] + y * box["height"]) for x, y in points]
-    page.mouse.move(*places[0])
+    (first, *others) = [
+        (box["x"] + x * box["width"], box["y"] + y * box["height"]) for x, y in places
+    ]
+    page.mouse.move(*first)
     page.mouse.down()
-    for each in places[1:]:
+    for each in others:
         page.mouse.move(*each)
     page.mouse.up()
     await_frames(page)
 
 
-def arch(count: int = 30) -> list[tuple[float, float]]:
-    """An arch that stands a little open: half a wave."""
-    shares = [k / count for k in range(count + 1)]
-    return [(0.25 + 0.5 * share, 0.85 - 0.6 * math.sin(math.pi * share)) for share in shares]
-
-
-def click_points(page: Page, name: str, points: list[tuple[float, float]]) -> None:
-    for each in points:
-        stroke(page, name, [each])
+def draw(page: Page, path: Places) -> None:
+    """A new design: an arch in one go, half a wave that stands a little open, and a path."""
+    page.get_by_test_id("new").click()
+    shares = [k / 30 for k in range(31)]
+    stroke(page, "f", [(0.25 + 0.5 * s, 0.8 - 0.5 * math.sin(math.pi * s)) for s in shares])
+    for each in path:
+        stroke(page, "g", [each])
     page.keyboard.press("Enter")
+    drawn(page)
 
 
 def fill(page: Page, test_id: str, value: str) -> None:
@@ -77,54 +99,118 @@ def fill(page: Page, test_id: str, value: str) -> None:
     box.press("Enter")
 
 
-def export(page: Page, name: str) -> Download:
+def require_proved(page: Page) -> None:
+    settle(page)
+    assert page.get_by_test_id("banner").is_hidden()
+    assert "proved" in page.get_by_test_id("verify-status").inner_text()
+
+
+def export(page: Page, name: str, directory: Path) -> Path:
     with page.expect_download(timeout=120_000) as download:
         page.get_by_test_id(f"export-{name}").click()
-    return download.value
+    path = directory / download.value.suggested_filename
+    download.value.save_as(path)
+    return path
+
+
+def save(page: Page, directory: Path) -> Path:
+    page.keyboard.press("Escape")
+    with page.expect_download() as download:
+        page.keyboard.press("Control+s")
+    path = directory / download.value.suggested_filename
+    download.value.save_as(path)
+    return path
 
 
 def test_a_shelter_from_a_drawn_profile_to_cut_files(
-    browser: Browser, address: str, tmp_path: Path, record_property: Record
+    browser: Browser, address: str, tmp_path: Path, steps: Steps
 ) -> None:
     """3 x 6 m, cut from boards of 2.5 x 1.25 m."""
-    steps = Steps("a shelter from a drawn profile", record_property)
     with opened(browser, address) as page:
         with steps.step("draw"):
-            page.get_by_test_id("new").click()
-            stroke(page, "f", arch())
-            click_points(page, "g", [(0.1, 0.5), (0.9, 0.5)])
-            drawn(page)
+            draw(page, [(0.1, 0.5), (0.9, 0.5)])
         with steps.step("size"):
             fill(page, "span-f", "3")
             fill(page, "length-g", "6")
             fill(page, "design-name", "shelter")
-            settle(page)
-        assert page.get_by_test_id("banner").is_hidden()
-        assert "proved" in page.get_by_test_id("verify-status").inner_text()
+            require_proved(page)
         with steps.step("sheets"):
             page.get_by_test_id("export").click()
             fill(page, "workshop-stock-width", "2.5")
             fill(page, "workshop-stock-height", "1.25")
-            wait_until(
-                page, "document.querySelector('[data-testid=sheet-place]').textContent !== ''"
-            )
+            settle(page)
+            wait_until(page, SHEETS)
         with steps.step("files"):
-            files = export(page, "dxf")
-            files.save_as(tmp_path / files.suggested_filename)
-            page.keyboard.press("Escape")
-            with page.expect_download() as download:
-                page.keyboard.press("Control+s")
-            download.value.save_as(tmp_path / "shelter.toml")
-    steps.done()
-    design = check_design(
-        tomllib.loads((tmp_path / "shelter.toml").read_text()), tmp_path / "shelter.toml"
-    )
-    shell = make_shell(design)
-    assert shell.report.deployed.width == pytest.approx(6, rel=0.2)
-    stock = shell.report.quantities.stock
-    assert stock is not None
-    with zipfile.ZipFile(tmp_path / files.suggested_filename) as archive:
+            files = export(page, "dxf", tmp_path)
+            design = save(page, tmp_path)
+    assert design.name == "shelter.toml"
+    shell = design_shell(design)
+    assert shell.report.deployed.width == pytest.approx(6, rel=0.1)
+    assert shell.report.quantities.stock is not None
+    with zipfile.ZipFile(files) as archive:
         names = archive.namelist()
         archive.extractall(tmp_path)
-    assert len(names) == stock.sheets + 1
-    assert all(readfile(tmp_path / name).modelspace() for name in names)
+    assert len(names) == shell.report.quantities.stock.sheets + 1
+    assert all(len(readfile(tmp_path / name).modelspace()) for name in names)
+
+
+def test_a_canopy_from_a_dropped_drawing_with_a_tolerance(
+    browser: Browser, address: str, tmp_path: Path, steps: Steps
+) -> None:
+    """A flat arc of a DXF drawing, as near as its size allows."""
+    drawing = new("R2000", units=6)
+    drawing.modelspace().add_arc((0, 0), 3, 30, 150)
+    drawing.saveas(tmp_path / "canopy.dxf")
+    content = base64.b64encode((tmp_path / "canopy.dxf").read_bytes()).decode()
+    with opened(browser, address) as page:
+        with steps.step("drop"):
+            choose(page, "orthodiagonal")
+            page.evaluate(DROP, [content, "canopy.dxf"])
+            wait_until(page, "!!window.__orishell.store.design.value.target.f.path")
+            require_proved(page)
+        with steps.step("tolerance"):
+            page.get_by_test_id("mode-tolerance").check(force=True)
+            wait_until(page, TRADEOFF, 120)
+            page.get_by_test_id("choose").click()
+            require_proved(page)
+        with steps.step("files"):
+            page.get_by_test_id("export").click()
+            table = export(page, "fold", tmp_path)
+            design = save(page, tmp_path)
+    done = orishell("design", design, "--out", tmp_path / "out", "--json")
+    report = json.loads(done.stdout)
+    assert report["deviation"]["surface"]["max"] <= report["chosen"]["tolerance"] < 1
+    assert len(json.loads(table.read_text())["faces_vertices"]) == report["quantities"]["panels"]
+
+
+def test_a_lampshade_of_card_with_its_printed_model(
+    browser: Browser, address: str, tmp_path: Path, steps: Steps
+) -> None:
+    """In millimetres, of card 2 mm thick, with flaps that are clipped on."""
+    with opened(browser, address) as page:
+        with steps.step("draw"):
+            page.get_by_test_id("unit").select_option("mm")
+            draw(page, [(0.1, 0.6), (0.5, 0.45), (0.9, 0.6)])
+        with steps.step("size"):
+            fill(page, "span-f", "240")
+            fill(page, "length-g", "400")
+            fill(page, "param-rows", "5")
+            fill(page, "param-columns", "6")
+            require_proved(page)
+        with steps.step("card"):
+            page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
+            fill(page, "panel-thickness", "2")
+            fill(page, "design-name", "lampshade")
+            require_proved(page)
+        with steps.step("files"):
+            page.get_by_test_id("export").click()
+            pattern = export(page, "pdf", tmp_path)
+            printed = export(page, "3mf", tmp_path)
+    with zipfile.ZipFile(pattern) as archive:
+        assert "pattern.pdf" in archive.namelist()  # beside those of the boards
+    with zipfile.ZipFile(printed) as archive:
+        (model,) = [name for name in archive.namelist() if name.endswith(".model")]
+        root = ElementTree.fromstring(archive.read(model))
+    assert root.get("unit") == "millimeter"
+    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    assert len(root.findall(f".//{space}object")) >= 6 * 5  # of every panel a board
