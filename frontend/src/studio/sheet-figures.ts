@@ -2,6 +2,7 @@
 
 import { length, threeDigits } from "../shared/colours.ts";
 import { sheetOf } from "../shared/inspect.ts";
+import { Person3D } from "../shared/person3d.ts";
 import { panelCount, panelName, type View } from "../shared/view.ts";
 import { h } from "./dom.ts";
 import type { Selection } from "./selection.ts";
@@ -11,7 +12,7 @@ import type { Standing } from "./standing.ts";
 export function addFigures(figures: HTMLElement, view: View, standing: Standing, selection: Selection): void {
   const { unit } = view.header;
   const room = standing.headroom.value;
-  if (room) row(figures, "height", "headroom", "Headroom", length(room.height, unit), "clear above a person, where most");
+  if (room) row(figures, "height", "headroom", "Headroom", length(room.height, unit), Person3D.suits(view) ? "over a person's width, where most" : "clear, where most");
   if (panelCount(view) < 2) return;
   const { smallest, largest, areas, shortest } = sheetOf(view);
   const square = unit === "unit" ? "" : ` ${unit}\u00b2`;
