@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from node_tools import PACKAGES, lacking
-from studio_pages import SIZES, choose, opened, settle
+from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, keep_picture, wait_until
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page)
     assert page.get_by_test_id("tolerance-surface").input_value() == str(offered)
     page.get_by_test_id("choose").click()
     settle(page)
-    assert page.evaluate("window.__orishell.report.chosen.error") <= offered
+    assert page.evaluate("window.__orishell.report.deviation.surface.max") <= offered
     page.get_by_test_id("undo").click()
     assert design(page)["pattern"] == sizes  # one step
 
@@ -72,7 +72,7 @@ def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page)
     page.keyboard.press("End")
     keep_picture(page, "tolerance")
     page.get_by_test_id("take-sizes").click()
-    settle(page)
+    drawn(page)
     taken = design(page)
     assert "tolerance" not in taken
     said = page.get_by_test_id("tradeoff-facts").text_content() or ""
@@ -131,7 +131,6 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     assert page.get_by_test_id("export-dxf").is_disabled()
     say(page, "stock-height", "2.5")
     await_sheets(page)
-    settle(page)
     page.get_by_test_id("export-close").click()
     with page.expect_download() as download:
         page.get_by_test_id("save").click()

@@ -166,8 +166,8 @@ export class TradeoffCard {
     const { tolerance } = this.store.design.value;
     this.element.hidden = !tolerance;
     this.plot.limit(tolerance?.surface);
-    if (this.state === "running" && !tolerance) this.stopping.abort();
-    if (this.state === "none" || keyOf(this.store.design.value) === this.key) return;
+    const left = this.state === "running" && !tolerance;
+    if (this.state === "none" || (keyOf(this.store.design.value) === this.key && !left)) return;
     this.stopping.abort();
     this.found = null;
     this.then = null;
