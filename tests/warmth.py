@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import os
+import sys
 import threading
 from typing import Any
 
 from orishell.conventions.progress import Progress
 
-done: list[str] = []
-"""The tasks that this process was given."""
+warm = "orishell.studio.warm" in sys.modules
+"""Whether the process had imported what answers need when it began."""
 
 
 def notes_warmth(name: str, _: dict[str, Any], progress: Progress) -> tuple[int, bool]:
-    """Work that says in which process it is done, and whether that has warmed up before."""
-    done.append(name)
+    """Work that says in which process it is done, and whether that was warm from the first."""
     if name == "stay":
-        progress(0.0, "staying")
+        progress(float(os.getpid()), "warm" if warm else "cold")
         threading.Event().wait()
-    return os.getpid(), done[0] == "warm_up" and done[-1] != done[0]
+    return os.getpid(), warm

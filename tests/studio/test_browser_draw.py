@@ -253,7 +253,7 @@ def test_curves_are_drawn_with_a_finger(browser: Browser, address: str) -> None:
             assert points[0][1] == points[-1][1]
             page.get_by_test_id(f"draw-{name}").tap()
         drawn(page)
-        keep_picture(page, "studio-drawn-phone")
+        keep_picture(page, "studio-phone")
         reach = place(page.locator("[data-testid=point-f-1] .handle-reach"))
         assert min(reach["width"], reach["height"]) >= 44
         page.get_by_test_id("add-g").tap()

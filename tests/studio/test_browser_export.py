@@ -70,7 +70,7 @@ def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page)
     page.keyboard.press("Tab")
     page.get_by_test_id("front-1").focus()
     page.keyboard.press("End")
-    keep_picture(page, "tolerance")
+    keep_picture(page, "studio-tolerance")
     page.get_by_test_id("take-sizes").click()
     drawn(page)
     taken = design(page)
@@ -118,7 +118,7 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     assert place.inner_text() == "3 of 5: orthodiagonal-2"
     wait_until(page, "document.querySelector('[data-testid=sheet-picture]').naturalWidth > 0")
     assert (picture.get_attribute("src") or "").startswith("blob:")
-    keep_picture(page, "export")
+    keep_picture(page, "studio-export")
 
     say(page, "stock-height", "0.3")
     await_sheets(page, "refused")

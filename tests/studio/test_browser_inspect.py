@@ -134,6 +134,7 @@ def test_distances_follow_the_motion(page: Page) -> None:
     await_frames(page)
     flat = metres(page, "measure-sheet")
     assert metres(page, "measure-space") < 0.98 * flat
+    keep_picture(page, "studio-measure")
     fold(page, 0)
     assert metres(page, "measure-space") == metres(page, "measure-sheet") == flat
     # By keys, from vertex to vertex: the distance of two that are one edge apart does not change.
@@ -167,6 +168,7 @@ def test_the_motion_rests_where_panels_touch(page: Page) -> None:
     touching = "window.__orishell.shell3d.u.touching.value.toArray()"
     assert page.evaluate(touching) == contact["panels"]
     await_frames(page)
+    keep_picture(page, "studio-contact")
     reddish = pixels(page, "canvas")
     assert ((reddish[..., 0] > 0.55) & (reddish[..., 1] < 0.3)).mean() > 1e-5  # the place
     page.keyboard.press("ArrowLeft")
@@ -192,7 +194,7 @@ def test_what_stands_around_a_shell(page: Page) -> None:
         await_frames(page)
         assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 2e-4
         switch.click()
-    keep_picture(page, "studio_shelter")
+    keep_picture(page, "studio-shelter")
     choose(page, "orthodiagonal")
     assert page.locator("label:has([data-testid=ties])").is_hidden()
     page.get_by_test_id("unit").select_option("mm")
@@ -213,7 +215,7 @@ def test_designs_are_compared(page: Page) -> None:
     page.get_by_test_id("past").click()
     strip = page.get_by_test_id("past-strip").get_by_role("button")
     assert strip.last.get_attribute("aria-current") == "true"
-    keep_picture(page, "studio_compare")
+    keep_picture(page, "studio-compare")
     strip.nth(strip.count() - 2).click()
     settle(page)
     assert page.evaluate("JSON.stringify(window.__orishell.store.design.value)") == first

@@ -62,7 +62,7 @@ def steps(
 ) -> Iterator[Steps]:
     taken = Steps()
     yield taken
-    record_property(request.node.name.removeprefix("test_").replace("_", " "), taken)
+    record_property(request.node.name.removeprefix("test_").replace("_", " "), str(taken))
 
 
 def stroke(page: Page, name: str, places: Places) -> None:

@@ -11,7 +11,7 @@ import pytest
 from node_tools import lacking
 from orishell.studio.app import PAGES
 from studio_server import running_studio
-from viewer_pages import await_frames, pixels, running_browser, wait_until
+from viewer_pages import await_frames, keep_picture, pixels, running_browser, wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -83,6 +83,7 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     await_frames(page)
     assert page.evaluate("window.__orishell.fold") == 1
     assert (np.abs(before - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 0.02
+    keep_picture(page, "studio-loads")
     report = "window.__orishell.report.structure.cases[1].stands.displacement.size"
     most = page.evaluate(f"{SHOWN}.most")
     assert most == pytest.approx(page.evaluate(report), rel=1e-5)

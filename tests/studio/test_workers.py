@@ -3,7 +3,6 @@
 import asyncio
 import contextlib
 import json
-import multiprocessing
 import subprocess
 import sys
 import tempfile
@@ -14,9 +13,10 @@ from typing import Any
 import pytest
 
 from orishell.design_file import starter_file
+from orishell.studio.processes import prepare_copies
 from orishell.studio.refusals import RefusalError
 from orishell.studio.tasks import answer
-from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
+from orishell.studio.workers import BusyError, OutOfTimeError, Pool
 from warmth import notes_warmth
 
 
@@ -28,8 +28,9 @@ def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
 
 def test_slow_requests_are_stopped_and_others_go_on() -> None:
     async def scene() -> None:
-        pool = Pool(answer, 2, seconds=3.0, spare=2, warming="warm_up")
-        await pool.get_ready()
+        pool = Pool(answer, 2, seconds=3.0)
+        started = (pool.run("parse", {"text": ""}) for _ in range(2))
+        await asyncio.gather(*started, return_exceptions=True)
         loop = asyncio.get_running_loop()
         slow = asyncio.create_task(pool.run("verify", payload(199, 199)))
         await asyncio.sleep(0.2)
@@ -79,40 +80,17 @@ def test_refusals_and_lines_that_are_too_long() -> None:
     asyncio.run(scene())
 
 
-def test_what_comes_after_a_stopped_task_is_answered_by_a_process_that_was_ready() -> None:
+def test_what_comes_after_a_stopped_task_waits_for_no_imports() -> None:
     async def scene() -> None:
-        pool = Pool(notes_warmth, 2, seconds=60.0, spare=2, warming="warm_up")
-        await pool.get_ready()
-        ready = {child.pid for child in multiprocessing.active_children()}
-        assert len(ready) == 2
-        # Two at once, as a change breaks off a proof and a search for ranges.
-        streams = [pool.stream("stay", {}) for _ in range(2)]
-        for stream in streams:
-            assert (await anext(stream))[0] == "progress"
-        await pool.get_ready()
-        spare = {child.pid for child in multiprocessing.active_children()} - ready
-        assert len(spare) == 2
-        for stream in streams:
-            await stream.aclose()
-        answers = await asyncio.gather(*(pool.run("who", {}) for _ in range(2)))
-        assert {process for process, _ in answers} <= spare
-        assert all(warm for _, warm in answers)
-        await pool.get_ready()
-        there = {child.pid for child in multiprocessing.active_children()}
-        assert len(there) <= 4
-        assert not there & ready  # those that were stopped are gone
-        pool.close()
-
-    asyncio.run(scene())
-
-
-def test_processes_that_cannot_get_ready_are_no_reason_to_wait() -> None:
-    async def scene() -> None:
-        pool = Pool(answer, 1, seconds=60.0, spare=1, warming="no such task")
-        await pool.get_ready()
-        for _ in range(3):
-            with pytest.raises(FaultError, match="no such task"):
-                await pool.run("parse", {"text": ""})
+        prepare_copies()
+        pool = Pool(notes_warmth, 1, seconds=60.0)
+        stream = pool.stream("stay", {})
+        kind, (stopped, warm) = await anext(stream)
+        assert (kind, warm) == ("progress", "warm")
+        await stream.aclose()
+        process, warm = await pool.run("who", {})
+        assert process != stopped
+        assert warm
         pool.close()
 
     asyncio.run(scene())

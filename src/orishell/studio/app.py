@@ -32,6 +32,7 @@ from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
 from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.pages import Compressed, Pages
+from orishell.studio.processes import prepare_copies
 from orishell.studio.refusals import RefusalError, make_refusal
 from orishell.studio.tasks import answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
@@ -87,19 +88,13 @@ def make_app(
     start
         Name and tables of the design to begin with.
     """
-    quick = Pool(answer, limits.processes, limits.quick, spare=1, warming="warm_up")
-    # A change breaks off both the proof and the search for ranges.
-    slow = Pool(answer, limits.processes, limits.slow, spare=2, warming="warm_up")
-
-    async def get_ready() -> None:
-        for pool in (quick, slow):  # the page asks for a shell first
-            await pool.get_ready()
+    quick = Pool(answer, limits.processes, limits.quick)
+    slow = Pool(answer, limits.processes, limits.slow)
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
-        getting_ready = asyncio.create_task(get_ready())
+        prepare_copies()
         yield
-        getting_ready.cancel()
         quick.close()
         slow.close()
 

@@ -1,4 +1,8 @@
-"""Processes that work through requests, one after the other."""
+"""Processes that work through requests, one after the other.
+
+They are copies of one that has imported all that answers need (``orishell.studio.warm``), so that
+one that is stopped is replaced at once. Where a system makes no copies, each imports anew.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +14,10 @@ import shutil
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
+from multiprocessing import forkserver
 from multiprocessing.connection import Connection
-from multiprocessing.context import SpawnProcess
+from multiprocessing.context import ForkServerContext, SpawnContext
+from multiprocessing.process import BaseProcess
 from typing import Any, Literal
 
 from orishell.conventions.progress import Progress
@@ -25,6 +31,7 @@ Work = Callable[[str, Payload, Progress], Any]
 for bad input. A function of a module, so that every process finds it."""
 
 Kind = Literal["progress", "result", "refusal", "fault"]
+WARM = "orishell.studio.warm"
 STEP = 0.01
 """Progress is passed on when it grew by this share."""
 
@@ -33,13 +40,27 @@ STEP = 0.01
 class Worker:
     """One process, the pipe to it, and what ends it and removes its files."""
 
-    process: SpawnProcess
+    process: BaseProcess
     pipe: Connection
     life: contextlib.ExitStack
 
     def stop(self) -> None:
         """End it, and remove its files."""
         self.life.close()
+
+
+def prepare_copies() -> None:
+    """Start the process that others are copies of, which takes it some seconds, not the caller."""
+    if isinstance(_context(), ForkServerContext):
+        forkserver.ensure_running()
+
+
+def _context() -> ForkServerContext | SpawnContext:
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload([WARM])
+    return context
 
 
 def start_worker(work: Work) -> Worker:
@@ -50,7 +71,7 @@ def start_worker(work: Work) -> Worker:
     OSError
         If there is no room for one.
     """
-    context = multiprocessing.get_context("spawn")
+    context = _context()
     ours, theirs = context.Pipe()
     files = tempfile.mkdtemp(prefix="orishell-")
     process = context.Process(target=_serve, args=(work, theirs, files), daemon=True)
