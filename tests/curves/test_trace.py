@@ -125,6 +125,8 @@ def test_nearest_on_a_spike_is_not_fooled_by_the_other_flank() -> None:
         (lambda: graph("sqrt(x - 2)", 0, 1), "not finite"),
         (lambda: pair("t**2", "t**3", -1, 1.3), "not regular"),
         (lambda: pair("t**3", "t**3", -1, 1.1), "not regular"),
+        # Beside that place the tangent is no number: 0/0.
+        (lambda: pair("20*(t-0.3)**3", "-20*sqrt((t-0.3)**6)", -0.4, 1), "not regular"),
         (lambda: pair("1", "2", 0, 1), "single point"),
         (lambda: graph("x", 1e9, 1e9 + 0.1), "too short"),
         (lambda: graph("sin(1e6*x)", 0, 1), "turns too often"),

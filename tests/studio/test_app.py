@@ -224,6 +224,10 @@ def test_dropped_files(client: httpx.Client) -> None:
     assert "none of these is farther from it than" in few["note"]
     bent = "\n".join(f"{x},{abs(x)}" for x in t).encode()
     assert not drop("p.csv", bent).json()["table"]["smooth"]
+    # So many lines of a drawing are a curve that was measured, too.
+    lines = " L".join(f"{50 * x + 50:.5f} {50 * np.cos(x):.5f}" for x in t).encode()
+    few = drop("p.svg", svg % (b'<path d="M' + lines + b'"/>')).json()
+    assert len(few["table"]["points"]) < 9
     for name, content in (
         ("p.exe", b""),
         ("p.svg", b"<svg"),

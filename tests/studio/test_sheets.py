@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import re
+import zipfile
 from typing import Any
 
 import pytest
@@ -28,6 +30,9 @@ def test_sheets_are_those_that_are_exported() -> None:
     sheets = asked("sheets", STOCK)
     names = [sheet["file"] for sheet in sheets["sheets"]]
     assert names == ["awning", "awning-1", "awning-2", "awning-3", "awning-4"]
+    _, content = asked("export", STOCK, format="svg")
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        assert sorted(archive.namelist()) == sorted(f"{name}.svg" for name in names)
     assert sheets["stock"].sheets == 4
     assert sheets["boards"] is None
     assert sheets["paper"].endswith("of A4")

@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 
 from orishell.design_file import starter_file
-from orishell.studio.processes import prepare_copies
+from orishell.studio.processes import Worker, prepared_copies
 from orishell.studio.refusals import RefusalError
 from orishell.studio.tasks import answer
-from orishell.studio.workers import BusyError, OutOfTimeError, Pool
+from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 from warmth import notes_warmth
 
 
@@ -82,7 +82,6 @@ def test_refusals_and_lines_that_are_too_long() -> None:
 
 def test_what_comes_after_a_stopped_task_waits_for_no_imports() -> None:
     async def scene() -> None:
-        prepare_copies()
         pool = Pool(notes_warmth, 1, seconds=60.0)
         stream = pool.stream("stay", {})
         kind, (stopped, warm) = await anext(stream)
@@ -93,6 +92,25 @@ def test_what_comes_after_a_stopped_task_waits_for_no_imports() -> None:
         assert warm
         pool.close()
 
+    with prepared_copies():
+        asyncio.run(scene())
+
+
+def test_a_process_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: object) -> Worker:
+        raise OSError("no room")
+
+    async def scene() -> None:
+        pool = Pool(answer, 1, seconds=60.0)
+        for _ in range(2):
+            with pytest.raises(FaultError, match="no room"):
+                await pool.run("parse", {"text": ""})
+        monkeypatch.undo()
+        with pytest.raises(RefusalError):
+            await pool.run("parse", {"text": "x"})
+        pool.close()
+
+    monkeypatch.setattr("orishell.studio.workers.start_worker", refuse)
     asyncio.run(scene())
 
 

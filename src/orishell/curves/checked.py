@@ -123,18 +123,21 @@ def least_within(function: Callable[[Array], Array], lo: Array, hi: Array) -> tu
     Parameters
     ----------
     function
-        What is to be least, of places (..., K).
+        What is to be least, of places (..., K); not a number where it has no value.
     lo, hi
         The intervals (K,).
     """
     share = np.arange(1, PROBES + 1)[:, None] / (PROBES + 1)
     each = np.arange(len(lo))
+    where, least = lo, np.full(len(lo), np.inf)
     for _ in range(ROUNDS):
         width = hi - lo
         places = lo + share * width
         values = function(places)
-        least = values.argmin(axis=0)
-        place, value = places[least, each], values[least, each]
+        values = np.where(np.isnan(values), np.inf, values)
+        best = values.argmin(axis=0)
+        place, value = places[best, each], values[best, each]
+        where, least = np.where(value < least, place, where), np.minimum(value, least)
         step = width / (PROBES + 1)
         lo, hi = np.maximum(lo, place - step), np.minimum(hi, place + step)
-    return place, value
+    return where, least

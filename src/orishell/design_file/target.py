@@ -129,12 +129,22 @@ class Target(Table):
         """
         table = self.model_dump(exclude_unset=True)
         if isinstance(self.points, str):
-            table["points"] = self._points(directory, unit).tolist()
+            points = self._points(directory, unit)
+            kept = np.linspace(0, len(points) - 1, min(len(points), MOST_POINTS))
+            table["points"] = points[np.unique(np.rint(kept).astype(int))].tolist()
             table.pop("unit", None)
         elif self.svg is not None or self.dxf is not None:
             for key in {*FILES, *FITTING["svg"], *FITTING["dxf"], "reverse"} - {"smooth", "part"}:
                 table.pop(key, None)
-            table["path"], _ = curve_data(self._chain(directory, unit))
+            chain = self._chain(directory, unit)
+            table["path"], beside = curve_data(chain)
+            if beside and self.part is not None:
+                # Lengths along what is drawn, where that is a little longer or shorter.
+                before, after = (
+                    (each.spline() if self.smooth else each.curve()).stop
+                    for each in (chain, parse_curve(table["path"]))
+                )
+                table["part"] = [end * after / before for end in _numbers("part", self.part)]
         return table
 
     def _curve(self, directory: Path | None, unit: str) -> Curve:

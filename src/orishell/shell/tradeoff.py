@@ -11,7 +11,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, followed, stretch, unwatched
 from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.errors import DesignError
+from orishell.errors import DesignError, OrishellError
 from orishell.families.pattern import Tolerance
 from orishell.shell.choice import Trial, unbeaten
 from orishell.shell.size_search import size_ladder, trial_of
@@ -78,11 +78,11 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
 
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []
-    refusal: DesignError | None = None
+    refusal: OrishellError | None = None
     for size in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
         try:
             tried.append(trial_of(make, measure, size, careful=False))
-        except DesignError as error:
+        except OrishellError as error:  # lists of lengths fit their own size only
             refusal = refusal or error
     if refusal is not None and not tried:
         raise refusal

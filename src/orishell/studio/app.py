@@ -32,7 +32,7 @@ from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
 from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.pages import Compressed, Pages
-from orishell.studio.processes import prepare_copies
+from orishell.studio.processes import prepared_copies
 from orishell.studio.refusals import RefusalError, make_refusal
 from orishell.studio.tasks import answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
@@ -93,10 +93,10 @@ def make_app(
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
-        prepare_copies()
-        yield
-        quick.close()
-        slow.close()
+        with prepared_copies():
+            yield
+            quick.close()
+            slow.close()
 
     app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
     app.add_middleware(Compressed)

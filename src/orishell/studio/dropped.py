@@ -17,12 +17,17 @@ from orishell.curves import (
     read_svg,
     trace_curve,
 )
+from orishell.curves.pieces import Bezier
+from orishell.design_file.target import MOST_POINTS
 from orishell.errors import InputError
+from orishell.numerics.arrays import Array
 from orishell.studio.api import DroppedCurve
 from orishell.studio.few_points import few_points
 
 IDS = re.compile(r"""\bid\s*=\s*["']([^"']+)["']""")
 LAYERS = re.compile(r"^[ ]*8\r?\n(.+?)\r?$", re.MULTILINE)
+MOST_LINES = 40
+"""Straight lines of a drawing that are kept as they are."""
 PARTS = 20
 """Paths or layers of a drawing that are tried, if it is no single curve."""
 
@@ -72,25 +77,47 @@ def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
 
 def _read_points(path: Path, name: str, unit: str) -> DroppedCurve:
     points = read_points(path, into=unit)
-    few, smooth, farthest = few_points(points)
-    note = f"a spline through the {len(points)} points of {name}"
-    if len(few) < len(points):
-        kind = "a spline through" if smooth else "straight lines between"
-        note = (
-            f"{kind} {len(few)} points along the {len(points)} of {name}; none of these "
-            f"is farther from it than {farthest:.2g} {unit}"
+    few = _few(points, name, unit)
+    if few is not None:
+        return few
+    if len(points) > MOST_POINTS:
+        raise InputError(
+            "no spline of few points follows these",
+            where=name,
+            got=f"{len(points)} points",
+            expected=f"at most {MOST_POINTS}",
         )
+    note = f"a spline through the {len(points)} points of {name}"
+    return {"table": {"points": points.tolist(), "smooth": True}, "note": note}
+
+
+def _few(points: Array, name: str, unit: str) -> DroppedCurve | None:
+    """A curve of few points along many; None where no such follows them."""
+    few, smooth, farthest = few_points(points)
+    if len(few) == len(points):
+        return None
+    kind = "a spline through" if smooth else "straight lines between"
+    note = (
+        f"{kind} {len(few)} points along the {len(points)} of {name}; none of these "
+        f"is farther from it than {farthest:.2g} {unit}"
+    )
     return {"table": {"points": few.tolist(), "smooth": smooth}, "note": note}
 
 
 def _read_drawing(path: Path, ending: str, name: str, unit: str) -> DroppedCurve:
     chain, part = _longest_curve(path, ending, unit)
+    straight = all(isinstance(each, Bezier) and len(each.control) == 2 for each in chain.pieces)
+    if straight and len(chain.pieces) > MOST_LINES:
+        # So many lines are a curve that was measured, or written by another program.
+        few = _few(chain.joints, part + name, unit)
+        if few is not None:
+            return few
     data, farthest = curve_data(chain)
     curve = parse_curve(data)
     trace_curve(curve.curve(), "the drawing")
     many = len(curve.pieces)
     note = f"{many} piece{'s' * (many > 1)} of a path along {part}{name}, "
-    note += f"at most {farthest:.2g} {unit} beside it" if farthest else "exactly"
+    note += f"about {farthest:.2g} {unit} beside it at most" if farthest else "exactly"
     return {"table": {"path": data}, "note": note}
 
 

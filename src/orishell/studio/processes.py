@@ -12,7 +12,7 @@ import multiprocessing
 import os
 import shutil
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from multiprocessing import forkserver
 from multiprocessing.connection import Connection
@@ -32,6 +32,7 @@ for bad input. A function of a module, so that every process finds it."""
 
 Kind = Literal["progress", "result", "refusal", "fault"]
 WARM = "orishell.studio.warm"
+SAFE_PATH = "PYTHONSAFEPATH"
 STEP = 0.01
 """Progress is passed on when it grew by this share."""
 
@@ -49,10 +50,29 @@ class Worker:
         self.life.close()
 
 
-def prepare_copies() -> None:
-    """Start the process that others are copies of, which takes it some seconds, not the caller."""
-    if isinstance(_context(), ForkServerContext):
-        forkserver.ensure_running()
+@contextlib.contextmanager
+def prepared_copies() -> Iterator[None]:
+    """Start the process that others are copies of, which takes it some seconds, not the caller.
+
+    Its files are removed at the end of the context, or when this process is stopped in it.
+    """
+    if not isinstance(_context(), ForkServerContext):
+        yield
+        return
+    files = tempfile.mkdtemp(prefix="orishell-")
+    with cleaning_up(lambda: shutil.rmtree(files, ignore_errors=True)):
+        # Where the sockets of processes go; Python itself would leave them behind.
+        multiprocessing.current_process()._config["tempdir"] = files  # type: ignore[attr-defined]
+        before = os.environ.get(SAFE_PATH)
+        os.environ[SAFE_PATH] = "1"  # modules are not those of the directory one works in
+        try:
+            forkserver.ensure_running()
+        finally:
+            if before is None:
+                del os.environ[SAFE_PATH]
+            else:
+                os.environ[SAFE_PATH] = before
+        yield
 
 
 def _context() -> ForkServerContext | SpawnContext:
@@ -77,7 +97,7 @@ def start_worker(work: Work) -> Worker:
     process = context.Process(target=_serve, args=(work, theirs, files), daemon=True)
 
     def end() -> None:
-        if process.pid is not None:
+        if process.pid is not None and process.is_alive():
             process.kill()
             process.join()
         ours.close()

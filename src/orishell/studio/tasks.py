@@ -234,7 +234,10 @@ class Task:
             archive = io.BytesIO()
             with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
                 for path in paths:
-                    packed.writestr(zipfile.ZipInfo(path.name, ZIP_DATE), path.read_bytes())
+                    # Drawings have the design's name; other files may name each other.
+                    drawing = path.stem.startswith("pattern")
+                    inner = file_name(path.name, self._name()) if drawing else path.name
+                    packed.writestr(zipfile.ZipInfo(inner, ZIP_DATE), path.read_bytes())
             return f"{self._name()}-{format_.name}.zip", archive.getvalue()
 
     def _name(self) -> str:

@@ -121,20 +121,28 @@ class Pool:
             worker = await self._idle.get()
         finally:
             self._in_line -= 1
-        if worker is None or not worker.process.is_alive():
+        if worker is not None and not worker.process.is_alive():
+            self._forget(worker)
+            worker = None
+        if worker is None:
             starting = asyncio.create_task(asyncio.to_thread(start_worker, self.work))
             try:
                 worker = await asyncio.shield(starting)
-            except BaseException:
+            except BaseException as error:
                 # The request is gone, but the process may be about to start.
                 starting.add_done_callback(stop_started)
                 self._idle.put_nowait(None)
+                if isinstance(error, EOFError | OSError):
+                    raise FaultError(f"no process could be started: {error}") from None
                 raise
             self._workers.append(worker)
         return worker
 
     def _replace(self, worker: Worker) -> None:
+        self._forget(worker)
+        self._idle.put_nowait(None)
+
+    def _forget(self, worker: Worker) -> None:
         worker.stop()
         with contextlib.suppress(ValueError):
             self._workers.remove(worker)
-        self._idle.put_nowait(None)

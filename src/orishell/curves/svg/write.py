@@ -101,7 +101,7 @@ def _cubics(piece: Bezier, tolerance: float) -> Iterator[tuple[Bezier, float]]:
         handles = tangents * (high - low) / 3
         cubic = bezier([points[0], points[0] + handles[0], points[1] - handles[1], points[1]])
         drawn = PieceArrays.of([cubic]).jet(np.zeros(len(SAMPLES), np.intp), SAMPLES)[0]
-        # The same share of both: no less than the distance of the two curves.
+        # The same share of both: about the distance of the two curves, or more.
         off = float(np.hypot(*(jet(low + (high - low) * SAMPLES)[0] - drawn).T).max())
         if off <= tolerance or halvings == MOST_HALVINGS:
             yield cubic, off
