@@ -1,10 +1,12 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 import { exportDesign, fetchRanges, fetchView, verify } from "../src/studio/api.ts";
-import { faultOf } from "../src/studio/faults.ts";
+import { faultOf, ownFault } from "../src/studio/faults.ts";
 import { Live } from "../src/studio/live.ts";
+import { forgetWhatIsStale, ofFile } from "../src/studio/stale.ts";
 import { Store } from "../src/studio/store.ts";
 import type { Design, Info } from "../src/studio/types.ts";
+import scipy from "./motion.json";
 
 const DESIGN: Design = {
   shell: { family: "orthodiagonal", unit: "m" },
@@ -103,4 +105,23 @@ test("a change breaks the search for sizes off, with its word", async () => {
   expect(store.busy.value).toBe("Choosing rows and columns");
   store.change({ ...store.design.value, tolerance: { surface: 2 } }, "surface");
   expect(store.busy.value).toBeNull();
+});
+
+test("what is wrong with a file stays when the view comes, and goes with the design", async () => {
+  const bytes = Uint8Array.from(atob(scipy.view), (each) => each.charCodeAt(0));
+  answers((path) => (path === "api/design" ? new Response(bytes) : body("{")));
+  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: DESIGN });
+  const live = new Live(store, () => Promise.resolve());
+  forgetWhatIsStale(store);
+  live.changed();
+  const fault = ofFile(ownFault("input", "The link of this design is broken"));
+  store.fault.set(fault);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(store.view.value).not.toBeNull();
+  expect(store.fault.value).toBe(fault);
+  store.setPattern("rows", 7);
+  expect(store.fault.value).toBeNull();
+  store.fault.set(ownFault("input", "This design is not usable"));
+  await vi.advanceTimersByTimeAsync(100);
+  expect(store.fault.value).toBeNull();
 });
