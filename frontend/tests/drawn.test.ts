@@ -36,3 +36,9 @@ test("a trembling stroke becomes a smooth curve through few points", () => {
   const spline = splineThrough(points);
   for (let i = 0; i <= 50; i++) expect(Math.abs(Math.hypot(...spline(i / 50)) - 3)).toBeLessThan(0.12);
 });
+
+test("a stroke through points that coincide is a curve all the same", () => {
+  for (const track of [[[0, 0], [0, 0], [1, 1], [1, 1], [2, 0], [2, 0]], [[1, 1], [1, 1], [1, 1]]] as Point[][]) {
+    for (const [x, y] of fitStroke(track)) expect(Number.isFinite(x + y)).toBe(true);
+  }
+});

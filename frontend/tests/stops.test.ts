@@ -57,6 +57,16 @@ test("a motion that is played rests at its target", () => {
   }
 });
 
+test("stops in one place take no time that is not a number", () => {
+  const journey = new Journey([{ share: 0 }, { share: 0 }, { share: 1 }, { share: 1 }]);
+  for (const share of [0, 0.5, 1]) {
+    expect(journey.timeOf(share)).toBeGreaterThanOrEqual(0);
+    expect(journey.shareAt(journey.timeOf(share))).toBeCloseTo(share, 9);
+  }
+  const stop = { name: "flat", label: "Flat", share: 1 } as const;
+  expect(frameAt([stop, stop], 1, 11)).toBe(0);
+});
+
 test("panels are drawn at descending drives", () => {
   const view = decodeView(Uint8Array.from(atob(scipy.view), (each) => each.charCodeAt(0)).buffer);
   const rising = new Motion(view);

@@ -225,6 +225,7 @@ export class Shell3D {
   }
 
   setFold(share: number): void {
+    if (!Number.isFinite(share)) return;
     this.share = Math.min(1, Math.max(0, share));
     this.posed = false;
     this.markContact();

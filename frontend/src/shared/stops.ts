@@ -116,7 +116,8 @@ export class Journey {
   timeOf(share: number): number {
     const leg = this.legs.findLast((each) => each.from <= share) ?? this.legs[0];
     if (!leg) return 0;
-    const part = Math.min(1, Math.max(0, (share - leg.from) / (leg.to - leg.from)));
+    const whole = leg.to - leg.from;
+    const part = whole > 0 ? Math.min(1, Math.max(0, (share - leg.from) / whole)) : 0;
     return leg.start + (leg.time * Math.acos(1 - 2 * part)) / Math.PI;
   }
 }
@@ -129,5 +130,6 @@ export function frameAt(stops: Stop[], share: number, frames: number): number {
   );
   const k = Math.max(1, stops.findIndex((stop, number) => number > 0 && share <= stop.share));
   const from = stops[k - 1]!.share, to = stops[k]!.share;
-  return Math.round(at[k - 1]! + ((share - from) / (to - from)) * (at[k]! - at[k - 1]!));
+  const part = to > from ? (share - from) / (to - from) : 0;
+  return Math.round(at[k - 1]! + part * (at[k]! - at[k - 1]!));
 }

@@ -14,7 +14,8 @@ export function nearestOf(one: Vector3[], other: Vector3[]): Nearest {
   const point = new Vector3();
   const offer = (a: Vector3, b: Vector3): void => {
     const apart = a.distanceTo(b);
-    if (apart >= gap) return;
+    // Not a number where a side has no length: its corners are offered with the sides beside it.
+    if (!(apart < gap)) return;
     gap = apart;
     point.addVectors(a, b).multiplyScalar(0.5);
   };
@@ -48,6 +49,8 @@ function footInside(point: Vector3, panel: Vector3[]): Vector3 | null {
   const normal = c.clone().sub(a).cross(d.clone().sub(b)).normalize();
   const foot = point.clone().addScaledVector(normal, -normal.dot(point.clone().sub(a)));
   const inside = (x: Vector3, y: Vector3, z: Vector3): boolean =>
+    // On the line of a triangle without area nothing is inside.
+    y.clone().sub(x).cross(z.clone().sub(x)).dot(normal) > 0 &&
     ([[x, y], [y, z], [z, x]] as const).every(([from, to]) => to.clone().sub(from).cross(foot.clone().sub(from)).dot(normal) >= 0);
   return inside(a, b, c) || inside(a, c, d) ? foot : null;
 }

@@ -31,8 +31,19 @@ async function refusedBy(response: Response): Promise<ServerFault> {
   }
 }
 
+/** The body of an answer; a server that dies while it answers does not answer. */
+async function received<T>(body: Promise<T>, signal?: AbortSignal): Promise<T> {
+  try {
+    return await body;
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw unreachable();
+  }
+}
+
 async function json<T>(path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
-  return (await (await ask(path, body, signal)).json()) as T;
+  const response = await ask(path, body, signal);
+  return received(response.json() as Promise<T>, signal);
 }
 
 export function fetchInfo(): Promise<Info> {
@@ -54,7 +65,7 @@ export async function fetchView(
 ): Promise<Answer> {
   const response = await ask("design", { design, states }, signal);
   const server = Number(/dur=([\d.]+)/.exec(response.headers.get("Server-Timing") ?? "")?.[1] ?? 0);
-  return { bytes: await response.arrayBuffer(), server };
+  return { bytes: await received(response.arrayBuffer(), signal), server };
 }
 
 export async function fetchRanges(design: Design, signal: AbortSignal): Promise<Ranges> {
@@ -89,7 +100,7 @@ export async function exportDesign(
   const quoted = /filename\*=utf-8''([^;]+)/i.exec(header)?.[1];
   const plain = /filename="?([^";]+)"?/i.exec(header)?.[1];
   const file = quoted ? decodeURIComponent(quoted) : (plain ?? `${name}.${format}`);
-  return { name: file, blob: await response.blob() };
+  return { name: file, blob: await received(response.blob()) };
 }
 
 export type Progressed = (share: number, what: string) => void;
@@ -115,9 +126,10 @@ async function streamed<T>(path: string, body: unknown, signal: AbortSignal, pro
   const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
   for (;;) {
-    const { value, done } = await reader.read();
+    const { value, done } = await received(reader.read(), signal);
     const lines = (rest + (value ?? "")).split("\n");
-    rest = done ? "" : lines.pop()!;
+    // Every message ends its line: one that does not was cut off.
+    rest = lines.pop()!;
     for (const line of lines) {
       if (!line.trim()) continue;
       const message = JSON.parse(line) as Api.Advance | { result: T } | Api.Refusal;

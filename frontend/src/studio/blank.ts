@@ -1,6 +1,6 @@
 // A design to be drawn: both curves are still missing.
 
-import { isWhole } from "./curve-table.ts";
+import { isCurve, isWhole } from "./curve-table.ts";
 import { h } from "./dom.ts";
 import type { Store } from "./store.ts";
 import type { Design, Value } from "./types.ts";
@@ -24,7 +24,7 @@ export function blankCover(store: Store): HTMLElement {
   const words = h("p", {});
   const cover = h("div", { class: "blank-cover", role: "status", "data-testid": "blank", hidden: true }, words);
   const missing = (): string[] =>
-    (["f", "g"] as const).filter((name) => store.design.value.target[name].points?.length === 0);
+    (["f", "g"] as const).filter((name) => !isCurve(store.design.value.target[name]));
   const refresh = (): void => {
     const { design, freshness } = store;
     if (missing().length) cover.hidden = false;

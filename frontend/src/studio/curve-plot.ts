@@ -33,6 +33,7 @@ export interface Shown {
 /** From how far points are caught, in pixels. */
 const REACH = { mouse: 7, touch: 12 };
 const NOTHING_YET = "Nothing is drawn yet: press Draw.";
+const ONE_POINT = "One point is no curve yet: press Draw, or undo.";
 const HOW_TO_DRAW = "click point by point, or draw a stroke; Enter ends.";
 
 export class CurvePlot {
@@ -204,9 +205,10 @@ export class CurvePlot {
 
   private showHint(): void {
     const { words } = this;
-    const { blank } = this.shown;
+    const { blank, handles } = this.shown;
+    const single = handles.length === 1 && !this.drawing.active;
     const waiting = this.drawing.active && this.events.last() === null;
-    const text = words || (waiting ? `${blank?.words ?? "A new curve:"} ${HOW_TO_DRAW}` : blank ? NOTHING_YET : "");
+    const text = words || (waiting ? `${blank?.words ?? "A new curve:"} ${HOW_TO_DRAW}` : blank ? NOTHING_YET : single ? ONE_POINT : "");
     this.hint.textContent = text;
     this.hint.hidden = !text;
     this.hint.classList.toggle("waiting", !words);

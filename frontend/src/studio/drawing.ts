@@ -49,7 +49,7 @@ export class Drawing {
     svg.addEventListener("pointerdown", (event) => this.down(event), capture);
     svg.addEventListener("pointermove", (event) => this.moved(event), capture);
     svg.addEventListener("pointerup", (event) => this.up(event), capture);
-    svg.addEventListener("pointercancel", () => this.drop(), capture);
+    svg.addEventListener("pointercancel", (event) => event.pointerId === this.pointer && this.drop(), capture);
     svg.addEventListener("dblclick", (event) => this.on && event.stopImmediatePropagation(), capture);
     svg.addEventListener("keydown", (event) => this.pressed(event), capture);
   }
@@ -89,11 +89,13 @@ export class Drawing {
   private moved(event: PointerEvent): void {
     if (!this.on) return;
     event.stopImmediatePropagation();
+    if (this.pointer !== null && event.pointerId !== this.pointer) return;
     const at = this.place.plane.fromPixels(this.place.pixels(event));
     if (this.pointer === null) {
       this.at = this.place.catch(at, event).at;
     } else {
-      this.track.push(at);
+      // Pens tell of their pressure where they rest, too.
+      if (distance(this.track.at(-1)!, at) > 0) this.track.push(at);
       this.at = null;
     }
     this.draw();

@@ -75,9 +75,9 @@ export class Files {
     const brought = await designOf(location.hash);
     // Taken once: a reload is to bring back what was made of it.
     history.replaceState(null, "", location.pathname + location.search);
-    if (!brought) {
+    if (!brought || !Object.hasOwn(this.store.info.families, brought.design.shell.family)) {
       const remedy = "copy the whole of it; some programs cut long links";
-      return this.store.fault.set(ownFault("input", "The link of this design is broken", remedy));
+      return this.store.fault.set(ofFile(ownFault("input", "The link of this design is broken", remedy)));
     }
     this.opening();
     this.store.open(brought, "the design of the link");
@@ -90,7 +90,9 @@ export class Files {
     try {
       await act();
     } catch (error) {
-      this.store.fault.set(ofFile(faultOf(error)));
+      const fault = faultOf(error);
+      // A server that answers again does mend that it did not.
+      this.store.fault.set(fault.kind === "network" ? fault : ofFile(fault));
     } finally {
       files.set(files.value - 1);
     }

@@ -3,7 +3,12 @@
 import { namedOf } from "./link.ts";
 import type { Named, Store } from "./store.ts";
 
-const KEY = "orishell.design";
+/** Followed by the design's name. */
+const KEY = "orishell.design:";
+/** The names of what is kept, the latest first. */
+const LATEST = "orishell.latest";
+/** So many names are kept. */
+const MOST = 8;
 /** Rest after a change before it is kept, in milliseconds. */
 const REST = 300;
 
@@ -16,8 +21,9 @@ export function storageOf(page: Window): Storage | null {
   }
 }
 
-export function readKept(storage: Storage | null): Named | null {
-  const text = storage?.getItem(KEY);
+/** What is kept under a name; of none, what was kept last. */
+export function readKept(storage: Storage | null, name = namesIn(storage)[0]): Named | null {
+  const text = name === undefined ? null : storage?.getItem(KEY + name);
   if (!text) return null;
   try {
     return namedOf(JSON.parse(text));
@@ -26,25 +32,59 @@ export function readKept(storage: Storage | null): Named | null {
   }
 }
 
-/** Keeps one page's design; what another page keeps in its place is not removed. */
+function namesIn(storage: Storage | null): string[] {
+  try {
+    const names: unknown = JSON.parse(storage?.getItem(LATEST) ?? "[]");
+    return Array.isArray(names) ? names.filter((each) => typeof each === "string") : [];
+  } catch {
+    return [];
+  }
+}
+
+/** Keeps one page's designs, each under its name; what another page keeps in their place is not removed. */
 export class Keeper {
-  private mine: string | null = null;
+  private mine: { name: string; text: string } | null = null;
 
   constructor(private readonly storage: Storage | null) {}
 
   write(named: Named): void {
-    this.mine = JSON.stringify(named);
+    const { name } = named;
+    const text = JSON.stringify(named);
+    this.mine = { name, text };
+    const names = [name, ...namesIn(this.storage).filter((each) => each !== name)];
     try {
-      this.storage?.setItem(KEY, this.mine);
+      for (const old of names.splice(MOST)) this.storage?.removeItem(KEY + old);
+      this.storage?.setItem(KEY + name, text);
+      this.storage?.setItem(LATEST, JSON.stringify(names));
     } catch {
       // The browser's room is full: what was kept before would be another design.
-      this.storage?.removeItem(KEY);
+      this.forget(name);
     }
   }
 
-  remove(): void {
-    if (this.storage?.getItem(KEY) === this.mine) this.storage?.removeItem(KEY);
+  /** Keep a design whose place another takes. */
+  leave(named: Named): void {
+    this.write(named);
     this.mine = null;
+  }
+
+  /** What was written last is saved, or has another name. */
+  remove(): void {
+    const { mine } = this;
+    if (mine && this.storage?.getItem(KEY + mine.name) === mine.text) this.forget(mine.name);
+    this.mine = null;
+  }
+
+  private forget(name: string): void {
+    const { storage } = this;
+    storage?.removeItem(KEY + name);
+    const names = namesIn(storage).filter((each) => each !== name);
+    try {
+      if (names.length) storage?.setItem(LATEST, JSON.stringify(names));
+      else storage?.removeItem(LATEST);
+    } catch {
+      // A name under which there is nothing does no harm.
+    }
   }
 }
 
@@ -62,7 +102,16 @@ export function keepUnsaved(store: Store, page: Window): void {
     page.clearTimeout(timer);
     timer = page.setTimeout(keep, REST);
   };
-  for (const signal of [store.name, store.design, store.saved]) signal.watch(later);
+  store.replaced.watch((named) => named && keeper.leave(named));
+  store.name.watch(() => {
+    // Only the name is another: the design goes with it.
+    if (Object.is(store.named.design, store.design.value)) {
+      keeper.remove();
+      keep();
+    }
+  });
+  store.design.watch(later);
+  store.saved.watch(keep);
   page.addEventListener("pagehide", keep);
   page.document.addEventListener("visibilitychange", () => {
     if (page.document.visibilityState === "hidden") keep();

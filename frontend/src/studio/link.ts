@@ -1,6 +1,7 @@
 // A design as a link: its tables, compressed, in the fragment of the address, which browsers keep to
 // themselves.
 
+import { handlesIn } from "./curve-table.ts";
 import type { Named } from "./store.ts";
 import type { Design } from "./types.ts";
 
@@ -32,13 +33,19 @@ export async function designOf(fragment: string): Promise<Named | null> {
   }
 }
 
-/** What was read, if it is a design with its name. */
+/** What was read, if it is a design with its name; throws where the points of a curve are none. */
 export function namedOf(value: unknown): Named | null {
   const found = value as Partial<Named> | null;
   const design = found?.design as Partial<Design> | undefined;
   if (typeof found?.name !== "string" || typeof design?.shell?.family !== "string") return null;
-  if (typeof design.pattern !== "object" || typeof design.target !== "object") return null;
+  const { pattern, target } = design;
+  if (![pattern, target, target?.f, target?.g].every(isTable)) return null;
+  for (const table of [target!.f, target!.g]) handlesIn(table);
   return { name: found.name, design: design as Design };
+}
+
+function isTable(value: unknown): boolean {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
 async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {

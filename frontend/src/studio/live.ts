@@ -10,6 +10,7 @@ import { Flights } from "./flights.ts";
 import { earlyContact } from "./lock.ts";
 import { leaveOpen } from "./left-open.ts";
 import { sized } from "./sizing.ts";
+import { isOfFile } from "./stale.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
 import type { Store } from "./store.ts";
 import type { Design, Report } from "./types.ts";
@@ -59,15 +60,9 @@ export class Live {
     this.stopResting();
     const { store } = this;
     store.proof.set({ state: "none" });
-    if (!isWhole(store.design.value)) {
-      // A curve is being drawn: there is nothing to ask for.
-      this.pending = null;
-      store.fault.set(null);
-      store.freshness.set("outdated");
-      return;
-    }
-    if (store.design.value.tolerance) {
-      // Sizes are chosen at the user's word: the search takes seconds.
+    store.busy.set(null);  // a search for sizes is broken off
+    if (!isWhole(store.design.value) || store.design.value.tolerance) {
+      // A curve is being drawn; or sizes are chosen, at the user's word: the search takes seconds.
       this.pending = null;
       store.fault.set(null);
       store.freshness.set("outdated");
@@ -81,8 +76,7 @@ export class Live {
     this.sequence++;
     this.stopResting();
     this.store.busy.set("Choosing rows and columns");
-    const { store } = this;
-    this.request({ design: store.design.value, changedAt: performance.now(), states: STATES });
+    this.request({ design: this.store.design.value, changedAt: performance.now(), states: STATES });
   }
 
   /** Break off what is under way. */
@@ -137,7 +131,7 @@ export class Live {
       leaveOpen(view);
       store.report.set(view.header.report as Report);
       store.view.set(view);
-      store.fault.set(null);
+      if (!isOfFile(store.fault.value)) store.fault.set(null);
       store.busy.set(null);
       const newest = sequence === this.sequence;
       if (newest) {
@@ -184,9 +178,12 @@ export class Live {
   /** Ask until the server is back, or the design changes. */
   private tryAgain(sequence: number): void {
     window.setTimeout(() => {
-      if (sequence !== this.sequence || this.flights.under) return;
-      const { store } = this;
-      this.request({ design: store.design.value, changedAt: performance.now(), states: liveStates(store.design.value) });
+      if (sequence !== this.sequence) return;
+      // Older requests have not ended yet.
+      if (this.flights.under) return this.tryAgain(sequence);
+      const design = this.store.design.value;
+      if (design.tolerance) return this.choose();
+      this.request({ design, changedAt: performance.now(), states: liveStates(design) });
     }, AGAIN);
   }
 
@@ -212,12 +209,15 @@ export class Live {
     const design = this.store.design.value;
     const all = allStates(design);
     const refined = shown && !design.tolerance && shown.states < all ? this.refine(design, all, signal) : null;
-    await Promise.all([
-      design.tolerance ? null : this.findRanges(design, signal),
-      refined,
-      shown ? this.prove(sized(design, this.store.report.value), signal) : this.mend(design, signal),
-    ]);
-    if (!signal.aborted) this.resting = false;
+    try {
+      await Promise.all([
+        design.tolerance ? null : this.findRanges(design, signal),
+        refined,
+        shown ? this.prove(sized(design, this.store.report.value), signal) : this.mend(design, signal),
+      ]);
+    } finally {
+      if (!signal.aborted) this.resting = false;
+    }
   }
 
   private async refine(design: Design, states: number, signal: AbortSignal): Promise<void> {
@@ -256,7 +256,7 @@ export class Live {
   /** Of a design that cannot be made: find what would work, by trying it. */
   private async mend(design: Design, signal: AbortSignal): Promise<void> {
     const { fault } = this.store;
-    if (!fault.value) return;
+    if (!fault.value || isOfFile(fault.value)) return;
     fault.set({ ...fault.value, searching: true });
     try {
       await verify(design, signal, () => undefined);

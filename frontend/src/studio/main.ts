@@ -25,14 +25,14 @@ import { askEarly } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { keepUnsaved, readKept, storageOf } from "./kept.ts";
 import { type Named, Store } from "./store.ts";
-import type { Design } from "./types.ts";
+import type { Design, Info } from "./types.ts";
 
 async function start(root: HTMLElement): Promise<void> {
   const page = import("./app.ts");
   const info = await fetchInfo();
   const first = info.start ?? info.examples[0]!;
   const named: Named = { name: first.name, design: first.design as unknown as Design };
-  const kept = readKept(storageOf(window));
+  const kept = broughtBack(info);
   const other = kept !== null && info.start !== null && kept.name !== first.name;
   const store = new Store(info, other ? kept : named);
   if (other) {
@@ -46,6 +46,14 @@ async function start(root: HTMLElement): Promise<void> {
   askEarly(store.design.value);
   (await page).buildStudio(root, store);
   keepUnsaved(store, window);
+}
+
+/** What was not saved of the design that the studio was started with, or else the latest such work. */
+function broughtBack(info: Info): Named | null {
+  const storage = storageOf(window);
+  const kept = (info.start && readKept(storage, info.start.name)) ?? readKept(storage);
+  // Work on a family that this studio does not know is left alone.
+  return kept && Object.hasOwn(info.families, kept.design.shell.family) ? kept : null;
 }
 
 const root = document.getElementById("studio")!;

@@ -47,8 +47,7 @@ export class PastDesigns {
     const picture = this.stage.shell.picture(WIDTH, HEIGHT);
     setAttribute(picture, "aria-hidden", "true");
     const back = (): void => {
-      this.store.name.set(name);
-      this.store.change(design, "earlier design");
+      if (design !== this.store.design.value) this.store.open({ name, design }, "earlier design");
     };
     const made = h("button", { type: "button", class: "past-design", title: words, "aria-label": `Back to ${words}`, onclick: back }, picture);
     this.designs = [...this.designs.filter((each) => each.design !== design), { design, button: made }].slice(-MOST);

@@ -15,8 +15,10 @@ export function listenForShortcuts(act: Shortcuts): void {
     const target = event.target as HTMLElement;
     const typing = target instanceof HTMLInputElement && target.type === "text";
     if (event.ctrlKey || event.metaKey) {
-      if (key === "s") act.save();
-      else if (key === "o") act.open();
+      if (key === "s") {
+        settle();
+        act.save();
+      } else if (key === "o") act.open();
       else if (key === "z" && !typing) (event.shiftKey ? act.redo : act.undo)();
       else if (key === "y" && !typing) act.redo();
       else return;
@@ -29,4 +31,12 @@ export function listenForShortcuts(act: Shortcuts): void {
     else return;
     event.preventDefault();
   });
+}
+
+/** What is being typed is taken first: boxes that are read on change are left for that. */
+function settle(): void {
+  const field = document.activeElement;
+  if (!(field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement)) return;
+  field.blur();
+  field.focus({ preventScroll: true });
 }

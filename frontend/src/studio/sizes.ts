@@ -64,6 +64,10 @@ export class Sizes {
       this.chosen,
     );
     this.element = h("div", { class: "sizes" }, this.mode.element, this.rows, this.fields, this.tradeoff.element);
+    store.design.watch((now, before) => {
+      // Another surface, or another unit: the distance means something else.
+      if (now.shell !== before.shell || now.target !== before.target) this.remembered = null;
+    });
     store.design.bind(() => this.refresh());
     store.report.bind(() => this.refresh());
     store.busy.bind(() => this.refresh());

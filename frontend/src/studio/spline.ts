@@ -128,7 +128,8 @@ function pointAt(samples: Point[], lengths: number[], share: number): Point {
   const at = share * lengths.at(-1)!;
   let k = 0;
   while (k < samples.length - 2 && at > lengths[k + 1]!) k++;
-  const part = (at - lengths[k]!) / (lengths[k + 1]! - lengths[k]!);
+  const step = lengths[k + 1]! - lengths[k]!;
+  const part = step > 0 ? (at - lengths[k]!) / step : 0;
   const [a, b] = [samples[k]!, samples[k + 1]!];
   return [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
 }

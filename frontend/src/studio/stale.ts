@@ -16,6 +16,10 @@ export function forgetWhatIsStale(store: Store): void {
 /** Faults that no change of the design mends. */
 const OF_FILES = new WeakSet<object>();
 
+export function isOfFile(fault: object | null): boolean {
+  return fault !== null && OF_FILES.has(fault);
+}
+
 /** A fault of reading or writing a file, not of the design. */
 export function ofFile<T extends object>(fault: T): T {
   OF_FILES.add(fault);

@@ -28,6 +28,8 @@ export class Store {
   readonly design: Signal<Design>;
   /** The design as it is in a file: as it was opened or saved last. */
   readonly saved: Signal<Named>;
+  /** What was not saved when another design took its place. */
+  readonly replaced = new Signal<Named | null>(null);
   /** The name that files get; undo brings it back with its design. */
   readonly name: Signal<string>;
   readonly view = new Signal<View | null>(null);
@@ -91,6 +93,8 @@ export class Store {
 
   /** Take another design, with its own name, in place of the present one. */
   open(opened: Named, what = `open ${opened.name}`): void {
+    // A copy: the same may be replaced twice.
+    if (this.unsaved) this.replaced.set({ ...this.named });
     this.push(opened, what);
   }
 
