@@ -6,7 +6,7 @@ import { panelCount, targetPoints, type Known, type View } from "./view.ts";
 
 interface Size { width: number; height: number; depth?: number; area?: number }
 
-const UNKNOWN = "not yet known";
+export const UNKNOWN = "not yet known";
 const CAUSES = {
   flaps: "against closing, by its flaps",
   clash: "panels meet",
