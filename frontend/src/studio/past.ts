@@ -1,7 +1,7 @@
 // The last designs that worked and rested, as small pictures to go back to.
 
 import { button } from "./controls.ts";
-import { h, setAttribute } from "./dom.ts";
+import { h, keepFocus, setAttribute } from "./dom.ts";
 import type { Stage } from "./stage.ts";
 import type { Store } from "./store.ts";
 import type { Design } from "./types.ts";
@@ -50,9 +50,10 @@ export class PastDesigns {
       this.store.name.set(name);
       this.store.change(design, "earlier design");
     };
-    const made = h("button", { type: "button", class: "past-design", title: words, "aria-label": `Back to ${words}`, onclick: back }, picture);
+    const known = this.designs.find((each) => each.design === design);
+    const made = known?.button ?? h("button", { type: "button", class: "past-design", title: words, "aria-label": `Back to ${words}`, onclick: back }, picture);
     this.designs = [...this.designs.filter((each) => each.design !== design), { design, button: made }].slice(-MOST);
-    this.element.replaceChildren(...this.designs.map((each) => each.button));
+    keepFocus(() => this.element.replaceChildren(...this.designs.map((each) => each.button)));
     this.mark();
   }
 
