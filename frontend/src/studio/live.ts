@@ -256,14 +256,16 @@ export class Live {
   /** Of a design that cannot be made: find what would work, by trying it. */
   private async mend(design: Design, signal: AbortSignal): Promise<void> {
     const { fault } = this.store;
-    if (!fault.value) return;
-    fault.set({ ...fault.value, searching: true });
+    const asked = fault.value;
+    if (!asked) return;
+    fault.set({ ...asked, searching: true });
     try {
       await verify(design, signal, () => undefined);
+      if (!signal.aborted) fault.set({ ...asked, searching: false });
     } catch (error) {
       if (signal.aborted) return;
       if (!(error instanceof ServerFault)) throw error;
-      fault.set(error.fault.kind === "design" ? error.fault : { ...fault.value, searching: false });
+      fault.set(error.fault.kind === "design" ? error.fault : { ...asked, searching: false });
     }
   }
 

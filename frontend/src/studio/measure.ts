@@ -27,7 +27,7 @@ export class Measure {
   private readonly words = h("p", { class: "inspect-note", role: "status" });
   private readonly inSpace = h("dd", { "data-testid": "measure-space" });
   private readonly inSheet = h("dd", { "data-testid": "measure-sheet" });
-  private readonly facts = h("dl", {}, h("dt", {}, "Now, in space"), this.inSpace, h("dt", {}, "In the flat sheet"), this.inSheet);
+  private readonly facts = h("dl", { "aria-live": "polite" }, h("dt", {}, "Now, in space"), this.inSpace, h("dt", {}, "In the flat sheet"), this.inSheet);
   private points: Anchor[] = [];
   /** Where the next point would be. */
   private next: Anchor | null = null;
@@ -86,7 +86,9 @@ export class Measure {
   }
 
   point(room: Room, event: PointerEvent | null): void {
-    this.next = event && this.found(room, event);
+    const next = event && this.found(room, event);
+    if (isSame(next, this.next)) return;
+    this.next = next;
     this.redraw();
   }
 
@@ -163,4 +165,8 @@ export class Measure {
     this.inSpace.textContent = apart((anchor) => anchorNow(motion, anchor));
     this.inSheet.textContent = view.flat.length ? apart((anchor) => anchorFlat(view, anchor)) : "\u2013";
   }
+}
+
+function isSame(one: Anchor | null, other: Anchor | null): boolean {
+  return one === other || (one !== null && other !== null && (Object.keys(one) as (keyof Anchor)[]).every((key) => one[key] === other[key]));
 }
