@@ -63,6 +63,7 @@ export class SheetPreview {
   private later(rest: number): void {
     clearTimeout(this.timer);
     this.stopping.abort();
+    this.work.hide();
     if (!this.open) return;
     this.state = "waiting";
     this.timer = window.setTimeout(() => void this.draw(), rest);
@@ -90,6 +91,7 @@ export class SheetPreview {
   }
 
   private stop(): void {
+    clearTimeout(this.timer);
     this.stopping.abort();
     this.refuse("Stopped. The sheets are drawn again when a setting changes.");
   }

@@ -77,7 +77,9 @@ export class TradeoffCard {
     this.stopping.abort();
     this.then = null;
     this.show("none");
-    this.note.textContent = "Stopped: nothing has been changed.";
+    const { tolerance, shell } = this.store.design.value;
+    const { surface } = tolerance ?? {};
+    this.note.textContent = surface === undefined ? "Stopped." : `Stopped: the tolerance stays ${short(surface, 3)} ${shell.unit}.`;
   }
 
   private async search(key: string): Promise<void> {
