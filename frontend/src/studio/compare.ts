@@ -31,7 +31,7 @@ export class Compare {
 
   constructor(
     private readonly store: Store,
-    stage: Stage,
+    private readonly stage: Stage,
     private readonly results: Results,
     /** Writes the page's own figures, too. */
     private readonly more: (figures: HTMLElement, view: View) => void,
@@ -41,6 +41,7 @@ export class Compare {
     this.redraw = stage.shell.add(this.ghost);
     results.pattern.layers.sheet.push((pen, at, theme) => this.drawFlat(pen, at, theme.text("--ghost")));
     this.shown = store.design.value;
+    store.view.watch(() => this.explain());
     store.freshness.bind((now) => {
       if (now === "current") this.shown = store.design.value;
     });
@@ -88,9 +89,19 @@ export class Compare {
     this.drawGhost();
   }
 
+  /** Whether the pinned shell is seen beside the present one. */
+  private get ghostly(): boolean {
+    return this.pinned !== null && this.pinned.view !== this.store.view.value;
+  }
+
+  private explain(): void {
+    this.stage.shell.explainMark("pinned", this.ghostly);
+  }
+
   private drawGhost(): void {
     this.ghost.set(this.pinned?.view ?? null);
     this.redraw();
+    this.explain();
     this.results.pattern.refresh(true);
   }
 
@@ -105,7 +116,7 @@ export class Compare {
   private drawFlat(pen: CanvasRenderingContext2D, at: (x: number, y: number) => [number, number], ink: string): void {
     const present = this.store.view.value;
     const view = this.pinned?.view;
-    if (!view?.flat.length || !present?.flat.length || view === present) return;
+    if (!this.ghostly || !view?.flat.length || !present?.flat.length) return;
     const [u, v] = middle(present.flat), [x, y] = middle(view.flat);
     const place = (vertex: number): [number, number] => at(view.flat[2 * vertex]! - x + u, view.flat[2 * vertex + 1]! - y + v);
     pen.strokeStyle = ink;

@@ -44,13 +44,13 @@ export class PastDesigns {
     const { rows, columns } = this.store.report.value!;
     const name = this.store.name.value;
     const words = `${name}, ${rows} rows, ${columns} columns`;
-    const picture = this.stage.shell.picture(WIDTH, HEIGHT);
-    setAttribute(picture, "aria-hidden", "true");
     const back = (): void => {
       this.store.name.set(name);
       this.store.change(design, "earlier design");
     };
     const known = this.designs.find((each) => each.design === design);
+    const picture = known ? null : this.stage.shell.picture(WIDTH, HEIGHT);
+    if (picture) setAttribute(picture, "aria-hidden", "true");
     const made = known?.button ?? h("button", { type: "button", class: "past-design", title: words, "aria-label": `Back to ${words}`, onclick: back }, picture);
     this.designs = [...this.designs.filter((each) => each.design !== design), { design, button: made }].slice(-MOST);
     keepFocus(() => this.element.replaceChildren(...this.designs.map((each) => each.button)));
