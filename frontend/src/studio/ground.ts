@@ -23,7 +23,7 @@ export function headOf(samples: Point[], unit: string): Point[] {
 }
 
 /** The ground at a curve's lower end, and a person on it in the middle of the curve. */
-export function groundOf(plane: Plane, samples: Point[], unit: string, person: boolean): Node[] {
+export function profileGround(plane: Plane, samples: Point[], unit: string, person: boolean): Node[] {
   if (samples.length < 2) return [];
   const level = Math.min(samples[0]![1], samples.at(-1)![1]);
   const [, y] = plane.toPixels([0, level]);

@@ -1,6 +1,6 @@
 // The card of a panel or crease: briefly while one points at it, whole when it is chosen.
 
-import { length, threeDigits } from "../shared/colours.ts";
+import { area, length, threeDigits } from "../shared/colours.ts";
 import { edgeLength, foldAngle, sectorAngles, sheetOf, SIDES } from "../shared/inspect.ts";
 import type { Shell3D } from "../shared/shell3d.ts";
 import { contactOf } from "../shared/stops.ts";
@@ -77,8 +77,7 @@ export class InspectCard {
   private panel(view: View, panel: number, whole: boolean): HTMLElement[] {
     const unit = view.header.unit;
     const sheet = sheetOf(view);
-    const areaUnit = unit === "unit" ? "" : ` ${unit}\u00b2`;
-    const facts: [string, string][] = [["Area", `${threeDigits(sheet.areas[panel]!)}${areaUnit}`]];
+    const facts: [string, string][] = [["Area", area(sheet.areas[panel]!, unit)]];
     if (!whole) return [list([...facts, ["Shortest side", length(sheet.shortest[panel]!, unit)]])];
     facts.push(["Corners", sectorAngles(view, panel).map(degrees).join("  ")]);
     const rows = SIDES.map((side, k) => {

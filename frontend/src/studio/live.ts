@@ -7,7 +7,6 @@ import { isWhole } from "./curve-table.ts";
 import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { Flights } from "./flights.ts";
-import { earlyContact } from "./lock.ts";
 import { leaveOpen } from "./left-open.ts";
 import { sized } from "./sizing.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
@@ -255,8 +254,7 @@ export class Live {
 
   /** Of a design that cannot be made: find what would work, by trying it. */
   private async mend(design: Design, signal: AbortSignal): Promise<void> {
-    const { fault } = this.store;
-    const asked = fault.value;
+    const { fault } = this.store, asked = fault.value;
     if (!asked) return;
     fault.set({ ...asked, searching: true });
     try {
@@ -281,7 +279,7 @@ export class Live {
       const other = result.view ? decodeView(decodeBytes(result.view)) : null;
       const view = other ?? store.view.value!;
       view.header.report = result.report;
-      view.header.contact = earlyContact(result);
+      view.header.contact = result.contact;
       view.distance = decodeFloats(result.distance);
       store.report.set(result.report);
       if (other) {

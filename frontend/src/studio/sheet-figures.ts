@@ -1,6 +1,6 @@
 // Figures that only the page knows: headroom, the smallest and the largest panel.
 
-import { length, threeDigits } from "../shared/colours.ts";
+import { area, length } from "../shared/colours.ts";
 import { UNKNOWN } from "../shared/figures.ts";
 import { sheetOf } from "../shared/inspect.ts";
 import { Person3D } from "../shared/person3d.ts";
@@ -16,13 +16,12 @@ export function addFigures(figures: HTMLElement, view: View, standing: Standing,
   if (room) row(figures, "height", "headroom", "Headroom", room, Person3D.suits(view) ? "over a person's width, where most" : "clear, where most");
   if (panelCount(view) < 2) return;
   const { smallest, largest, areas, shortest } = sheetOf(view);
-  const square = unit === "unit" ? "" : ` ${unit}\u00b2`;
   for (const [key, name, panel] of [["largest", "Largest", largest], ["smallest", "Smallest", smallest]] as const) {
     const what = panelName(view, panel);
     const choose = h(
       "button",
       { type: "button", class: "figure-link", "data-testid": `figure-${key}`, title: `Show ${what}`, onclick: () => selection.chosen.set({ panel, edge: null }) },
-      `${threeDigits(areas[panel]!)}${square}`,
+      area(areas[panel]!, unit),
     );
     row(figures, "panels", key, name, choose, `${what}, shortest side ${length(shortest[panel]!, unit)}`);
   }

@@ -8,6 +8,7 @@ import { Person3D } from "../shared/person3d.ts";
 import { tiesOf } from "../shared/ties.ts";
 import type { View } from "../shared/view.ts";
 import { h } from "./dom.ts";
+import { figureSwitch } from "./figure-switch.ts";
 import { Signal } from "./signal.ts";
 import type { Stage } from "./stage.ts";
 import type { Store } from "./store.ts";
@@ -38,8 +39,7 @@ export class Standing {
     const person = new Person3D(shell.uniforms), ties = new Ties3D(shell.uniforms);
     const redraw = shell.add(person), redrawTies = shell.add(ties);
     shell.add(new Feet3D(shell.uniforms));
-    const box = h("input", { type: "checkbox", "data-testid": "person", onchange: () => store.figure.set(box.checked) });
-    const personSwitch = h("label", { class: "check", title: "a person of 1.75 m, for the size" }, box, "Person");
+    const personSwitch = figureSwitch(store, "person");
     const tied = h("input", { type: "checkbox", checked: true, "data-testid": "ties", onchange: () => {
       ties.setVisible(tied.checked);
       redrawTies();
@@ -47,7 +47,6 @@ export class Standing {
     const tiesSwitch = h("label", { class: "check", title: "taut: a line; slack: dashes" }, tied, "Ties");
     stage.overlays.append(personSwitch, tiesSwitch);
     store.figure.bind((on) => {
-      box.checked = on;
       person.setVisible(on);
       redraw();
     });
