@@ -9,6 +9,7 @@ import { shareAmong } from "../src/shared/ghost3d.ts";
 import { stateOfTie, tiesOf } from "../src/shared/ties.ts";
 import type { Header, View } from "../src/shared/view.ts";
 import { isPinned } from "../src/studio/compare.ts";
+import { suitsCurve } from "../src/studio/ground.ts";
 import { differences } from "../src/studio/differences.ts";
 import { headroomWords } from "../src/studio/sheet-figures.ts";
 import { Signal } from "../src/studio/signal.ts";
@@ -83,6 +84,11 @@ test("a person stands beside shells of a person's size only", () => {
   expect(Person3D.suits(tent())).toBe(true);
   expect(Person3D.suits(tent({ unit: "mm" }))).toBe(false);
   expect(Person3D.suits(tent({ unit: "unit" }))).toBe(false);
+  // Profiles by the same rule.
+  expect(suitsCurve([[-2, 0], [2, 1]], "m")).toBe(true);
+  expect(suitsCurve([[-2, 0], [2, 1]], "mm")).toBe(false);
+  expect(suitsCurve([[-2, 0], [2, 1]], "unit")).toBe(false);
+  expect(suitsCurve([], "m")).toBe(false);
 });
 
 test("flaps are the outer columns of a sheet that has them", () => {

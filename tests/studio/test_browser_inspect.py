@@ -189,7 +189,7 @@ def test_the_motion_rests_where_panels_touch(page: Page) -> None:
 
 def test_what_stands_around_a_shell(page: Page) -> None:
     bring(page, "shelter.toml")
-    wait_until(page, "document.querySelector('[data-figure=headroom]') !== null")
+    wait_until(page, "document.querySelector('[data-figure=headroom] .orishell-number') !== null")
     figures = page.get_by_test_id("figures").inner_text()
     room = re.search(r"Headroom\s+([\d.]+) m", figures)
     assert room is not None

@@ -11,7 +11,7 @@ import { h, pickFile, setAttribute } from "./dom.ts";
 import { faultOf, isAbout } from "./faults.ts";
 import { figureSwitch } from "./figure-switch.ts";
 import { FormulaFields } from "./formula-fields.ts";
-import { headOf, profileGround } from "./ground.ts";
+import { headOf, profileGround, suitsCurve } from "./ground.ts";
 import { icon } from "./icons.ts";
 import { PointFields } from "./point-fields.ts";
 import { fitStroke } from "./spline.ts";
@@ -140,7 +140,7 @@ export class CurveEditor {
           testid: `file-${name}`,
           act: () => void pickFile(FILES).then((file) => file && this.read(file)),
         }),
-        name === "f" ? figureSwitch(this.store, "figure-f") : null,
+        name === "f" ? figureSwitch(this.store, "figure-f", () => suitsCurve(this.samples, this.unit)) : null,
         this.dimensions.element,
       ),
       this.plot.element,

@@ -3,9 +3,12 @@
 import { h } from "./dom.ts";
 import type { Store } from "./store.ts";
 
-export function figureSwitch({ figure }: Store, testid: string): HTMLElement {
+/** `suits`: of a curve, whether a person says how large it is. */
+export function figureSwitch({ figure, curves }: Store, testid: string, suits: (() => boolean) | null = null): HTMLElement {
   const input = h("input", { type: "checkbox", "data-testid": testid, onchange: () => figure.set(input.checked) });
   figure.bind((on) => (input.checked = on));
   const title = "a person of 1.75 m, for the size";
-  return h("label", { class: "check", title }, input, "Person");
+  const label = h("label", { class: "check", title }, input, "Person");
+  if (suits) curves.watch(() => (label.hidden = !suits()));
+  return label;
 }
