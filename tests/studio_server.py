@@ -64,6 +64,23 @@ def running_studio(
         assert "Traceback" not in words, words
 
 
+def descendants(process: int) -> set[str]:
+    """Processes that a process and its descendants have started and that have not ended."""
+    parents: dict[str, str] = {}
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, parent = path.read_text().rsplit(")", 1)[1].split()[:2]
+        except (FileNotFoundError, ProcessLookupError):
+            continue  # it ended meanwhile
+        if state != "Z":
+            parents[path.parent.name] = parent
+    found: set[str] = set()
+    level = {str(process)}
+    while level := {each for each, parent in parents.items() if parent in level}:
+        found |= level
+    return found
+
+
 def _free_port() -> int:
     """A port that no client is given (those begin at 32768) nor a test of another process takes."""
     first = 10_000 + 41 * os.getpid() % 20_000

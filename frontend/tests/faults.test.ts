@@ -1,8 +1,7 @@
 import { describe, expect, test } from "vitest";
 
-import {
-  ServerFault, faultOf, isAbout, mended, ownFault, patternKeysOf, refusalOf, sentence, wordsOfRemedies,
-} from "../src/studio/faults.ts";
+import { sentence } from "../src/shared/words.ts";
+import { ServerFault, faultOf, isAbout, mended, ownFault, patternKeysOf, refusalOf, wordsOfRemedies } from "../src/studio/faults.ts";
 import type { Design } from "../src/studio/types.ts";
 
 const DESIGN: Design = {

@@ -204,4 +204,7 @@ test("a broken link is none, a very long one is not made", async () => {
   const points = Array.from({ length: 4000 }, (_, k): [number, number] => [Math.sin(k), Math.cos(k * k)]);
   const long = { ...kept, design: { ...kept.design, target: { ...kept.design.target, f: { points } } } };
   expect(await fragmentOf(long)).toBeNull();
+  // So long that its bytes are too many for one call.
+  const many = Array.from({ length: 60_000 }, (_, k) => [k, Math.sin(k * k)] as [number, number]);
+  expect(await fragmentOf({ ...kept, design: { ...kept.design, target: { ...kept.design.target, g: { points: many } } } })).toBeNull();
 });

@@ -8,7 +8,13 @@ import { caught, contactOf, nextRest, restsOf, stepped } from "../src/shared/sto
 import { shareAmong } from "../src/shared/ghost3d.ts";
 import { stateOfTie, tiesOf } from "../src/shared/ties.ts";
 import type { Header, View } from "../src/shared/view.ts";
+import { isPinned } from "../src/studio/compare.ts";
+import { suitsCurve } from "../src/studio/ground.ts";
 import { differences } from "../src/studio/differences.ts";
+import { headroomWords } from "../src/studio/sheet-figures.ts";
+import { Signal } from "../src/studio/signal.ts";
+import type { Freshness } from "../src/studio/store.ts";
+import type { Design } from "../src/studio/types.ts";
 
 /** A tent of two slopes and a flat top, 4 wide, 2 high, 3 deep; flat sheet first. */
 function tent(changes: Partial<Header> = {}): View {
@@ -53,10 +59,36 @@ test("headroom is what is clear over a square, below the lowest panel", () => {
   expect(headroomOf(view, 8, 0)).toBe(null);
 });
 
+test("headroom is said of the shell that it was measured of", () => {
+  const view = tent(), before = tent();
+  const room = { height: 2, x: 0, y: 0 };
+  expect(headroomWords(view, { view, room })).toBe("2 m");
+  expect(headroomWords(view, { view: before, room })).toBe("not yet known");
+  expect(headroomWords(view, null)).toBe("not yet known");
+  expect(headroomWords(view, { view, room: null })).toBe("");
+});
+
+test("a pinned design is on the screen once its own shell is", () => {
+  const [one, other] = [{}, {}] as Design[];
+  const design = new Signal(one!), freshness = new Signal<Freshness>("current");
+  expect(isPinned(one!, { design, freshness })).toBe(true);
+  design.set(other!);
+  expect(isPinned(one!, { design, freshness })).toBe(false);
+  // Undone, but the shell on the screen is still that of the other.
+  freshness.set("computing");
+  design.set(one!);
+  expect(isPinned(one!, { design, freshness })).toBe(false);
+});
+
 test("a person stands beside shells of a person's size only", () => {
   expect(Person3D.suits(tent())).toBe(true);
   expect(Person3D.suits(tent({ unit: "mm" }))).toBe(false);
   expect(Person3D.suits(tent({ unit: "unit" }))).toBe(false);
+  // Profiles by the same rule.
+  expect(suitsCurve([[-2, 0], [2, 1]], "m")).toBe(true);
+  expect(suitsCurve([[-2, 0], [2, 1]], "mm")).toBe(false);
+  expect(suitsCurve([[-2, 0], [2, 1]], "unit")).toBe(false);
+  expect(suitsCurve([], "m")).toBe(false);
 });
 
 test("flaps are the outer columns of a sheet that has them", () => {

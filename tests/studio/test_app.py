@@ -25,7 +25,7 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard
-from studio_server import Studio, running_studio
+from studio_server import Studio, descendants, running_studio
 
 Design = dict[str, Any]
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -506,29 +506,13 @@ def test_what_is_given_up_leaves_no_process(client_of_its_own: Studio, task: str
         text = session.post("/api/verify", json={"design": starter()}).text
         assert "result" in json.loads(text.splitlines()[-1])
     # Both of a kind at most, the one that they are copies of, and Python's that tracks resources.
-    assert 3 <= descendants(client_of_its_own.process) <= 6
+    assert 3 <= len(descendants(client_of_its_own.process)) <= 6
 
 
 @pytest.fixture
 def client_of_its_own() -> Iterator[Studio]:
     with running_studio() as studio:
         yield studio
-
-
-def descendants(process: int) -> int:
-    """Processes that a process and its descendants have started and that have not ended."""
-    parents: dict[str, str] = {}
-    for path in Path("/proc").glob("[0-9]*/stat"):
-        try:
-            state, parent = path.read_text().rsplit(")", 1)[1].split()[:2]
-        except (FileNotFoundError, ProcessLookupError):
-            continue  # it ended meanwhile
-        if state != "Z":
-            parents[path.parent.name] = parent
-    found, level = 0, {str(process)}
-    while level := {each for each, parent in parents.items() if parent in level}:
-        found += len(level)
-    return found
 
 
 def test_formulas_are_parsed_never_evaluated(client: httpx.Client) -> None:

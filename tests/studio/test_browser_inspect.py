@@ -169,8 +169,17 @@ def test_the_motion_rests_where_panels_touch(page: Page) -> None:
     assert page.evaluate(touching) == contact["panels"]
     await_frames(page)
     keep_picture(page, "studio-contact")
-    reddish = pixels(page, "canvas")
-    assert ((reddish[..., 0] > 0.55) & (reddish[..., 1] < 0.3)).mean() > 1e-5  # the place
+    # The place is a dot of the colour of what touches (its width tells it from other dots).
+    assert page.evaluate(
+        "window.__orishell.shell3d.guests.some(({ drawn }) => drawn.some(({ visible, material }) =>"
+        " visible && material.uniforms.width?.value === 11))"
+    )
+    contact = page.evaluate(
+        "getComputedStyle(document.documentElement).getPropertyValue('--contact').trim()"
+    )
+    colour = [int(contact[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    away = abs(pixels(page, "canvas")[..., :3] - colour).max(axis=-1)
+    assert (away < 0.03).mean() > 1e-5
     page.keyboard.press("ArrowLeft")
     page.keyboard.press("ArrowRight")
     assert page.evaluate("window.__orishell.fold") == pytest.approx(touches, abs=1e-6)
@@ -180,7 +189,7 @@ def test_the_motion_rests_where_panels_touch(page: Page) -> None:
 
 def test_what_stands_around_a_shell(page: Page) -> None:
     bring(page, "shelter.toml")
-    wait_until(page, "document.querySelector('[data-figure=headroom]') !== null")
+    wait_until(page, "document.querySelector('[data-figure=headroom] .orishell-number') !== null")
     figures = page.get_by_test_id("figures").inner_text()
     room = re.search(r"Headroom\s+([\d.]+) m", figures)
     assert room is not None

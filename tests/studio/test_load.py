@@ -14,7 +14,7 @@ import httpx
 import pytest
 
 from orishell.design_file import starter_file
-from studio_server import running_studio
+from studio_server import descendants, running_studio
 
 CLIENTS, SECONDS = 20, 15.0
 GROWTH = 1.15
@@ -22,16 +22,14 @@ GROWTH = 1.15
 
 
 def memory(process: int) -> int:
-    """Resident memory of a process and its children (kB), as the kernel says."""
+    """Resident memory of a process and its descendants (kB), as the kernel says."""
     total = 0
-    for path in Path("/proc").glob("[0-9]*/status"):
+    for each in {str(process), *descendants(process)}:
         try:
-            text = path.read_text()
+            text = Path(f"/proc/{each}/status").read_text()
         except (FileNotFoundError, ProcessLookupError):
             continue  # it ended meanwhile
-        found = dict(re.findall(r"^(Pid|PPid|VmRSS):\s+(\d+)", text, re.MULTILINE))
-        if str(process) in (found["Pid"], found["PPid"]):
-            total += int(found.get("VmRSS", 0))
+        total += sum(map(int, re.findall(r"^VmRSS:\s+(\d+)", text, re.MULTILINE)))
     return total
 
 

@@ -75,6 +75,11 @@ export function length(value: number, unit: string): string {
   return unit === "unit" ? text : `${text} ${unit}`;
 }
 
+/** An area likewise. */
+export function area(value: number, unit: string): string {
+  return unit === "unit" ? threeDigits(value) : `${threeDigits(value)} ${unit}\u00b2`;
+}
+
 export function threeDigits(value: number): string {
   if (!Number.isFinite(value)) return "-";
   if (value === 0) return "0";

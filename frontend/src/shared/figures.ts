@@ -1,12 +1,13 @@
 // The figures of a shell, from its report; what a report does not say is measured on the view.
 
-import { length, threeDigits } from "./colours.ts";
+import { area, length, threeDigits } from "./colours.ts";
 import { structureFigures } from "./structure-figures.ts";
 import { panelCount, targetPoints, type Known, type View } from "./view.ts";
+import { sentence } from "./words.ts";
 
 interface Size { width: number; height: number; depth?: number; area?: number }
 
-const UNKNOWN = "not yet known";
+export const UNKNOWN = "not yet known";
 const CAUSES = {
   flaps: "against closing, by its flaps",
   clash: "panels meet",
@@ -62,7 +63,7 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
   for (const warning of new Set([...(report.warnings ?? []), ...(report.structure?.warnings ?? [])])) {
     const line = document.createElement("p");
     line.className = "orishell-warning";
-    line.textContent = sentenceOf(said(warning));
+    line.textContent = sentence(said(warning));
     container.append(line);
   }
 }
@@ -82,16 +83,6 @@ function lockNote(report: Known): string {
   const aim = report.deviation === null ? "stage" : "target";
   const held = report.deployment?.closing === "clipped flaps" ? ", held by clipped flaps" : "";
   return beyond ? `${cause}; ${aim} at ${threeDigits(lock.target_drive_deg)}\u00b0${held}` : cause;
-}
-
-function sentenceOf(text: string): string {
-  // Names of curves keep their small letter.
-  const whole = /^[a-z]{2,}/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
-  return /[.!?]$/.test(whole) ? whole : `${whole}.`;
-}
-
-function area(value: number, unit: string): string {
-  return unit === "unit" ? threeDigits(value) : `${threeDigits(value)} ${unit}\u00b2`;
 }
 
 function add(list: HTMLElement, name: string, value: string, note: string, key = name.toLowerCase()): void {

@@ -29,7 +29,16 @@ export class Ground {
   }
 }
 
+const known = new WeakMap<View, Ground>();
+
+/** The ground of a shell, found once. */
 export function groundOf(view: View): Ground {
+  const ground = known.get(view) ?? found(view);
+  known.set(view, ground);
+  return ground;
+}
+
+function found(view: View): Ground {
   const count = view.positions.length ? stateCount(view) : 0, size = 3 * vertexCount(view);
   const lows = new Float64Array(count);
   for (let state = 0; state < count; state++) lows[state] = range(view.positions.subarray(state * size, (state + 1) * size))[0];

@@ -61,7 +61,7 @@ export function flatPlace(view: View, vertex: number): Vector3 {
     : new Vector3().fromArray(view.positions, 3 * vertex);
 }
 
-export function cornersOfPanel(view: View, panel: number): [Vector3, Vector3, Vector3, Vector3] {
+function cornersOfPanel(view: View, panel: number): [Vector3, Vector3, Vector3, Vector3] {
   return [0, 1, 2, 3].map((k) => flatPlace(view, view.faces[4 * panel + k]!)) as [Vector3, Vector3, Vector3, Vector3];
 }
 

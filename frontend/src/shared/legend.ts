@@ -29,6 +29,9 @@ const MARKS = {
   f: ["curve f", "--curve-f"],
   g: ["curve g", "--curve-g"],
   contact: ["panels that touch", "--contact"],
+  chosen: ["chosen", "--accent"],
+  measured: ["distance", "--text"],
+  pinned: ["pinned", "--ghost"],
 } as const;
 export type Mark = keyof typeof MARKS;
 

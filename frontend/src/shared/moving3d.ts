@@ -106,7 +106,7 @@ export class Touch3D implements Guest {
   }
 
   paint(theme: Theme): void {
-    this.dot.setColour(theme.linear("--error"));
+    this.dot.setColour(theme.linear("--contact"));
   }
 
   dispose(): void {

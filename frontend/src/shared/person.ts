@@ -6,6 +6,16 @@ type Point = [number, number];
 const METRES: Record<string, number> = { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, ft: 0.3048 };
 const HEIGHT = 1.75;
 
+/** Shells of this many heights of a person are shown with one. */
+const SMALLEST = 0.5;
+const LARGEST = 40;
+
+/** Whether a person says anything of how large something is, by its longest side. */
+export function suitsPerson(size: number, unit: string): boolean {
+  const heights = size / heightOfPerson(unit);
+  return unit !== "unit" && heights >= SMALLEST && heights <= LARGEST;
+}
+
 /** How tall the person is, in a unit of length. */
 export function heightOfPerson(unit: string): number {
   return HEIGHT / (METRES[unit] ?? 1);

@@ -6,14 +6,11 @@ import { extentOf } from "./camera.ts";
 import type { Headroom } from "./headroom.ts";
 import type { Drawing, Guest } from "./marks3d.ts";
 import { material, part, type Uniforms } from "./parts.ts";
-import { heightOfPerson, PERSON } from "./person.ts";
+import { heightOfPerson, PERSON, suitsPerson } from "./person.ts";
 import type { Motion } from "./rigid.ts";
 import { figureVertex, plainFragment } from "./shaders.ts";
 import { targetPoints, type View } from "./view.ts";
 
-/** Shells of this many heights of a person are shown with one. */
-const SMALLEST = 0.5;
-const LARGEST = 40;
 /** Clear of the shell beside which it stands, in its height. */
 const BESIDE = 0.35;
 /** How much of it is seen through the shell. */
@@ -50,10 +47,9 @@ export class Person3D implements Guest {
   /** Whether a person says anything of a shell's size. */
   static suits(view: View): boolean {
     const points = targetPoints(view);
-    if (!points || view.header.unit === "unit") return false;
+    if (!points) return false;
     const { low, high } = extentOf([points]);
-    const size = Math.max(...high.sub(low)) / heightOfPerson(view.header.unit);
-    return size >= SMALLEST && size <= LARGEST;
+    return suitsPerson(Math.max(...high.sub(low)), view.header.unit);
   }
 
   setVisible(on: boolean): void {

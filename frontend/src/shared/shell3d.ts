@@ -56,6 +56,8 @@ export class Shell3D {
   private readonly overlays: Overlays;
   private readonly pace: Pace;
   private readonly guests: Guest[] = [];
+  /** Guests that are to be posed anew, though the shell is not. */
+  private readonly moved = new Set<Guest>();
   private readonly beside = new Group();
   private ground: Ground | null = null;
 
@@ -152,12 +154,12 @@ export class Shell3D {
     this.guests.push(guest);
     this.beside.add(...guest.drawn);
     guest.paint(themeOf(this.container));
-    this.posed = false;
-    this.invalidate();
-    return () => {
-      this.posed = false;
+    const again = (): void => {
+      this.moved.add(guest);
       this.invalidate();
     };
+    again();
+    return again;
   }
 
   /** What lies under a place of the window: the panel and the point on it, about the origin. */
@@ -409,13 +411,16 @@ export class Shell3D {
   }
 
   private pose(): void {
-    if (this.posed || !this.sheet.motion) return;
-    this.sheet.motion.setFold(this.share);
-    this.clipped.setVisible(this.atTarget);
+    const { motion } = this.sheet;
+    if (!motion || (this.posed && !this.moved.size)) return;
+    if (!this.posed) motion.setFold(this.share);
     const { drive, atTarget } = this;
     const ground = this.ground?.levelAt(drive) ?? 0;
+    for (const guest of this.posed ? this.moved : this.guests) guest.move?.(motion, { drive, atTarget, ground });
+    this.moved.clear();
+    if (this.posed) return;
+    this.clipped.setVisible(atTarget);
     this.overlays.setLevel(ground - 0.004 * this.extent!.radius);
-    for (const guest of this.guests) guest.move?.(this.sheet.motion, { drive, atTarget, ground });
     this.posed = true;
     this.sent = this.shaded = false;
   }

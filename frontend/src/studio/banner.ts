@@ -1,8 +1,9 @@
 // What is wrong with the design, in words, and the nearest value that works.
 
+import { sentence } from "../shared/words.ts";
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { patternKeysOf, sentence, wordsOfRemedies } from "./faults.ts";
+import { patternKeysOf, wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
 import type { Labels } from "./labels.ts";
 import { patternKeys, remedyButton } from "./remedy-button.ts";

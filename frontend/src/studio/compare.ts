@@ -9,12 +9,14 @@ import { h, setAttribute } from "./dom.ts";
 import type { Results } from "./results.ts";
 import type { Stage } from "./stage.ts";
 import type { Store } from "./store.ts";
+import type { Design } from "./types.ts";
 
 /** Of larger sheets only the outline is drawn. */
 const MANY = 6000;
 
 interface Pinned {
   name: string;
+  design: Design;
   view: View;
   figures: HTMLElement;
 }
@@ -24,10 +26,12 @@ export class Compare {
   private pinned: Pinned | null = null;
   private readonly ghost: Ghost3D;
   private readonly redraw: () => void;
+  /** The design that was shown last as it is. */
+  private shown: Design;
 
   constructor(
     private readonly store: Store,
-    stage: Stage,
+    private readonly stage: Stage,
     private readonly results: Results,
     /** Writes the page's own figures, too. */
     private readonly more: (figures: HTMLElement, view: View) => void,
@@ -36,12 +40,18 @@ export class Compare {
     this.ghost = new Ghost3D(stage.shell.uniforms);
     this.redraw = stage.shell.add(this.ghost);
     results.pattern.layers.sheet.push((pen, at, theme) => this.drawFlat(pen, at, theme.text("--ghost")));
+    this.shown = store.design.value;
+    store.view.watch(() => this.explain());
+    store.freshness.bind((now) => {
+      if (now === "current") this.shown = store.design.value;
+    });
     this.dress();
   }
 
   /** Put what has changed since the pinned design beside the figures. */
   annotate(figures: HTMLElement): void {
     if (!this.pinned) return;
+    if (isPinned(this.pinned.design, this.store)) this.takeAgain(this.pinned);
     for (const row of figures.querySelectorAll<HTMLElement>("[data-figure]")) {
       const key = row.dataset["figure"]!;
       const text = (of: HTMLElement): string => of.querySelector(`[data-figure="${key}"] .orishell-number`)?.textContent ?? "";
@@ -55,15 +65,43 @@ export class Compare {
     const view = this.store.view.value;
     if (this.pinned) this.pinned = null;
     else if (view) {
-      const figures = h("div");
-      renderFigures(figures, view);
-      this.more(figures, view);
-      this.pinned = { name: this.store.name.value, view, figures };
+      const { name, design, freshness } = this.store;
+      this.pinned = { name: name.value, design: freshness.value === "outdated" ? this.shown : design.value, view, figures: this.figuresOf(view) };
     }
-    this.ghost.set(this.pinned?.view ?? null);
-    this.redraw();
+    this.drawGhost();
     this.dress();
     this.results.showFigures();
+  }
+
+  private figuresOf(view: View): HTMLElement {
+    const figures = h("div");
+    renderFigures(figures, view);
+    this.more(figures, view);
+    return figures;
+  }
+
+  /** The pinned design is on the screen: by now more may be known of it, and its shell may be another. */
+  private takeAgain(pinned: Pinned): void {
+    const view = this.store.view.value!;
+    pinned.figures = this.figuresOf(view);
+    if (pinned.view === view) return;
+    pinned.view = view;
+    this.drawGhost();
+  }
+
+  /** Whether the pinned shell is seen beside the present one. */
+  private get ghostly(): boolean {
+    return this.pinned !== null && this.pinned.view !== this.store.view.value;
+  }
+
+  private explain(): void {
+    this.stage.shell.explainMark("pinned", this.ghostly);
+  }
+
+  private drawGhost(): void {
+    this.ghost.set(this.pinned?.view ?? null);
+    this.redraw();
+    this.explain();
     this.results.pattern.refresh(true);
   }
 
@@ -78,7 +116,7 @@ export class Compare {
   private drawFlat(pen: CanvasRenderingContext2D, at: (x: number, y: number) => [number, number], ink: string): void {
     const present = this.store.view.value;
     const view = this.pinned?.view;
-    if (!view?.flat.length || !present?.flat.length || view === present) return;
+    if (!this.ghostly || !view?.flat.length || !present?.flat.length) return;
     const [u, v] = middle(present.flat), [x, y] = middle(view.flat);
     const place = (vertex: number): [number, number] => at(view.flat[2 * vertex]! - x + u, view.flat[2 * vertex + 1]! - y + v);
     pen.strokeStyle = ink;
@@ -97,6 +135,11 @@ export class Compare {
     }
     pen.stroke();
   }
+}
+
+/** Whether the shell on the screen is that of a design. */
+export function isPinned(design: Design, store: Pick<Store, "design" | "freshness">): boolean {
+  return store.freshness.value === "current" && store.design.value === design;
 }
 
 /** Middle of the box of points (n, 2). */

@@ -1,5 +1,6 @@
 // One target curve: drawn by hand or point by point, typed as a formula, or read from a file.
 
+import { sentence } from "../shared/words.ts";
 import { readCurve } from "./api.ts";
 import { type Segmented, button, segmented } from "./controls.ts";
 import { CurvePlot } from "./curve-plot.ts";
@@ -7,10 +8,10 @@ import * as tables from "./curve-table.ts";
 import { BLANK, FALLBACK, FILES, MODES, TITLES, WIDTHS, WORDS } from "./curve-words.ts";
 import { Dimensions } from "./dimensions.ts";
 import { h, pickFile, setAttribute } from "./dom.ts";
-import { faultOf, isAbout, sentence } from "./faults.ts";
+import { faultOf, isAbout } from "./faults.ts";
 import { figureSwitch } from "./figure-switch.ts";
 import { FormulaFields } from "./formula-fields.ts";
-import { groundOf, headOf } from "./ground.ts";
+import { headOf, profileGround, suitsCurve } from "./ground.ts";
 import { icon } from "./icons.ts";
 import { PointFields } from "./point-fields.ts";
 import { fitStroke } from "./spline.ts";
@@ -63,7 +64,7 @@ export class CurveEditor {
         turned: (on) => this.turned(on),
         last: () => this.begun.at(-1) ?? null,
         beside: () => (name === "f" && store.figure.value ? headOf(this.samples, this.unit) : []),
-        backdrop: (plane) => (name === "f" ? groundOf(plane, this.samples, this.unit, store.figure.value) : []),
+        backdrop: (plane) => (name === "f" ? profileGround(plane, this.samples, this.unit, store.figure.value) : []),
       },
     );
     this.fields = new PointFields(name, {
@@ -139,7 +140,7 @@ export class CurveEditor {
           testid: `file-${name}`,
           act: () => void pickFile(FILES).then((file) => file && this.read(file)),
         }),
-        name === "f" ? figureSwitch(this.store) : null,
+        name === "f" ? figureSwitch(this.store, "figure-f", () => suitsCurve(this.samples, this.unit)) : null,
         this.dimensions.element,
       ),
       this.plot.element,

@@ -73,7 +73,7 @@ export class DeploymentControls {
     else table[key] = value;
     // A pack has clipped flaps, said or not.
     if (key === "from") delete table["flap_attachment"];
-    this.store.change(Object.keys(table).length ? { ...design, deployment: table } : design, key, gesture);
+    this.store.change(Object.keys(table).length ? { ...design, deployment: table } : design, this.store.labels.of(key), gesture);
   }
 
   private show(table: Record<string, Value>): void {

@@ -44,6 +44,17 @@ export function setAttribute(element: Element, name: string, value: Attribute): 
   else element.setAttribute(name, value === true ? "" : String(value));
 }
 
+/** Change what may hold the focus: an element that is put in anew keeps it, or the one of its name that
+ * takes its place. */
+export function keepFocus(change: () => void): void {
+  const held = document.activeElement as HTMLElement | null;
+  change();
+  if (!held || held === document.activeElement) return;
+  const { testid } = held.dataset;
+  const next = held.isConnected ? held : testid ? document.querySelector<HTMLElement>(`[data-testid="${testid}"]`) : null;
+  next?.focus({ preventScroll: true });
+}
+
 let counter = 0;
 /** An id that no other element of the page has. */
 export function uniqueId(stem: string): string {

@@ -1,11 +1,13 @@
 // Every format, of the shell at its target, its pack, the flat sheet, or the state on the screen;
 // beside them the workshop's settings and its sheets.
 
+import { sentence } from "../shared/words.ts";
 import { exportDesign } from "./api.ts";
 import { button, segmented } from "./controls.ts";
 import { download, h, setAttribute } from "./dom.ts";
-import { faultOf, sentence } from "./faults.ts";
+import { faultOf } from "./faults.ts";
 import { SheetPreview } from "./sheet-preview.ts";
+import { sized } from "./sizing.ts";
 import type { Store } from "./store.ts";
 import type { FileFormat } from "./types.ts";
 import { WorkshopSettings } from "./workshop-settings.ts";
@@ -127,7 +129,10 @@ export class ExportMenu {
     this.note.classList.remove("error");
     this.note.textContent = `Writing ${format.name}…`;
     try {
-      const file = await exportDesign(store.design.value, format.name, state, store.name.value);
+      // Sizes that were chosen are not sought again.
+      const current = store.freshness.value === "current";
+      const design = current ? sized(store.design.value, store.report.value) : store.design.value;
+      const file = await exportDesign(design, format.name, state, store.name.value);
       download(file.blob, file.name);
       this.note.textContent = `Written: ${file.name}`;
     } catch (error) {

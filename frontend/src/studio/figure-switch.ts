@@ -1,11 +1,14 @@
-// Whether a person stands beside the shell.
+// Whether a person stands beside the shell and in the profile, asked at both.
 
 import { h } from "./dom.ts";
 import type { Store } from "./store.ts";
 
-export function figureSwitch({ figure }: Store): HTMLElement {
-  const input = h("input", { type: "checkbox", "data-testid": "figure-f", onchange: () => figure.set(input.checked) });
+/** `suits`: of a curve, whether a person says how large it is. */
+export function figureSwitch({ figure, curves }: Store, testid: string, suits: (() => boolean) | null = null): HTMLElement {
+  const input = h("input", { type: "checkbox", "data-testid": testid, onchange: () => figure.set(input.checked) });
   figure.bind((on) => (input.checked = on));
-  const title = "a person of 1.75 m, where that is no speck and fits";
-  return h("label", { class: "check", title }, input, "Person");
+  const title = "a person of 1.75 m, for the size";
+  const label = h("label", { class: "check", title }, input, "Person");
+  if (suits) curves.watch(() => (label.hidden = !suits()));
+  return label;
 }

@@ -1,21 +1,27 @@
 // What a profile stands on, and a person beside whom it is seen how large it is.
 
-import { PERSON, heightOfPerson } from "../shared/person.ts";
+import { PERSON, heightOfPerson, suitsPerson } from "../shared/person.ts";
 import { s } from "./dom.ts";
 import { type Plane, boxOf } from "./plane.ts";
 import { line } from "./plot-grid.ts";
 import type { Point } from "./types.ts";
 
-/** Shares of the plane's height between which a person is worth drawing. */
+/** Shares of the plane's height between which a person is drawn, however near one looks. */
 const [SMALLEST, LARGEST] = [0.05, 1];
 /** How many times as high as the curve a person may be who is to be in view with it. */
 const TALLER = 1.6;
 const HATCH = 8;
 
+/** Whether a person says how large a curve is. */
+export function suitsCurve(samples: Point[], unit: string): boolean {
+  const box = boxOf(samples);
+  return box !== null && suitsPerson(Math.max(box.high[0] - box.low[0], box.high[1] - box.low[1]), unit);
+}
+
 /** What of a person is to be in view beside a curve, unless that would make a speck of it. */
 export function headOf(samples: Point[], unit: string): Point[] {
   const box = boxOf(samples);
-  if (!box) return [];
+  if (!box || !suitsCurve(samples, unit)) return [];
   const height = heightOfPerson(unit);
   const level = Math.min(samples[0]![1], samples.at(-1)![1]);
   const large = height < TALLER * (box.high[1] - box.low[1]);
@@ -23,12 +29,12 @@ export function headOf(samples: Point[], unit: string): Point[] {
 }
 
 /** The ground at a curve's lower end, and a person on it in the middle of the curve. */
-export function groundOf(plane: Plane, samples: Point[], unit: string, person: boolean): Node[] {
+export function profileGround(plane: Plane, samples: Point[], unit: string, person: boolean): Node[] {
   if (samples.length < 2) return [];
   const level = Math.min(samples[0]![1], samples.at(-1)![1]);
   const [, y] = plane.toPixels([0, level]);
   const nodes: Node[] = [];
-  if (person) {
+  if (person && suitsCurve(samples, unit)) {
     const height = heightOfPerson(unit);
     const share = (height * plane.scale) / plane.height;
     if (share >= SMALLEST && share <= LARGEST) {

@@ -9,13 +9,17 @@ const KEYS: [string, string][] = [
   ["Ctrl O, Ctrl S", "open, save the design file"],
   ["Space", "play or pause the folding"],
   ["?", "these keys"],
+  ["← →, Page Up, Page Down", "fold by a step, with Shift a stride; to the next rest or back"],
+  ["Home, End", "the begin and the end of the motion"],
+  ["M, Escape", "measure a distance; end that, close a card"],
+  ["Enter and arrow keys in the pattern", "choose a panel and go to those beside; measuring: vertices"],
   ["Arrow keys on a point", "move it; with Shift ten times as far, with Alt a tenth"],
   ["Delete on a point", "remove it"],
   ["D on a curve", "draw it anew; arrow keys and Space put points, Enter ends"],
   ["Double click on a curve", "add a point"],
   ["Alt while dragging a point", "it is not caught by the grid, axes and mirror images"],
   ["Wheel, drag, + and −", "zoom and pan a curve, the pattern, the shell"],
-  ["0 or Home", "fit into view"],
+  ["0 or Home in a drawing", "fit into view"],
   ["Drop a file", "a design file (TOML) opens; a drawing (CSV, SVG, DXF) becomes f or g"],
 ];
 

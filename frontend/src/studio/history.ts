@@ -62,13 +62,6 @@ export class History<T> {
     return this.move(this.future, this.past);
   }
 
-  /** Begin anew. */
-  reset(value: T): void {
-    this.present = value;
-    this.past.length = this.future.length = 0;
-    this.rest();
-  }
-
   private move(from: Step<T>[], to: Step<T>[]): boolean {
     const step = from.pop();
     if (!step) return false;

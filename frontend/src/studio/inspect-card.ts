@@ -1,6 +1,6 @@
 // The card of a panel or crease: briefly while one points at it, whole when it is chosen.
 
-import { length, threeDigits } from "../shared/colours.ts";
+import { area, length, threeDigits } from "../shared/colours.ts";
 import { edgeLength, foldAngle, sectorAngles, sheetOf, SIDES } from "../shared/inspect.ts";
 import type { Shell3D } from "../shared/shell3d.ts";
 import { contactOf } from "../shared/stops.ts";
@@ -21,6 +21,9 @@ const KINDS: Record<number, string> = {
 
 export class InspectCard {
   readonly element = h("section", { class: "inspect-card", "aria-label": "Panel or crease", "data-testid": "inspect-card", hidden: true });
+  private readonly title = h("h3", { "aria-live": "polite" });
+  private readonly close = button({ label: "Close the card", icon: "close", keys: "Escape", testid: "inspect-close", act: () => this.selection.chosen.set(null) });
+  private readonly head = h("header", {}, this.title);
   private request = 0;
 
   constructor(
@@ -29,6 +32,7 @@ export class InspectCard {
     private readonly shell: Shell3D,
     share: Signal<number>,
   ) {
+    this.element.append(this.head);
     const later = (): void => {
       this.request ||= requestAnimationFrame(() => {
         this.request = 0;
@@ -53,13 +57,12 @@ export class InspectCard {
     if (!about || !view) return;
     const title = this.titleOf(view, about);
     const body = about.edge === null ? this.panel(view, about.panel, chosen !== null) : this.crease(view, about.edge);
-    this.element.replaceChildren(
-      h(
-        "header",
-        {},
-        h("h3", {}, title),
-        chosen && button({ label: "Close the card", icon: "close", keys: "Escape", testid: "inspect-close", act: () => this.selection.chosen.set(null) }),
-      ),
+    if (this.title.textContent !== title) this.title.textContent = title;
+    if (chosen === null) this.close.remove();
+    else if (!this.close.isConnected) this.head.append(this.close);
+    // The head stays: its button may have the focus.
+    while (this.element.lastChild !== this.head) this.element.lastChild!.remove();
+    this.element.append(
       ...notesOf(view, about).map((note) => h("p", { class: "inspect-note" }, note)),
       ...body,
     );
@@ -74,8 +77,7 @@ export class InspectCard {
   private panel(view: View, panel: number, whole: boolean): HTMLElement[] {
     const unit = view.header.unit;
     const sheet = sheetOf(view);
-    const areaUnit = unit === "unit" ? "" : ` ${unit}\u00b2`;
-    const facts: [string, string][] = [["Area", `${threeDigits(sheet.areas[panel]!)}${areaUnit}`]];
+    const facts: [string, string][] = [["Area", area(sheet.areas[panel]!, unit)]];
     if (!whole) return [list([...facts, ["Shortest side", length(sheet.shortest[panel]!, unit)]])];
     facts.push(["Corners", sectorAngles(view, panel).map(degrees).join("  ")]);
     const rows = SIDES.map((side, k) => {

@@ -12,8 +12,10 @@ const LONGEST = 16_000;
 /** The fragment that stands for a design; null where it would be too long. */
 export async function fragmentOf(named: Named): Promise<string | null> {
   const bytes = await through(new TextEncoder().encode(JSON.stringify(named)), new CompressionStream("deflate-raw"));
+  // Four letters for three bytes: looked at first, as only short ones can be arguments of a call.
+  if (Math.ceil((4 * bytes.length) / 3) > LONGEST) return null;
   const text = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
-  return text.length > LONGEST ? null : PREFIX + text;
+  return PREFIX + text;
 }
 
 export function isLink(fragment: string): boolean {

@@ -7,7 +7,6 @@ import { isWhole } from "./curve-table.ts";
 import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "./faults.ts";
 import { Flights } from "./flights.ts";
-import { earlyContact } from "./lock.ts";
 import { leaveOpen } from "./left-open.ts";
 import { sized } from "./sizing.ts";
 import { isOfFile } from "./stale.ts";
@@ -255,15 +254,16 @@ export class Live {
 
   /** Of a design that cannot be made: find what would work, by trying it. */
   private async mend(design: Design, signal: AbortSignal): Promise<void> {
-    const { fault } = this.store;
-    if (!fault.value || isOfFile(fault.value)) return;
-    fault.set({ ...fault.value, searching: true });
+    const { fault } = this.store, asked = fault.value;
+    if (!asked || isOfFile(asked)) return;
+    fault.set({ ...asked, searching: true });
     try {
       await verify(design, signal, () => undefined);
+      if (!signal.aborted) fault.set({ ...asked, searching: false });
     } catch (error) {
       if (signal.aborted) return;
       if (!(error instanceof ServerFault)) throw error;
-      fault.set(error.fault.kind === "design" ? error.fault : { ...fault.value, searching: false });
+      fault.set(error.fault.kind === "design" ? error.fault : { ...asked, searching: false });
     }
   }
 
@@ -279,7 +279,7 @@ export class Live {
       const other = result.view ? decodeView(decodeBytes(result.view)) : null;
       const view = other ?? store.view.value!;
       view.header.report = result.report;
-      view.header.contact = earlyContact(result);
+      view.header.contact = result.contact;
       view.distance = decodeFloats(result.distance);
       store.report.set(result.report);
       if (other) {

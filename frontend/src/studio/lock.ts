@@ -1,15 +1,10 @@
 // How a motion ends, in words, and whether panels meet before it should.
 
-import { type Contact, isEarly } from "../shared/view.ts";
+import { isEarly } from "../shared/view.ts";
 import { pretty } from "./numbers.ts";
-import type { LockReport, Report, Verified } from "./types.ts";
+import type { LockReport, Report } from "./types.ts";
 
 export type Tone = "quiet" | "good" | "bad";
-
-/** The first contact, if it comes before the target. */
-export function earlyContact({ report, contact }: Verified): Contact | null {
-  return contact && isEarly(contact, report.lock) ? contact : null;
-}
 
 /** What holds a shell, and against what, in a sentence or two. */
 export function wordsOfLock(report: Pick<Report, "lock" | "deployment"> | null): [string, Tone] {

@@ -9,16 +9,13 @@ import { type Anchor, anchorFlat, anchorNow, anchorOf } from "../shared/snap.ts"
 import { panelCount } from "../shared/view.ts";
 import { button } from "./controls.ts";
 import { h, setAttribute } from "./dom.ts";
-import type { Room, Sight } from "./sight.ts";
+import { ARROWS, type Room, type Sight } from "./sight.ts";
 import { Signal } from "./signal.ts";
 import type { Store } from "./store.ts";
 
 /** Corners catch within so many pixels. */
 const REACH = 12;
 const REACH_TOUCH = 20;
-const STEPS: Record<string, [down: number, right: number]> = {
-  ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0],
-};
 
 export class Measure {
   readonly active = new Signal(false);
@@ -27,7 +24,7 @@ export class Measure {
   private readonly words = h("p", { class: "inspect-note", role: "status" });
   private readonly inSpace = h("dd", { "data-testid": "measure-space" });
   private readonly inSheet = h("dd", { "data-testid": "measure-sheet" });
-  private readonly facts = h("dl", {}, h("dt", {}, "Now, in space"), this.inSpace, h("dt", {}, "In the flat sheet"), this.inSheet);
+  private readonly facts = h("dl", { "aria-live": "polite" }, h("dt", {}, "Now, in space"), this.inSpace, h("dt", {}, "In the flat sheet"), this.inSheet);
   private points: Anchor[] = [];
   /** Where the next point would be. */
   private next: Anchor | null = null;
@@ -52,6 +49,7 @@ export class Measure {
     pattern.layers.top.push((pen, at, theme) => this.drawFlat(pen, at, theme.text("--text")));
     this.redraw = () => {
       again();
+      shell.explainMark("measured", this.shown.length > 0);
       pattern.refresh();
       this.say();
     };
@@ -86,7 +84,9 @@ export class Measure {
   }
 
   point(room: Room, event: PointerEvent | null): void {
-    this.next = event && this.found(room, event);
+    const next = event && this.found(room, event);
+    if (isSame(next, this.next)) return;
+    this.next = next;
     this.redraw();
   }
 
@@ -117,7 +117,7 @@ export class Measure {
       this.add(at);
       return true;
     }
-    const step = STEPS[key];
+    const step = ARROWS[key];
     if (!step) return false;
     const vertex = at.along < 0.5 ? at.from : at.to;
     this.next = this.vertex(Math.floor(vertex / columns) + step[0], (vertex % columns) + step[1]);
@@ -163,4 +163,8 @@ export class Measure {
     this.inSpace.textContent = apart((anchor) => anchorNow(motion, anchor));
     this.inSheet.textContent = view.flat.length ? apart((anchor) => anchorFlat(view, anchor)) : "\u2013";
   }
+}
+
+function isSame(one: Anchor | null, other: Anchor | null): boolean {
+  return one === other || (one !== null && other !== null && (Object.keys(one) as (keyof Anchor)[]).every((key) => one[key] === other[key]));
 }

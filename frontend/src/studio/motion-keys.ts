@@ -1,8 +1,9 @@
-// Arrow keys fold the shell wherever no control has the focus.
+// Arrow keys fold the shell wherever they mean nothing else.
 
 import type { FoldBar } from "./fold-bar.ts";
 
-const CONTROLS = "input, select, textarea, button, summary, a, canvas, dialog, [popover], [role], [tabindex='0']";
+/** What uses arrow keys itself, or scrolls by them. Buttons do not. */
+export const CONTROLS = "input, select, textarea, canvas, dialog, [popover], [tabindex='0'], svg [tabindex], [role=radio], [role=slider]";
 
 export function foldByKeys(fold: FoldBar): void {
   document.addEventListener("keydown", (event) => {

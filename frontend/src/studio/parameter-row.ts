@@ -1,8 +1,8 @@
 // One parameter: its name, number box, slider, "auto", and in words what is admissible.
 
+import { sentence } from "../shared/words.ts";
 import { numberBox, setNumber } from "./controls.ts";
 import { h, uniqueId } from "./dom.ts";
-import { sentence } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { clamp, pretty, short } from "./numbers.ts";
 import { Slider } from "./slider.ts";

@@ -1,8 +1,9 @@
 // All parameters of the family, and what else the design file says about the pattern.
 
+import { sentence } from "../shared/words.ts";
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { patternKeysOf, sentence } from "./faults.ts";
+import { patternKeysOf } from "./faults.ts";
 import type { Live } from "./live.ts";
 import { wordsOfSize } from "./panel-count.ts";
 import { ParameterRow } from "./parameter-row.ts";

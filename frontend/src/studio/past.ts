@@ -1,7 +1,7 @@
 // The last designs that worked and rested, as small pictures to go back to.
 
 import { button } from "./controls.ts";
-import { h, setAttribute } from "./dom.ts";
+import { h, keepFocus, setAttribute } from "./dom.ts";
 import type { Stage } from "./stage.ts";
 import type { Store } from "./store.ts";
 import type { Design } from "./types.ts";
@@ -44,14 +44,15 @@ export class PastDesigns {
     const { rows, columns } = this.store.report.value!;
     const name = this.store.name.value;
     const words = `${name}, ${rows} rows, ${columns} columns`;
-    const picture = this.stage.shell.picture(WIDTH, HEIGHT);
-    setAttribute(picture, "aria-hidden", "true");
     const back = (): void => {
       if (design !== this.store.design.value) this.store.open({ name, design }, "earlier design");
     };
-    const made = h("button", { type: "button", class: "past-design", title: words, "aria-label": `Back to ${words}`, onclick: back }, picture);
+    const known = this.designs.find((each) => each.design === design);
+    const picture = known ? null : this.stage.shell.picture(WIDTH, HEIGHT);
+    if (picture) setAttribute(picture, "aria-hidden", "true");
+    const made = known?.button ?? h("button", { type: "button", class: "past-design", title: words, "aria-label": `Back to ${words}`, onclick: back }, picture);
     this.designs = [...this.designs.filter((each) => each.design !== design), { design, button: made }].slice(-MOST);
-    this.element.replaceChildren(...this.designs.map((each) => each.button));
+    keepFocus(() => this.element.replaceChildren(...this.designs.map((each) => each.button)));
     this.mark();
   }
 

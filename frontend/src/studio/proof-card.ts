@@ -1,7 +1,8 @@
 // What is proved about the motion: that nothing touches on the way, or what does.
 
+import { capital, sentence } from "../shared/words.ts";
 import { h } from "./dom.ts";
-import { capital, sentence, wordsOfRemedies } from "./faults.ts";
+import { wordsOfRemedies } from "./faults.ts";
 import { icon } from "./icons.ts";
 import { type Tone, wordsOfLock } from "./lock.ts";
 import { remedyButton } from "./remedy-button.ts";

@@ -5,7 +5,7 @@ import { explainSigns } from "../shared/legend.ts";
 import { Pattern2D } from "../shared/pattern2d.ts";
 import { assignmentCounts } from "../shared/view.ts";
 import { button } from "./controls.ts";
-import { h } from "./dom.ts";
+import { h, keepFocus } from "./dom.ts";
 import { wordsOfLock } from "./lock.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "./store.ts";
@@ -62,9 +62,12 @@ export class Results {
   }
 
   showFigures(): void {
-    if (!this.store.view.value) return;
-    renderFigures(this.figures, this.store.view.value, (text) => this.store.labels.said(text));
-    this.onFigures?.(this.figures);
+    const view = this.store.view.value;
+    if (!view) return;
+    keepFocus(() => {
+      renderFigures(this.figures, view, (text) => this.store.labels.said(text));
+      this.onFigures?.(this.figures);
+    });
   }
 
   private summary(): string {

@@ -7,7 +7,7 @@ import type { Pattern2D } from "../shared/pattern2d.ts";
 import type { Motion } from "../shared/rigid.ts";
 import type { Shell3D } from "../shared/shell3d.ts";
 import { panelCount } from "../shared/view.ts";
-import type { Room, Sight } from "./sight.ts";
+import { ARROWS, type Room, type Sight } from "./sight.ts";
 import { Signal } from "./signal.ts";
 import type { Store } from "./store.ts";
 
@@ -21,9 +21,6 @@ export interface Chosen {
 const REACH = 7;
 const REACH_TOUCH = 12;
 const SHARE = 0.16;
-const STEPS: Record<string, [down: number, right: number]> = {
-  ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0],
-};
 
 export class Selection {
   readonly chosen = new Signal<Chosen | null>(null);
@@ -50,7 +47,8 @@ export class Selection {
       pen.strokeStyle = theme.text("--accent");
       pen.stroke();
     });
-    this.chosen.watch(() => {
+    this.chosen.watch((chosen) => {
+      shell.explainMark("chosen", chosen !== null);
       redraw();
       pattern.refresh();
     });
@@ -98,7 +96,7 @@ export class Selection {
       this.chosen.set({ panel: Math.floor((rows - 1) / 2) * (columns - 1) + Math.floor((columns - 1) / 2), edge: null });
       return true;
     }
-    const step = STEPS[event.key];
+    const step = ARROWS[event.key];
     if (!step || !value) return false;
     const panel = neighbour(view, value.panel, ...step);
     if (panel !== null) this.chosen.set({ panel, edge: null });

@@ -1,10 +1,11 @@
 // The drawings that a workshop gets, as pictures to leaf through, with what they come to.
 
 import type { Sheets } from "../shared/api-types.ts";
+import { sentence } from "../shared/words.ts";
 import { drawSheets } from "./api.ts";
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { faultOf, sentence } from "./faults.ts";
+import { faultOf } from "./faults.ts";
 import { pretty } from "./numbers.ts";
 import { sized } from "./sizing.ts";
 import type { Store } from "./store.ts";
@@ -63,6 +64,7 @@ export class SheetPreview {
   private later(rest: number): void {
     clearTimeout(this.timer);
     this.stopping.abort();
+    this.work.hide();
     if (!this.open) return;
     this.state = "waiting";
     this.timer = window.setTimeout(() => void this.draw(), rest);
@@ -85,11 +87,12 @@ export class SheetPreview {
       if (signal.aborted) return;
       const { what, got, expected, remedy, message, kind } = faultOf(error);
       const said = kind === "input" ? [what, got && `Given: ${got}`, expected && `Needed: ${expected}`, remedy && `Remedy: ${remedy}`] : [message];
-      this.refuse(said.filter(Boolean).map(sentenceOf).join(" "));
+      this.refuse(said.map((text) => sentence(text || "")).filter(Boolean).join(" "));
     }
   }
 
   private stop(): void {
+    clearTimeout(this.timer);
     this.stopping.abort();
     this.refuse("Stopped. The sheets are drawn again when a setting changes.");
   }
@@ -151,11 +154,6 @@ export class SheetPreview {
   private set state(state: "none" | "waiting" | "shown" | "refused") {
     this.element.dataset["state"] = state;
   }
-}
-
-function sentenceOf(text: string | false): string {
-  const words = sentence(text || "");
-  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** What the sheets come to. */

@@ -15,6 +15,11 @@ export interface Sighted extends Snapped {
   size: number;
 }
 
+/** Arrow keys as steps in the grid of the flat sheet. */
+export const ARROWS: Record<string, [down: number, right: number]> = {
+  ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0],
+};
+
 /** A pointer that moves less than this between down and up taps (pixels). */
 const STILL = 6;
 /** Around a place beside the sheet, its rim is looked for this far away (pixels). */

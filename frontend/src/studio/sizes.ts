@@ -93,7 +93,7 @@ export class Sizes {
     const tolerance: Tolerance = { ...design.tolerance };
     if (value === undefined) delete tolerance[key];
     else tolerance[key] = value;
-    this.store.change({ ...design, tolerance }, key, `type-${key}`);
+    this.store.change({ ...design, tolerance }, this.store.labels.of(key), `type-${key}`);
   }
 
   private toTolerance(): void {

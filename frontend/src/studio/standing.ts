@@ -8,6 +8,7 @@ import { Person3D } from "../shared/person3d.ts";
 import { tiesOf } from "../shared/ties.ts";
 import type { View } from "../shared/view.ts";
 import { h } from "./dom.ts";
+import { figureSwitch } from "./figure-switch.ts";
 import { Signal } from "./signal.ts";
 import type { Stage } from "./stage.ts";
 import type { Store } from "./store.ts";
@@ -18,8 +19,14 @@ const REST = 150;
 /** Half the width of a person, in its height: over so much room is clear. */
 const SHOULDERS = 0.15;
 
+/** Room below a shell; null where nothing is clear. */
+export interface Measured {
+  view: View;
+  room: Headroom | null;
+}
+
 export class Standing {
-  readonly headroom = new Signal<Headroom | null>(null);
+  readonly headroom = new Signal<Measured | null>(null);
   /** What marks mean, below the shell. */
   readonly legend = h("div", { class: "standing-legend", "data-testid": "standing-legend" });
   private timer = 0;
@@ -30,24 +37,21 @@ export class Standing {
   ) {
     const { shell } = stage;
     const person = new Person3D(shell.uniforms), ties = new Ties3D(shell.uniforms);
-    const redraw = shell.add(person);
-    shell.add(ties);
+    const redraw = shell.add(person), redrawTies = shell.add(ties);
     shell.add(new Feet3D(shell.uniforms));
-    const box = h("input", { type: "checkbox", "data-testid": "person", onchange: () => store.figure.set(box.checked) });
-    const personSwitch = h("label", { class: "check", title: "a person of 1.75 m, for the size" }, box, "Person");
+    const personSwitch = figureSwitch(store, "person");
     const tied = h("input", { type: "checkbox", checked: true, "data-testid": "ties", onchange: () => {
       ties.setVisible(tied.checked);
-      redraw();
+      redrawTies();
     } });
     const tiesSwitch = h("label", { class: "check", title: "taut: a line; slack: dashes" }, tied, "Ties");
     stage.overlays.append(personSwitch, tiesSwitch);
     store.figure.bind((on) => {
-      box.checked = on;
       person.setVisible(on);
       redraw();
     });
-    const place = (view: View): void => {
-      person.place(view, this.headroom.value);
+    const place = (view: View, room: Headroom | null): void => {
+      person.place(view, room);
       personSwitch.hidden = !Person3D.suits(view);
       tiesSwitch.hidden = !tiesOf(view).length;
       redraw();
@@ -58,8 +62,9 @@ export class Standing {
       this.explain(view);
       clearTimeout(this.timer);
       this.timer = window.setTimeout(() => {
-        this.headroom.set(headroomOf(view, groundOf(view).atTarget, Person3D.suits(view) ? SHOULDERS * heightOfPerson(view.header.unit) : 0));
-        place(view);
+        const room = headroomOf(view, groundOf(view).atTarget, Person3D.suits(view) ? SHOULDERS * heightOfPerson(view.header.unit) : 0);
+        this.headroom.set({ view, room });
+        place(view, room);
       }, REST);
     };
     for (const each of [personSwitch, tiesSwitch]) each.hidden = true;

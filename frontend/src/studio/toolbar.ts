@@ -35,6 +35,8 @@ export class Toolbar {
       document.title = `${text} – orishell studio`;
       const example = store.info.examples.some((each) => each.name === text);
       this.examples.value = example ? text : "";
+      // A long name is cut short.
+      this.examples.title = this.examples.selectedOptions[0]?.text ?? "";
     });
     const undo = button({ label: "Undo", icon: "undo", keys: "Ctrl+Z", testid: "undo", act: () => store.undo() });
     const redo = button({ label: "Redo", icon: "redo", keys: "Ctrl+Shift+Z", testid: "redo", act: () => store.redo() });

@@ -1,10 +1,11 @@
 // What fewer panels cost: the sizes that were tried as a plot, the best of them as points to choose.
 
 import type { Tradeoff, Trial } from "../shared/api-types.ts";
+import { sentence } from "../shared/words.ts";
 import { findTradeoff } from "./api.ts";
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { faultOf, sentence } from "./faults.ts";
+import { faultOf } from "./faults.ts";
 import { keyOf, nearestTo, toleranceOf, withSizes, withTolerance } from "./front.ts";
 import { short } from "./numbers.ts";
 import type { Store } from "./store.ts";
@@ -77,7 +78,9 @@ export class TradeoffCard {
     this.stopping.abort();
     this.then = null;
     this.show("none");
-    this.note.textContent = "Stopped: nothing has been changed.";
+    const { tolerance, shell } = this.store.design.value;
+    const { surface } = tolerance ?? {};
+    this.note.textContent = surface === undefined ? "Stopped." : `Stopped: the tolerance stays ${short(surface, 3)} ${shell.unit}.`;
   }
 
   private async search(key: string): Promise<void> {

@@ -1,8 +1,8 @@
 // Work that takes a while: how far it is, in words, and a button that stops it.
 
+import { capital } from "../shared/words.ts";
 import { button } from "./controls.ts";
 import { h } from "./dom.ts";
-import { capital } from "./faults.ts";
 
 export class WorkBar {
   readonly element: HTMLElement;
