@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
-import { exportDesign, fetchRanges, fetchView, verify } from "../src/studio/api.ts";
-import { faultOf, ownFault } from "../src/studio/faults.ts";
-import { Live } from "../src/studio/live.ts";
-import { forgetWhatIsStale, ofFile } from "../src/studio/stale.ts";
-import { Store } from "../src/studio/store.ts";
-import type { Design, Info } from "../src/studio/types.ts";
+import { exportDesign, fetchRanges, fetchView, verify } from "../src/studio/server/api.ts";
+import { faultOf, ownFault } from "../src/studio/state/faults.ts";
+import { Live } from "../src/studio/server/live.ts";
+import { forgetWhatIsStale, ofFile } from "../src/studio/state/stale.ts";
+import { Store } from "../src/studio/state/store.ts";
+import type { Design, Info } from "../src/studio/state/types.ts";
 import scipy from "./motion.json";
 
 const DESIGN: Design = {

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 
-import { withPointNear } from "../src/studio/curve-table.ts";
-import { caught } from "../src/studio/snapping.ts";
-import { fitStroke, placeAmong, splineThrough } from "../src/studio/spline.ts";
-import type { Point } from "../src/studio/types.ts";
+import { withPointNear } from "../src/studio/curves/curve-table.ts";
+import { caught } from "../src/studio/curves/snapping.ts";
+import { fitStroke, placeAmong, splineThrough } from "../src/studio/curves/spline.ts";
+import type { Point } from "../src/studio/state/types.ts";
 
 const nets = { others: [[-1, 1.3], [2, 0]] as Point[], middle: null, step: 1, reach: 0.1 };
 

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 
 import { sentence } from "../src/shared/words.ts";
-import { ServerFault, faultOf, isAbout, mended, ownFault, patternKeysOf, refusalOf, wordsOfRemedies } from "../src/studio/faults.ts";
-import type { Design } from "../src/studio/types.ts";
+import { ServerFault, faultOf, isAbout, mended, ownFault, patternKeysOf, refusalOf, wordsOfRemedies } from "../src/studio/state/faults.ts";
+import type { Design } from "../src/studio/state/types.ts";
 
 const DESIGN: Design = {
   shell: { family: "orthodiagonal", unit: "m" },

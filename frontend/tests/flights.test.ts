@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { Flights, MOST } from "../src/studio/flights.ts";
+import { Flights, MOST } from "../src/studio/server/flights.ts";
 
 describe("requests under way", () => {
   it("are one at a time before anything is known, and with a server that is near", () => {

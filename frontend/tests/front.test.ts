@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Trial } from "../src/shared/api-types.ts";
-import { LogScale, keyOf, nearestTo, roundUp, toleranceOf, withSizes, withTolerance } from "../src/studio/front.ts";
-import type { Design } from "../src/studio/types.ts";
+import { LogScale, keyOf, nearestTo, roundUp, toleranceOf, withSizes, withTolerance } from "../src/studio/design/front.ts";
+import type { Design } from "../src/studio/state/types.ts";
 
 function trial(rows: number, columns: number, error: number): Trial {
   return { rows, columns, panels: (rows + 1) * (columns - 1), error, shortest: 1, longest: 2 };

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
 
-import { History } from "../src/studio/history.ts";
+import { History } from "../src/studio/state/history.ts";
 
 let history: History<number>;
 beforeEach(() => {

@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 
-import { Keeper, keepUnsaved, readKept } from "../src/studio/kept.ts";
-import { designOf, fragmentOf } from "../src/studio/link.ts";
-import { type Named, Store } from "../src/studio/store.ts";
-import type { Info } from "../src/studio/types.ts";
+import { Keeper, keepUnsaved, readKept } from "../src/studio/state/kept.ts";
+import { designOf, fragmentOf } from "../src/studio/files/link.ts";
+import { type Named, Store } from "../src/studio/state/store.ts";
+import type { Info } from "../src/studio/state/types.ts";
 
 const kept: Named = {
   name: "Zelt – 3 × 6 m",

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
-import { Labels } from "../src/studio/labels.ts";
-import type { Info } from "../src/studio/types.ts";
+import { Labels } from "../src/studio/state/labels.ts";
+import type { Info } from "../src/studio/state/types.ts";
 
 function family(keys: Record<string, string>): Info["families"][string] {
   const parameters = Object.entries(keys).map(([key, label]) => ({ key, label }));

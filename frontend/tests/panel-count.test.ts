@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { wordsOfSize } from "../src/studio/panel-count.ts";
+import { wordsOfSize } from "../src/studio/design/panel-count.ts";
 
 test("rows and columns count vertices, one less than panels, and flaps are columns of panels", () => {
   expect(wordsOfSize(9, 11, "flaps")).toBe(

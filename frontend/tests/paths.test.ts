@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
 
-import { bulgeOf, middleOf, withBulge } from "../src/studio/arcs.ts";
-import { given, handlesIn, moved, removed, withPointNear, withScale } from "../src/studio/curve-table.ts";
-import { type Arc, readPath, writePath } from "../src/studio/path-data.ts";
-import { splineThrough } from "../src/studio/spline.ts";
-import type { CurveTable, Point } from "../src/studio/types.ts";
+import { bulgeOf, middleOf, withBulge } from "../src/studio/curves/arcs.ts";
+import { given, handlesIn, moved, removed, withPointNear, withScale } from "../src/studio/curves/curve-table.ts";
+import { type Arc, readPath, writePath } from "../src/studio/curves/path-data.ts";
+import { splineThrough } from "../src/studio/curves/spline.ts";
+import type { CurveTable, Point } from "../src/studio/state/types.ts";
 
 const HALF = "M-3 0 A3 3 0 0 0 3 0";
 

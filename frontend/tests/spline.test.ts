@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 
-import { fitPoints, placeAmong, splineThrough } from "../src/studio/spline.ts";
-import type { Point } from "../src/studio/types.ts";
+import { fitPoints, placeAmong, splineThrough } from "../src/studio/curves/spline.ts";
+import type { Point } from "../src/studio/state/types.ts";
 import scipy from "./spline.json";
 
 describe("the spline through control points is SciPy's", () => {

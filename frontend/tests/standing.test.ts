@@ -8,13 +8,13 @@ import { caught, contactOf, nextRest, restsOf, stepped } from "../src/shared/sto
 import { shareAmong } from "../src/shared/ghost3d.ts";
 import { stateOfTie, tiesOf } from "../src/shared/ties.ts";
 import type { Header, View } from "../src/shared/view.ts";
-import { isPinned } from "../src/studio/compare.ts";
-import { suitsCurve } from "../src/studio/ground.ts";
-import { differences } from "../src/studio/differences.ts";
-import { headroomWords } from "../src/studio/sheet-figures.ts";
-import { Signal } from "../src/studio/signal.ts";
-import type { Freshness } from "../src/studio/store.ts";
-import type { Design } from "../src/studio/types.ts";
+import { isPinned } from "../src/studio/shell/compare.ts";
+import { suitsCurve } from "../src/studio/curves/ground.ts";
+import { differences } from "../src/studio/shell/differences.ts";
+import { headroomWords } from "../src/studio/shell/sheet-figures.ts";
+import { Signal } from "../src/studio/state/signal.ts";
+import type { Freshness } from "../src/studio/state/store.ts";
+import type { Design } from "../src/studio/state/types.ts";
 
 /** A tent of two slopes and a flat top, 4 wide, 2 high, 3 deep; flat sheet first. */
 function tent(changes: Partial<Header> = {}): View {

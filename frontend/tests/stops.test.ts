@@ -5,8 +5,8 @@ import { isEarly, targetPoints } from "../src/shared/view.ts";
 import { frameAt, Journey, stopsOf, targetShare, wayOf } from "../src/shared/stops.ts";
 import { Motion } from "../src/shared/rigid.ts";
 import { decodeView } from "../src/shared/view.ts";
-import { wordsOfLock } from "../src/studio/lock.ts";
-import type { Report } from "../src/studio/types.ts";
+import { wordsOfLock } from "../src/studio/shell/lock.ts";
+import type { Report } from "../src/studio/state/types.ts";
 import scipy from "./motion.json";
 
 function viewOf(drives_deg: number[], named: Record<string, number>, report: object = {}): View {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { tomlOf } from "../src/studio/toml.ts";
+import { tomlOf } from "../src/studio/files/toml.ts";
 
 test("tables, values before the tables within, lists of tables", () => {
   const text = tomlOf({

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { placeCard, STEPS } from "../src/studio/tour-steps.ts";
+import { placeCard, STEPS } from "../src/studio/page/tour-steps.ts";
 
 const WINDOW = { width: 1000, height: 700 };
 const CARD = { width: 300, height: 200 };

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { Sheets } from "../src/shared/api-types.ts";
-import { factsOf } from "../src/studio/sheet-preview.ts";
-import { isIdle, percent, wordsOfChoice } from "../src/studio/workshop-words.ts";
+import { factsOf } from "../src/studio/files/sheet-preview.ts";
+import { isIdle, percent, wordsOfChoice } from "../src/studio/files/workshop-words.ts";
 
 it("choices are said in words, those of the file's own as they are", () => {
   expect(wordsOfChoice("creases", "score")).toBe("Scored");

@@ -1,30 +1,30 @@
 // Puts the studio together.
 
-import { blankCover, blankDesign } from "./blank.ts";
-import { Banner } from "./banner.ts";
-import { CurveEditor } from "./curve-editor.ts";
-import { h } from "./dom.ts";
-import { DeploymentControls } from "./deployment.ts";
-import { Drop } from "./drop.ts";
-import { ExportMenu } from "./export-menu.ts";
-import { Families } from "./families.ts";
-import { Files } from "./files.ts";
-import { Help } from "./help.ts";
-import { addInspection } from "./inspection.ts";
-import { Live } from "./live.ts";
-import { PanelControls } from "./panel.ts";
-import { Parameters } from "./parameters.ts";
+import { blankCover, blankDesign } from "./curves/blank.ts";
+import { Banner } from "./page/banner.ts";
+import { CurveEditor } from "./curves/curve-editor.ts";
+import { h } from "./parts/dom.ts";
+import { DeploymentControls } from "./design/deployment.ts";
+import { Drop } from "./files/drop.ts";
+import { ExportMenu } from "./files/export-menu.ts";
+import { Families } from "./design/families.ts";
+import { Files } from "./files/files.ts";
+import { Help } from "./page/help.ts";
+import { addInspection } from "./shell/inspection.ts";
+import { Live } from "./server/live.ts";
+import { PanelControls } from "./design/panel.ts";
+import { Parameters } from "./design/parameters.ts";
 import { publishProbe } from "./probe.ts";
-import { Results } from "./results.ts";
-import { saidElement } from "./said.ts";
-import { listenForShortcuts } from "./shortcuts.ts";
-import { skipLinks } from "./skip.ts";
-import { Stage } from "./stage.ts";
-import { forgetWhatIsStale } from "./stale.ts";
-import type { Store } from "./store.ts";
-import { announceTheme } from "./theme.ts";
-import { Toolbar } from "./toolbar.ts";
-import { tourHint } from "./tour-hint.ts";
+import { Results } from "./shell/results.ts";
+import { saidElement } from "./page/said.ts";
+import { listenForShortcuts } from "./page/shortcuts.ts";
+import { skipLinks } from "./page/skip.ts";
+import { Stage } from "./shell/stage.ts";
+import { forgetWhatIsStale } from "./state/stale.ts";
+import type { Store } from "./state/store.ts";
+import { announceTheme } from "./parts/theme.ts";
+import { Toolbar } from "./page/toolbar.ts";
+import { tourHint } from "./page/tour-hint.ts";
 
 export function buildStudio(root: HTMLElement, store: Store): void {
   const files = new Files(store, () => {

@@ -1,10 +1,10 @@
 // What tests and the curious may look at: window.__orishell.
 
 import type { Shell3D } from "../shared/shell3d.ts";
-import type { Live } from "./live.ts";
-import type { Stage } from "./stage.ts";
-import type { Store } from "./store.ts";
-import type { Report } from "./types.ts";
+import type { Live } from "./server/live.ts";
+import type { Stage } from "./shell/stage.ts";
+import type { Store } from "./state/store.ts";
+import type { Report } from "./state/types.ts";
 
 export interface Probe {
   /** The whole state; see store.ts. `store.design.value` is the design. */

@@ -1,0 +1,106 @@
+// How large a curve is: its extents as numbers that scale it.
+
+import { button, numberBox, setNumber } from "../parts/controls.ts";
+import { scaleOf } from "./curve-table.ts";
+import { h, setAttribute } from "../parts/dom.ts";
+import { icon } from "../parts/icons.ts";
+import { keptSwitch } from "../state/kept-switch.ts";
+import { short } from "../parts/numbers.ts";
+import { boxOf } from "./plane.ts";
+import type { CurveName, CurveTable, Point } from "../state/types.ts";
+
+type Axis = 0 | 1;
+
+/** Whether all of a curve grows when one of its extents does. */
+const proportional = keptSwitch("orishell.proportional", true);
+/** An extent below this share of the other is none that could be scaled. */
+const NOTHING = 1e-6;
+
+interface Measure {
+  name: string;
+  /** The axis along which it is measured. */
+  axis(extents: Point): Axis;
+}
+const MEASURES: Record<CurveName, Measure[]> = {
+  f: [
+    { name: "Span", axis: () => 0 },
+    { name: "Height", axis: () => 1 },
+  ],
+  g: [{ name: "Length", axis: ([x, y]) => (y > x ? 1 : 0) }],
+};
+
+export class Dimensions {
+  readonly element: HTMLElement;
+  private readonly boxes: HTMLInputElement[];
+  private readonly units: HTMLElement[] = [];
+  private table: CurveTable = {};
+  private extents: Point = [0, 0];
+  /** Extents and factors when the typing began: samples follow the typing later. */
+  private base: { extents: Point; scale: Point } | null = null;
+
+  constructor(
+    private readonly name: CurveName,
+    private readonly scaled: (factors: Point, what: string, gesture: string) => void,
+  ) {
+    this.boxes = MEASURES[name].map((measure) => this.box(measure));
+    const lock = button({
+      label: `Keep the proportions of ${name}`,
+      icon: "locked",
+      testid: `proportional-${name}`,
+      act: () => proportional.set(!proportional.value),
+    });
+    proportional.bind((on) => {
+      setAttribute(lock, "aria-pressed", String(on));
+      lock.replaceChildren(icon(on ? "locked" : "unlocked"));
+    });
+    this.element = h(
+      "div",
+      { class: "dimensions" },
+      ...this.boxes.map((box, k) => {
+        const unit = h("span", { class: "unit" });
+        this.units.push(unit);
+        return h("label", { class: "dimension" }, MEASURES[name][k]!.name, box, unit);
+      }),
+      lock,
+    );
+  }
+
+  show(table: CurveTable, samples: Point[], unit: string): void {
+    const box = boxOf(samples);
+    this.table = table;
+    // Without a curve boxes stay, empty: what is below does not move under the pointer that draws it.
+    this.extents = box ? [box.high[0] - box.low[0], box.high[1] - box.low[1]] : [0, 0];
+    const least = NOTHING * Math.max(...this.extents);
+    MEASURES[this.name].forEach((measure, k) => {
+      const extent = this.extents[measure.axis(this.extents)];
+      const input = this.boxes[k]!;
+      input.disabled = !(extent > least);
+      this.units[k]!.textContent = unit;
+      // While it is typed into, a box says what is typed.
+      if (!this.base || document.activeElement !== input) setNumber(input, box ? short(extent, 5) : "");
+    });
+  }
+
+  private box(measure: Measure): HTMLInputElement {
+    const { name } = this;
+    const word = measure.name.toLowerCase();
+    const input = numberBox(
+      { step: "any", min: 0, "aria-label": `${measure.name} of ${name}`, "data-testid": `${word}-${name}` },
+      (value) => {
+        const { extents, scale } = (this.base ??= { extents: this.extents, scale: scaleOf(this.table) });
+        const axis = measure.axis(extents);
+        const factor = value / extents[axis];
+        if (!(factor > 0) || !Number.isFinite(factor)) return input.classList.add("unfinished");
+        const factors: Point = proportional.value ? [scale[0] * factor, scale[1] * factor] : [...scale];
+        if (!proportional.value) factors[axis] *= factor;
+        this.scaled(factors, `${word} of ${name}`, `size-${name}-${word}`);
+      },
+    );
+    input.addEventListener("focus", () => (this.base = null));
+    input.addEventListener("blur", () => {
+      this.base = null;
+      setNumber(input, short(this.extents[measure.axis(this.extents)], 5));
+    });
+    return input;
+  }
+}

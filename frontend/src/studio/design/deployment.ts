@@ -1,0 +1,94 @@
+// How the shell is deployed: the table [deployment] of the design file.
+
+import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
+import { h } from "../parts/dom.ts";
+import { short } from "../parts/numbers.ts";
+import type { Store } from "../state/store.ts";
+import type { Value } from "../state/types.ts";
+
+/** A choice with its own value where the file says nothing. */
+const CHOICES = [
+  {
+    key: "from",
+    label: "Opened from",
+    values: [["flat", "Flat sheet"], ["pack", "Pack"]],
+    help: "folded up from the flat sheet, or opened from a pack beyond the target",
+  },
+  {
+    key: "flap_attachment",
+    label: "Flaps",
+    values: [["folded", "Of the sheet"], ["clipped", "Clipped on"]],
+    help: "part of the folding sheet, or boards that are put on at the target",
+  },
+  {
+    key: "ties",
+    label: "Ties",
+    values: [["none", "None"], ["feet", "Between feet"]],
+    help: "what keeps the shell from opening beyond its target",
+  },
+] as const;
+const WIDEST = 180;
+
+export class DeploymentControls {
+  readonly element: HTMLElement;
+  private readonly choices = new Map<string, Segmented<string>>();
+  private readonly hinges: HTMLInputElement;
+  private readonly note = h("p", { class: "note" });
+
+  constructor(private readonly store: Store) {
+    this.hinges = numberBox(
+      { min: 0, max: WIDEST, step: "any", id: "hinges", "data-testid": "deployment-largest_fold_deg" },
+      (value) => this.set("largest_fold_deg", value === WIDEST ? undefined : value, "type-largest_fold_deg"),
+    );
+    this.element = h(
+      "section",
+      { class: "deployment", "aria-labelledby": "deployment-title" },
+      h("h2", { id: "deployment-title" }, "Deployment"),
+      ...CHOICES.map(({ key, label, values, help }) => {
+        const choice = segmented<string>(
+          label,
+          values.map(([value, text]) => ({ value, text, testid: `deployment-${key}-${value}` })),
+          (value) => this.set(key, value === values[0][0] ? undefined : value),
+        );
+        this.choices.set(key, choice);
+        return h("div", { class: "parameter-head", title: help }, h("span", {}, label), choice.element);
+      }),
+      h(
+        "div",
+        { class: "parameter-head", title: "180\u00b0: hinges fold flat" },
+        h("label", { for: "hinges" }, "Hinges close to"),
+        this.hinges,
+        h("span", { class: "unit" }, "\u00b0"),
+      ),
+      this.note,
+    );
+    store.design.bind(({ deployment }) => this.show(deployment ?? {}));
+  }
+
+  /** Other keys of the table stay; what says nothing new is left out. */
+  private set(key: string, value: Value | undefined, gesture = ""): void {
+    const { deployment, ...design } = this.store.design.value;
+    const table = { ...deployment };
+    if (value === undefined) delete table[key];
+    else table[key] = value;
+    // A pack has clipped flaps, said or not.
+    if (key === "from") delete table["flap_attachment"];
+    this.store.change(Object.keys(table).length ? { ...design, deployment: table } : design, this.store.labels.of(key), gesture);
+  }
+
+  private show(table: Record<string, Value>): void {
+    const packed = table["from"] === "pack";
+    const ties = table["ties"] ?? "none";
+    this.choices.get("from")!.set(packed ? "pack" : "flat");
+    this.choices.get("flap_attachment")!.set(String(table["flap_attachment"] ?? (packed ? "clipped" : "folded")));
+    this.choices.get("ties")!.set(String(ties));
+    for (const input of this.choices.get("flap_attachment")!.element.querySelectorAll("input")) input.disabled = packed;
+    setNumber(this.hinges, short(Number(table["largest_fold_deg"] ?? WIDEST)));
+    const words = [
+      packed ? "Flaps of the sheet would keep it from closing into a pack." : "",
+      Array.isArray(ties) ? `Ties: ${ties.length} listed in the file.` : "",
+    ].filter(Boolean);
+    this.note.textContent = words.join(" ");
+    this.note.hidden = !words.length;
+  }
+}

@@ -1,0 +1,100 @@
+// What panels are made of: the table [panel] of the design file.
+
+import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
+import { h } from "../parts/dom.ts";
+import { short } from "../parts/numbers.ts";
+import type { Store } from "../state/store.ts";
+import type { Value } from "../state/types.ts";
+
+const CONSTRUCTIONS = [
+  ["sandwich", "Sandwich"],
+  ["bevel", "Bevel"],
+] as const;
+type Construction = (typeof CONSTRUCTIONS)[number][0];
+const CONSTRUCTION = "boards on both faces of a membrane that is their hinge, or solid panels, chamfered where they close";
+/** Share of the thickness that a hinge takes, membrane or gap, until another is asked for. */
+const HINGE = 0.05;
+type Size = "thickness" | "membrane" | "gap";
+
+export class PanelControls {
+  readonly element: HTMLElement;
+  private readonly construction: Segmented<Construction>;
+  private readonly boxes: Record<Size, HTMLInputElement>;
+  private readonly units: HTMLElement[] = [];
+  private readonly more: HTMLElement[];
+
+  constructor(private readonly store: Store) {
+    this.boxes = {
+      thickness: this.box("thickness", (value) => this.setThickness(value)),
+      membrane: this.box("membrane", (value) => this.change({ ...this.table, membrane: value }, "type-membrane")),
+      gap: this.box("gap", (value) => this.change({ ...this.table, gap: value }, "type-gap")),
+    };
+    this.construction = segmented<Construction>(
+      "Construction",
+      CONSTRUCTIONS.map(([value, text]) => ({ value, text, testid: `panel-construction-${value}` })),
+      (value) => this.setConstruction(value),
+    );
+    this.more = [
+      h("div", { class: "parameter-head", title: CONSTRUCTION }, h("span", {}, "Construction"), this.construction.element),
+      this.row("Membrane", "membrane", "thickness of the hinge between the boards"),
+      this.row("Gap", "gap", "between panels at every crease: room for a hinge or a kerf"),
+    ];
+    this.element = h(
+      "section",
+      { class: "panel", "aria-labelledby": "panel-title" },
+      h("h2", { id: "panel-title" }, "Panels"),
+      this.row("Thickness", "thickness", "of a panel, boards and membrane together; 0: none is designed for"),
+      ...this.more,
+    );
+    store.design.bind(() => this.show());
+  }
+
+  private get table(): Record<string, Value> {
+    return this.store.design.value.panel ?? {};
+  }
+
+  private box(key: string, changed: (value: number) => void): HTMLInputElement {
+    return numberBox({ min: 0, step: "any", id: `panel-${key}`, "data-testid": `panel-${key}` }, changed);
+  }
+
+  private row(label: string, key: Size, help: string): HTMLElement {
+    const unit = h("span", { class: "unit" });
+    this.units.push(unit);
+    return h("div", { class: "parameter-head", title: help }, h("label", { for: `panel-${key}` }, label), this.boxes[key], unit);
+  }
+
+  private setThickness(thickness: number): void {
+    const membrane = Number(this.table["membrane"] ?? 0);
+    const fits = this.table["construction"] === "bevel" || (membrane > 0 && membrane < thickness);
+    this.change({ ...this.table, thickness, ...(fits ? {} : { membrane: hingeOf(thickness) }) }, "type-thickness");
+  }
+
+  private setConstruction(construction: Construction): void {
+    const { membrane: _, construction: __, ...rest } = this.table;
+    const hinge = hingeOf(Number(rest["thickness"]));
+    // Solid panels have no membrane: their hinges need a gap.
+    const bevel = { ...rest, construction, gap: Number(rest["gap"]) || hinge };
+    this.change(construction === "bevel" ? bevel : { ...rest, membrane: hinge });
+  }
+
+  /** Without a thickness panels are made of nothing, and the file has no such table. */
+  private change(table: Record<string, Value>, gesture = ""): void {
+    const { panel: _, ...design } = this.store.design.value;
+    this.store.change(Number(table["thickness"]) > 0 ? { ...design, panel: table } : design, "panels", gesture);
+  }
+
+  private show(): void {
+    const { thickness = 0, membrane = 0, gap = 0, construction = "sandwich" } = this.table;
+    setNumber(this.boxes.thickness, short(Number(thickness)));
+    setNumber(this.boxes.membrane, short(Number(membrane)));
+    setNumber(this.boxes.gap, short(Number(gap)));
+    this.construction.set(construction as Construction);
+    for (const unit of this.units) unit.textContent = this.store.design.value.shell.unit;
+    for (const row of this.more) row.hidden = !Number(thickness);
+    this.more[1]!.hidden ||= construction === "bevel";
+  }
+}
+
+function hingeOf(thickness: number): number {
+  return Number(short(HINGE * thickness, 2));
+}

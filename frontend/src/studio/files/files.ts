@@ -1,0 +1,100 @@
+// Design files: open, save, examples.
+
+import { formatDesign, parseDesign } from "../server/api.ts";
+import { download, pickFile } from "../parts/dom.ts";
+import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
+import { designOf, fragmentOf, isLink } from "./link.ts";
+import { ofFile } from "../state/stale.ts";
+import type { Named, Store } from "../state/store.ts";
+import { tomlOf } from "./toml.ts";
+
+export class Files {
+  constructor(
+    private readonly store: Store,
+    /** Called before another design takes the place of the present one. */
+    private readonly opening: () => void,
+  ) {}
+
+  async open(): Promise<void> {
+    const file = await pickFile(".toml");
+    if (file) await this.read(file);
+  }
+
+  async read(file: File): Promise<void> {
+    await this.take(await file.text(), file.name.replace(/\.toml$/i, ""));
+  }
+
+  /** Take the text of a design file in place of the present design; undo brings that back. */
+  async take(text: string, name: string): Promise<void> {
+    await this.guarded(async () => {
+      this.begin({ name, design: await parseDesign(text) });
+    });
+  }
+
+  /** Take another design in place of the present one; undo brings that back. */
+  begin(named: Named): void {
+    this.opening();
+    this.store.open(named);
+    this.store.saved.set(named);
+  }
+
+  async save(): Promise<void> {
+    const { named } = this.store;
+    await this.guarded(async () => {
+      const text = await formatDesign(named.design).catch((error: unknown) => {
+        // Work is saved without the server, too.
+        if (faultOf(error).kind !== "network") throw error;
+        return tomlOf(named.design);
+      });
+      download(new Blob([text], { type: "application/toml" }), `${named.name}.toml`);
+      this.store.saved.set(named);
+    });
+  }
+
+  /** Put a link that holds the design on the clipboard. */
+  async link(): Promise<void> {
+    await this.guarded(async () => {
+      const fragment = await fragmentOf(this.store.named);
+      if (!fragment) {
+        throw new ServerFault(ownFault("input", "This design is too long for a link", "save it as a file"));
+      }
+      try {
+        await navigator.clipboard.writeText(new URL(fragment, location.href).href);
+        this.store.said.set("The link is on the clipboard");
+      } catch {
+        // Pages of other machines may not write there.
+        history.replaceState(null, "", fragment);
+        this.store.said.set("The link is in the address bar");
+      }
+    });
+  }
+
+  /** Take the design that the address holds, if it holds one; undo brings the present one back. */
+  async follow(): Promise<void> {
+    if (!isLink(location.hash)) return;
+    const brought = await designOf(location.hash);
+    // Taken once: a reload is to bring back what was made of it.
+    history.replaceState(null, "", location.pathname + location.search);
+    if (!brought || !Object.hasOwn(this.store.info.families, brought.design.shell.family)) {
+      const remedy = "copy the whole of it; some programs cut long links";
+      return this.store.fault.set(ofFile(ownFault("input", "The link of this design is broken", remedy)));
+    }
+    this.opening();
+    this.store.open(brought, "the design of the link");
+    this.store.said.set("The design of the link; undo brings back the one before");
+  }
+
+  private async guarded(act: () => Promise<void>): Promise<void> {
+    const { files } = this.store;
+    files.set(files.value + 1);
+    try {
+      await act();
+    } catch (error) {
+      const fault = faultOf(error);
+      // A server that answers again does mend that it did not.
+      this.store.fault.set(fault.kind === "network" ? fault : ofFile(fault));
+    } finally {
+      files.set(files.value - 1);
+    }
+  }
+}

@@ -1,0 +1,105 @@
+// The top: name, examples, open, save, undo, redo, unit, export, theme, help.
+
+import { button } from "../parts/controls.ts";
+import { h, setAttribute } from "../parts/dom.ts";
+import { icon } from "../parts/icons.ts";
+import { nameField } from "./name-field.ts";
+import type { Store } from "../state/store.ts";
+import { theme, toggleTheme } from "../parts/theme.ts";
+
+export interface ToolbarEvents {
+  blank(): void;
+  open(): void;
+  save(): void;
+  link(): void;
+  help(): void;
+  example(name: string): void;
+}
+
+export class Toolbar {
+  readonly element: HTMLElement;
+  private readonly examples: HTMLSelectElement;
+
+  constructor(
+    private readonly store: Store,
+    exportMenu: HTMLElement,
+    events: ToolbarEvents,
+  ) {
+    this.examples = h(
+      "select",
+      { "aria-label": "Examples", "data-testid": "example-select", onchange: () => events.example(this.examples.value) },
+      h("option", { value: "", disabled: true, hidden: true }, "Examples"),
+      ...store.info.examples.map(({ name, title }) => h("option", { value: name }, title)),
+    );
+    store.name.bind((text) => {
+      document.title = `${text} – orishell studio`;
+      const example = store.info.examples.some((each) => each.name === text);
+      this.examples.value = example ? text : "";
+      // A long name is cut short.
+      this.examples.title = this.examples.selectedOptions[0]?.text ?? "";
+    });
+    const undo = button({ label: "Undo", icon: "undo", keys: "Ctrl+Z", testid: "undo", act: () => store.undo() });
+    const redo = button({ label: "Redo", icon: "redo", keys: "Ctrl+Shift+Z", testid: "redo", act: () => store.redo() });
+    store.steps.bind(() => {
+      this.describe(undo, "Undo", store.undoable);
+      this.describe(redo, "Redo", store.redoable);
+    });
+    this.element = h(
+      "header",
+      { class: "toolbar" },
+      h("h1", { class: "brand" }, h("span", { class: "brand-mark", "aria-hidden": "true" }), "orishell", h("span", { class: "brand-room" }, "studio")),
+      nameField(store),
+      this.examples,
+      this.units(),
+      h(
+        "div",
+        { class: "group" },
+        button({ label: "New design, to be drawn", icon: "blank", text: "New", class: "button with-word", testid: "new", act: events.blank }),
+        button({ label: "Open a design file", icon: "open", text: "Open", class: "button with-word", keys: "Ctrl+O", testid: "open", act: events.open }),
+        button({ label: "Save the design file", icon: "save", text: "Save", class: "button with-word", keys: "Ctrl+S", testid: "save", act: events.save }),
+        button({ label: "Copy a link that holds this design", icon: "link", testid: "link", act: events.link }),
+      ),
+      h("div", { class: "group" }, undo, redo),
+      h("span", { class: "spacer" }),
+      exportMenu,
+      this.themeButton(),
+      button({ label: "Help: a short tour, keys and gestures", icon: "help", keys: "?", testid: "help", act: events.help }),
+    );
+  }
+
+  private describe(control: HTMLButtonElement, word: string, what: string | null): void {
+    // Not disabled: it would lose the focus in the middle of a run of undos.
+    setAttribute(control, "aria-disabled", what === null ? "true" : "false");
+    control.title = what === null ? `Nothing to ${word.toLowerCase()}` : `${word}: ${this.store.labels.said(what)}`;
+  }
+
+  private units(): HTMLElement {
+    const { store } = this;
+    const select = h(
+      "select",
+      {
+        "data-testid": "unit",
+        "aria-label": "Unit of length",
+        title: "Unit of length; numbers keep their values",
+        onchange: () => {
+          const design = store.design.value;
+          store.change({ ...design, shell: { ...design.shell, unit: select.value } }, "unit");
+        },
+      },
+      ...store.info.units.map((unit) => h("option", { value: unit }, unit)),
+    );
+    store.design.bind((design) => (select.value = design.shell.unit));
+    return h("label", { class: "unit-choice" }, h("span", { class: "quiet" }, "Unit"), select);
+  }
+
+  private themeButton(): HTMLElement {
+    const control = button({ label: "Dark colours", icon: "moon", testid: "theme", act: toggleTheme });
+    theme.bind((value) => {
+      const label = value === "dark" ? "Light colours" : "Dark colours";
+      control.replaceChildren(icon(value === "dark" ? "sun" : "moon"));
+      control.title = label;
+      setAttribute(control, "aria-label", label);
+    });
+    return control;
+  }
+}

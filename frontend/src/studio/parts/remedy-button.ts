@@ -1,0 +1,28 @@
+// The button that mends a fault, where the fault names a value that works.
+
+import { button } from "./controls.ts";
+import { mended } from "../state/faults.ts";
+import type { Store } from "../state/store.ts";
+import type { Fault } from "../state/types.ts";
+
+/** Keys of the table [pattern] that the design's family knows. */
+export function patternKeys(store: Store): string[] {
+  const design = store.design.value;
+  const parameters = store.info.families[design.shell.family]?.parameters ?? [];
+  return [...parameters.map(({ key }) => key), ...Object.keys(design.pattern)];
+}
+
+/** Null if nothing is known that mends the fault. */
+export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | null {
+  const [remedy] = fault.remedies;
+  if (!remedy) return null;
+  const said = store.labels.remedy(remedy);
+  const text = `Use ${said}`;
+  return button({
+    label: text,
+    text,
+    class: "button primary",
+    testid: "use-nearest",
+    act: () => store.change(mended(store.design.value, remedy), said),
+  });
+}

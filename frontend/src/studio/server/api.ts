@@ -1,0 +1,160 @@
+// The studio's server. Every function throws ServerFault, or AbortError if it was aborted.
+
+import type * as Api from "../../shared/api-types.ts";
+import { ServerFault, ownFault, refusalOf, unreachable } from "../state/faults.ts";
+import type { Design, DroppedCurve, Info, Ranges, Verified } from "../state/types.ts";
+
+async function ask(path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
+  const options: RequestInit = signal ? { signal } : {};
+  if (body !== undefined) {
+    options.method = "POST";
+    options.headers = { "Content-Type": "application/json" };
+    options.body = JSON.stringify(body);
+  }
+  let response: Response;
+  try {
+    response = await fetch(`api/${path}`, options);
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw unreachable();
+  }
+  if (!response.ok) throw await refusedBy(response);
+  return response;
+}
+
+async function refusedBy(response: Response): Promise<ServerFault> {
+  try {
+    return refusalOf((await response.json()) as Api.Refusal);
+  } catch {
+    // Not ours: a proxy, or a server that fell over. The status says what there is to say.
+    return new ServerFault(ownFault("http", `The studio answered with status ${response.status}`));
+  }
+}
+
+/** The body of an answer; a server that dies while it answers does not answer. */
+async function received<T>(body: Promise<T>, signal?: AbortSignal): Promise<T> {
+  try {
+    return await body;
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw unreachable();
+  }
+}
+
+async function json<T>(path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
+  const response = await ask(path, body, signal);
+  return received(response.json() as Promise<T>, signal);
+}
+
+export function fetchInfo(): Promise<Info> {
+  return json("info");
+}
+
+export interface Answer {
+  /** See shared/view.ts. */
+  bytes: ArrayBuffer;
+  /** How long the server took (milliseconds). */
+  server: number;
+}
+
+/** The view of a design. */
+export async function fetchView(
+  design: Design,
+  states: number,
+  signal?: AbortSignal,
+): Promise<Answer> {
+  const response = await ask("design", { design, states }, signal);
+  const server = Number(/dur=([\d.]+)/.exec(response.headers.get("Server-Timing") ?? "")?.[1] ?? 0);
+  return { bytes: await received(response.arrayBuffer(), signal), server };
+}
+
+export async function fetchRanges(design: Design, signal: AbortSignal): Promise<Ranges> {
+  return (await json<Api.Ranges>("ranges", { design }, signal)).ranges;
+}
+
+export async function parseDesign(text: string): Promise<Design> {
+  return (await json<Api.Parsed>("parse", { text })).design as unknown as Design;
+}
+
+export async function formatDesign(design: Design): Promise<string> {
+  return (await json<Api.Written>("format", { design })).text;
+}
+
+export async function readCurve(file: File, unit: string): Promise<DroppedCurve> {
+  return json("curve", { name: file.name, content: await base64(file), unit });
+}
+
+export interface Download {
+  name: string;
+  blob: Blob;
+}
+
+export async function exportDesign(
+  design: Design,
+  format: string,
+  state: string | number,
+  name: string,
+): Promise<Download> {
+  const response = await ask("export", { design, format, state, name });
+  const header = response.headers.get("Content-Disposition") ?? "";
+  const quoted = /filename\*=utf-8''([^;]+)/i.exec(header)?.[1];
+  const plain = /filename="?([^";]+)"?/i.exec(header)?.[1];
+  const file = quoted ? decodeURIComponent(quoted) : (plain ?? `${name}.${format}`);
+  return { name: file, blob: await received(response.blob()) };
+}
+
+export type Progressed = (share: number, what: string) => void;
+
+/** Prove how the motion ends; aborting stops the proof. */
+export function verify(design: Design, signal: AbortSignal, progressed: Progressed): Promise<Verified> {
+  return streamed("verify", { design }, signal, progressed);
+}
+
+/** What fewer panels cost, and how near a sheet of the size given comes; aborting stops the search. */
+export function findTradeoff(design: Design, size: { rows: number; columns: number } | null, signal: AbortSignal, progressed: Progressed): Promise<Api.Tradeoff> {
+  return streamed("tradeoff", { design, size }, signal, progressed);
+}
+
+/** The drawings that a workshop gets; aborting stops the work. */
+export function drawSheets(design: Design, name: string, signal: AbortSignal, progressed: Progressed): Promise<Api.Sheets> {
+  return streamed("sheets", { design, name }, signal, progressed);
+}
+
+/** The result of work whose progress is told while it is under way. */
+async function streamed<T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed): Promise<T> {
+  const response = await ask(path, body, signal);
+  const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
+  let rest = "";
+  for (;;) {
+    const { value, done } = await received(reader.read(), signal);
+    const lines = (rest + (value ?? "")).split("\n");
+    // Every message ends its line: one that does not was cut off.
+    rest = lines.pop()!;
+    for (const line of lines) {
+      if (!line.trim()) continue;
+      const message = JSON.parse(line) as Api.Advance | { result: T } | Api.Refusal;
+      if ("error" in message) throw refusalOf(message);
+      if ("result" in message) return message.result;
+      progressed(message.progress, message.what);
+    }
+    if (done) throw unreachable();
+  }
+}
+
+async function base64(file: File): Promise<string> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 32768) {
+    text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+  }
+  return btoa(text);
+}
+
+export function decodeBytes(text: string): ArrayBuffer {
+  return Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
+}
+
+/** Float32 numbers, little endian, from base64. */
+export function decodeFloats(text: string): Float32Array {
+  return new Float32Array(decodeBytes(text));
+}

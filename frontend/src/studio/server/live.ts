@@ -1,0 +1,299 @@
+// Keeps the shell on the screen up with the design: requests as flights.ts lets them begin, the newest
+// one waiting; when the design rests, its ranges and its proof.
+
+import { decodeView } from "../../shared/view.ts";
+import { decodeBytes, decodeFloats, fetchRanges, verify } from "./api.ts";
+import { isWhole } from "../curves/curve-table.ts";
+import { fetchView } from "./early-view.ts";
+import { ServerFault, faultOf } from "../state/faults.ts";
+import { Flights } from "./flights.ts";
+import { leaveOpen } from "./left-open.ts";
+import { sized } from "../state/sizing.ts";
+import { isOfFile } from "../state/stale.ts";
+import { STATES, allStates, liveStates } from "./states.ts";
+import type { Store } from "../state/store.ts";
+import type { Design, Report } from "../state/types.ts";
+
+/** Rest after which ranges and the proof are asked for, in milliseconds. */
+const REST = 400;
+/** A server that does not answer is asked again after so many milliseconds. */
+const AGAIN = 2000;
+
+interface Pending {
+  design: Design;
+  changedAt: number;
+  states: number;
+}
+
+export class Live {
+  /** From the input event to the frame that shows its shell, in milliseconds, newest last. */
+  readonly latencies: number[] = [];
+  private readonly flights = new Flights();
+  private pending: Pending | null = null;
+  private turn = 0;
+  private sequence = 0;
+  /** The newest that has been drawn, or refused. */
+  private drawn = 0;
+  private timer = 0;
+  private resting = false;
+  private design = new AbortController();
+  private rested = new AbortController();
+
+  constructor(
+    private readonly store: Store,
+    /** Draws the store's view; resolves when its frame has been drawn. */
+    private readonly draw: () => Promise<void>,
+  ) {
+    store.design.watch(() => this.changed());
+  }
+
+  /** Nothing is under way or waiting. */
+  get idle(): boolean {
+    return !this.flights.under && !this.pending && !this.timer && !this.resting;
+  }
+
+  /** The design has changed, or is to be computed again. */
+  changed(): void {
+    this.sequence++;
+    this.design.abort();
+    this.stopResting();
+    const { store } = this;
+    store.proof.set({ state: "none" });
+    store.busy.set(null);  // a search for sizes is broken off
+    if (!isWhole(store.design.value) || store.design.value.tolerance) {
+      // A curve is being drawn; or sizes are chosen, at the user's word: the search takes seconds.
+      this.pending = null;
+      store.fault.set(null);
+      store.freshness.set("outdated");
+      return;
+    }
+    this.request({ design: store.design.value, changedAt: store.changedAt, states: liveStates(store.design.value) });
+  }
+
+  /** Choose rows and columns by the tolerance. */
+  choose(): void {
+    this.sequence++;
+    this.stopResting();
+    this.store.busy.set("Choosing rows and columns");
+    this.request({ design: this.store.design.value, changedAt: performance.now(), states: STATES });
+  }
+
+  /** Break off what is under way. */
+  cancel(): void {
+    this.sequence++;
+    this.pending = null;
+    this.design.abort();
+    this.store.busy.set(null);
+    this.store.freshness.set("outdated");
+  }
+
+  private request(pending: Pending): void {
+    this.pending = pending;
+    this.store.freshness.set("computing");
+    void this.advance();
+  }
+
+  /** Ask for what is waiting, as soon as another request may begin. */
+  private async advance(): Promise<void> {
+    clearTimeout(this.turn);
+    if (!this.pending) return;
+    const wait = this.flights.wait(performance.now());
+    if (wait > 0) {
+      if (wait < Infinity) this.turn = window.setTimeout(() => void this.advance(), wait);
+      return;
+    }
+    const next = this.pending;
+    this.pending = null;
+    this.flights.begin(performance.now());
+    try {
+      await this.compute(next, this.sequence);
+    } finally {
+      this.flights.end();
+    }
+    void this.advance();
+  }
+
+  private async compute(next: Pending, sequence: number): Promise<void> {
+    const { store } = this;
+    // A quick request runs to its end, so that a drag shows every answer that comes in time; the
+    // search for sizes is broken off by the next change.
+    this.design = new AbortController();
+    const signal = next.design.tolerance ? this.design.signal : undefined;
+    try {
+      const begun = performance.now();
+      const { bytes, server } = await fetchView(next.design, next.states, signal);
+      this.flights.answered(performance.now() - begun, server);
+      if (this.overtaken(next, sequence)) return;
+      this.drawn = sequence;
+      const view = decodeView(bytes);
+      store.curves.set(view.header.curves ?? store.curves.value);
+      leaveOpen(view);
+      store.report.set(view.header.report as Report);
+      store.view.set(view);
+      if (!isOfFile(store.fault.value)) store.fault.set(null);
+      store.busy.set(null);
+      const newest = sequence === this.sequence;
+      if (newest) {
+        store.freshness.set("current");
+        this.restLater(next);
+      }
+      // Waited for: where painting is slow, requests keep its pace.
+      await this.draw();
+      this.latencies.push(performance.now() - next.changedAt);
+      if (this.latencies.length > 1000) this.latencies.shift();
+    } catch (error) {
+      if (signal?.aborted || sequence !== this.sequence) return;
+      this.drawn = sequence;
+      this.failed(error);
+    }
+  }
+
+  /** An answer to an older design is still drawn during a drag, but not once things have moved on
+   * by other means (another family, an opened file), where it would flash up. */
+  private overtaken(next: Pending, sequence: number): boolean {
+    if (sequence === this.sequence) return false;
+    if (sequence < this.drawn) return true;
+    const now = this.store.design.value;
+    return (
+      now.shell !== next.design.shell ||
+      now.tolerance !== next.design.tolerance ||
+      this.store.design.value.pattern["rows"] !== next.design.pattern["rows"] ||
+      this.store.design.value.pattern["columns"] !== next.design.pattern["columns"]
+    );
+  }
+
+  private failed(error: unknown): void {
+    const { store } = this;
+    store.busy.set(null);
+    store.freshness.set("outdated");
+    if (error instanceof ServerFault && error.curves) store.curves.set(error.curves);
+    const fault = faultOf(error);
+    store.fault.set(fault);
+    // What would be admissible is worth knowing just then.
+    if (fault.kind === "design") this.restLater(null);
+    if (fault.kind === "network") this.tryAgain(this.sequence);
+  }
+
+  /** Ask until the server is back, or the design changes. */
+  private tryAgain(sequence: number): void {
+    window.setTimeout(() => {
+      if (sequence !== this.sequence) return;
+      // Older requests have not ended yet.
+      if (this.flights.under) return this.tryAgain(sequence);
+      const design = this.store.design.value;
+      if (design.tolerance) return this.choose();
+      this.request({ design, changedAt: performance.now(), states: liveStates(design) });
+    }, AGAIN);
+  }
+
+  private restLater(shown: Pending | null): void {
+    if (shown) this.store.proof.set({ state: "waiting" });
+    this.stopResting();
+    this.timer = window.setTimeout(() => void this.rest(shown), REST);
+  }
+
+  private stopResting(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.rested.abort();
+    this.resting = false;
+  }
+
+  /** The design has rested: all states, the ranges, the proof. */
+  private async rest(shown: Pending | null): Promise<void> {
+    this.timer = 0;
+    this.resting = true;
+    this.rested = new AbortController();
+    const { signal } = this.rested;
+    const design = this.store.design.value;
+    const all = allStates(design);
+    const refined = shown && !design.tolerance && shown.states < all ? this.refine(design, all, signal) : null;
+    try {
+      await Promise.all([
+        design.tolerance ? null : this.findRanges(design, signal),
+        refined,
+        shown ? this.prove(sized(design, this.store.report.value), signal) : this.mend(design, signal),
+      ]);
+    } finally {
+      if (!signal.aborted) this.resting = false;
+    }
+  }
+
+  private async refine(design: Design, states: number, signal: AbortSignal): Promise<void> {
+    const before = this.store.view.value;
+    try {
+      const view = decodeView((await fetchView(design, states, signal)).bytes);
+      // The proof may have come first, with a shell of its own: other flaps, or boards as cut.
+      if (signal.aborted || this.store.view.value !== before) return;
+      leaveOpen(view);
+      // The proof may have come first: what it found is kept.
+      if (this.store.proof.value.state === "done") {
+        view.header.report = this.store.report.value!;
+        view.header.contact = this.store.view.value!.header.contact;
+        const known = this.store.view.value!.distance;
+        if (known) view.distance = known;
+      }
+      this.store.view.set(view);
+      await this.draw();
+    } catch (error) {
+      if (!(error instanceof ServerFault) && !signal.aborted) throw error;
+      // The shell with fewer states stays: it is exact, only its motion is coarser.
+    }
+  }
+
+  private async findRanges(design: Design, signal: AbortSignal): Promise<void> {
+    try {
+      const ranges = await fetchRanges(design, signal);
+      if (!signal.aborted) this.store.ranges.set(ranges);
+    } catch (error) {
+      if (signal.aborted) return;
+      if (!(error instanceof ServerFault)) throw error;
+      this.store.ranges.set({});
+    }
+  }
+
+  /** Of a design that cannot be made: find what would work, by trying it. */
+  private async mend(design: Design, signal: AbortSignal): Promise<void> {
+    const { fault } = this.store, asked = fault.value;
+    if (!asked || isOfFile(asked)) return;
+    fault.set({ ...asked, searching: true });
+    try {
+      await verify(design, signal, () => undefined);
+      if (!signal.aborted) fault.set({ ...asked, searching: false });
+    } catch (error) {
+      if (signal.aborted) return;
+      if (!(error instanceof ServerFault)) throw error;
+      fault.set(error.fault.kind === "design" ? error.fault : { ...asked, searching: false });
+    }
+  }
+
+  private async prove(design: Design, signal: AbortSignal): Promise<void> {
+    const { store } = this;
+    store.proof.set({ state: "running", share: 0, what: "verifying" });
+    try {
+      const result = await verify(design, signal, (share, what) => {
+        if (!signal.aborted) store.proof.set({ state: "running", share, what });
+      });
+      if (signal.aborted) return;
+      // Flaps that the program chooses may have become narrower: then there is another shell.
+      const other = result.view ? decodeView(decodeBytes(result.view)) : null;
+      const view = other ?? store.view.value!;
+      view.header.report = result.report;
+      view.header.contact = result.contact;
+      view.distance = decodeFloats(result.distance);
+      store.report.set(result.report);
+      if (other) {
+        store.view.set(other);
+        await this.draw();
+        if (signal.aborted) return;
+      }
+      const { refusal } = result;
+      store.proof.set({ state: "done", refusal: refusal && { ...refusal, searching: false } });
+    } catch (error) {
+      if (signal.aborted) return;
+      const fault = faultOf(error);
+      store.proof.set({ state: "failed", fault });
+      if (fault.kind === "network") this.tryAgain(this.sequence);
+    }
+  }
+}

@@ -1,0 +1,142 @@
+// The card of a panel or crease: briefly while one points at it, whole when it is chosen.
+
+import { area, length, threeDigits } from "../../shared/colours.ts";
+import { edgeLength, foldAngle, sectorAngles, sheetOf, SIDES } from "../../shared/inspect.ts";
+import type { Shell3D } from "../../shared/shell3d.ts";
+import { contactOf } from "../../shared/stops.ts";
+import { Assignment, panelName, type View } from "../../shared/view.ts";
+import { button } from "../parts/controls.ts";
+import { h } from "../parts/dom.ts";
+import type { Chosen, Selection } from "./selection.ts";
+import type { Signal } from "../state/signal.ts";
+import type { Store } from "../state/store.ts";
+
+const KINDS: Record<number, string> = {
+  [Assignment.border]: "Edge of the sheet",
+  [Assignment.mountain]: "Mountain crease",
+  [Assignment.valley]: "Valley crease",
+  [Assignment.unfolded]: "Unfolded crease",
+  [Assignment.cut]: "Cut",
+};
+
+export class InspectCard {
+  readonly element = h("section", { class: "inspect-card", "aria-label": "Panel or crease", "data-testid": "inspect-card", hidden: true });
+  private readonly title = h("h3", { "aria-live": "polite" });
+  private readonly close = button({ label: "Close the card", icon: "close", keys: "Escape", testid: "inspect-close", act: () => this.selection.chosen.set(null) });
+  private readonly head = h("header", {}, this.title);
+  private request = 0;
+
+  constructor(
+    private readonly store: Store,
+    private readonly selection: Selection,
+    private readonly shell: Shell3D,
+    share: Signal<number>,
+  ) {
+    this.element.append(this.head);
+    const later = (): void => {
+      this.request ||= requestAnimationFrame(() => {
+        this.request = 0;
+        this.draw();
+      });
+    };
+    selection.chosen.watch(later);
+    selection.pointed.watch(later);
+    store.proof.watch(later);
+    store.view.watch(later);
+    share.watch(() => {
+      if (!this.element.hidden) later();
+    });
+  }
+
+  private draw(): void {
+    const view = this.store.view.value;
+    const chosen = this.selection.chosen.value;
+    const about = chosen ?? this.selection.pointed.value;
+    this.element.hidden = !about || !view;
+    this.element.dataset["whole"] = String(chosen !== null);
+    if (!about || !view) return;
+    const title = this.titleOf(view, about);
+    const body = about.edge === null ? this.panel(view, about.panel, chosen !== null) : this.crease(view, about.edge);
+    if (this.title.textContent !== title) this.title.textContent = title;
+    if (chosen === null) this.close.remove();
+    else if (!this.close.isConnected) this.head.append(this.close);
+    // The head stays: its button may have the focus.
+    while (this.element.lastChild !== this.head) this.element.lastChild!.remove();
+    this.element.append(
+      ...notesOf(view, about).map((note) => h("p", { class: "inspect-note" }, note)),
+      ...body,
+    );
+  }
+
+  private titleOf(view: View, { panel, edge }: Chosen): string {
+    if (edge !== null) return KINDS[view.assignment[edge]!]!;
+    const name = panelName(view, panel);
+    return name[0]!.toUpperCase() + name.slice(1);
+  }
+
+  private panel(view: View, panel: number, whole: boolean): HTMLElement[] {
+    const unit = view.header.unit;
+    const sheet = sheetOf(view);
+    const facts: [string, string][] = [["Area", area(sheet.areas[panel]!, unit)]];
+    if (!whole) return [list([...facts, ["Shortest side", length(sheet.shortest[panel]!, unit)]])];
+    facts.push(["Corners", sectorAngles(view, panel).map(degrees).join("  ")]);
+    const rows = SIDES.map((side, k) => {
+      const edge = sheet.edges[4 * panel + k]!;
+      return h(
+        "tr",
+        {},
+        h("th", { scope: "row" }, side),
+        h("td", {}, edge < 0 ? "" : length(edgeLength(view, edge), unit)),
+        ...this.angles(view, edge).map((text) => h("td", {}, text)),
+      );
+    });
+    const heads = ["Side", "Length", "Fold now", "At target"].map((text) => h("th", { scope: "col" }, text));
+    return [list(facts), h("table", {}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows))];
+  }
+
+  private crease(view: View, edge: number): HTMLElement[] {
+    const beside = [...sheetOf(view).beside.subarray(2 * edge, 2 * edge + 2)].filter((panel) => panel >= 0);
+    const facts: [string, string][] = [
+      [beside.length > 1 ? "Between" : "Of", beside.map((panel) => panelName(view, panel).replace("panel ", "")).join(" and ")],
+      ["Length", length(edgeLength(view, edge), view.header.unit)],
+    ];
+    if (beside.length > 1) {
+      const [now, target] = this.angles(view, edge);
+      facts.push(["Fold now", now!], ["At target", target!]);
+    }
+    return [list(facts)];
+  }
+
+  /** Fold angle of an edge now and at the target. */
+  private angles(view: View, edge: number): [string, string] {
+    const motion = this.shell.motion;
+    const now = edge < 0 || !motion ? null : foldAngle(view, motion, edge);
+    if (now === null) return ["edge", "\u2013"];
+    const target = view.foldAngles[edge]!;
+    return [degrees(now), Number.isNaN(target) ? "\u2013" : degrees(target)];
+  }
+}
+
+/** What is remarkable about a panel. */
+function notesOf(view: View, { panel, edge }: Chosen): string[] {
+  if (edge !== null) return [];
+  const { smallest, largest } = sheetOf(view);
+  const { grid, report } = view.header;
+  const contact = contactOf(view);
+  const column = grid ? panel % (grid[1] - 1) : -1;
+  const flap = grid && report.deployment?.flap_attachment === "folded" && (column === 0 || column === grid[1] - 2);
+  const notes = [flap && "flap", panel === smallest && "smallest panel", panel === largest && "largest panel"].filter((note) => note !== false && note !== null);
+  const other = contact?.panels.includes(panel) ? contact.panels.find((each) => each !== panel) : undefined;
+  if (other !== undefined) notes.push(`touches ${panelName(view, other)} at ${threeDigits(contact!.drive_deg)}\u00b0`);
+  return notes.length ? [notes.join(", ")] : [];
+}
+
+function list(facts: [string, string][]): HTMLElement {
+  return h("dl", {}, ...facts.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
+}
+
+/** Of a fold: positive a valley. */
+function degrees(angle: number): string {
+  const text = angle.toFixed(1);
+  return `${text === "-0.0" ? "0.0" : text.replace("-", "\u2212")}\u00b0`;
+}

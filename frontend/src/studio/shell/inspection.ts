@@ -1,0 +1,63 @@
+// Looking closely: what is chosen, distances, and what stands around the shell.
+
+import { Touch3D } from "../../shared/moving3d.ts";
+import type { View } from "../../shared/view.ts";
+import { Compare } from "./compare.ts";
+import { h } from "../parts/dom.ts";
+import { InspectCard } from "./inspect-card.ts";
+import { Measure } from "./measure.ts";
+import { foldByKeys } from "./motion-keys.ts";
+import { PastDesigns } from "./past.ts";
+import type { Results } from "./results.ts";
+import { Selection } from "./selection.ts";
+import { Sight } from "./sight.ts";
+import { addFigures } from "./sheet-figures.ts";
+import type { Stage } from "./stage.ts";
+import { Standing } from "./standing.ts";
+import type { Store } from "../state/store.ts";
+
+const TYPING = "input, select, textarea, dialog, [popover]";
+
+/** Windows in which cards would lie over the whole shell. */
+const NARROW = matchMedia("(max-width: 560px)");
+
+export function addInspection(store: Store, stage: Stage, results: Results): void {
+  const { shell, fold } = stage;
+  const { pattern } = results;
+  const sight = new Sight(store, shell, pattern);
+  const measure = new Measure(store, sight, shell, pattern, fold.share);
+  const selection = new Selection(store, sight, pattern, shell);
+  const card = new InspectCard(store, selection, shell, fold.share);
+  shell.add(new Touch3D(shell.uniforms));
+  sight.onTap((room, event) => (measure.active.value ? measure : selection).take(room, event));
+  sight.onMove((room, event) => (measure.active.value ? measure : selection).point(room, event));
+  measure.active.watch(() => selection.pointed.set(null));
+  const standing = new Standing(store, stage);
+  const more = (figures: HTMLElement, view: View): void => addFigures(figures, view, standing, selection);
+  const compare = new Compare(store, stage, results, more);
+  const past = new PastDesigns(store, stage);
+  results.onFigures = (figures) => {
+    more(figures, store.view.value!);
+    compare.annotate(figures);
+  };
+  standing.headroom.watch(() => results.showFigures());
+  const cards = h("div", { class: "inspect-cards" }, measure.element, card.element);
+  const place = (): void => void (NARROW.matches ? stage.frame.after(cards) : stage.frame.append(cards));
+  NARROW.addEventListener("change", place);
+  stage.frame.after(past.element);
+  stage.frame.append(
+    h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button, compare.button, past.button),
+    standing.legend,
+  );
+  place();
+  foldByKeys(fold);
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if ((event.target as HTMLElement).closest(TYPING)) return;
+    if (event.key.toLowerCase() === "m") measure.toggle();
+    else if (event.key !== "Escape") return;
+    else if (!past.element.hidden) past.show(false);
+    else if (measure.active.value) measure.active.set(false);
+    else selection.chosen.set(null);
+  });
+}

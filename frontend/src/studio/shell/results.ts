@@ -1,0 +1,84 @@
+// The right: crease pattern, proof, figures.
+
+import { renderFigures } from "../../shared/figures.ts";
+import { explainSigns } from "../../shared/legend.ts";
+import { Pattern2D } from "../../shared/pattern2d.ts";
+import { assignmentCounts } from "../../shared/view.ts";
+import { button } from "../parts/controls.ts";
+import { h, keepFocus } from "../parts/dom.ts";
+import { wordsOfLock } from "./lock.ts";
+import { ProofCard } from "./proof-card.ts";
+import type { Store } from "../state/store.ts";
+
+export class Results {
+  readonly element: HTMLElement;
+  readonly pattern: Pattern2D;
+  /** Called when the figures were written. */
+  onFigures: ((figures: HTMLElement) => void) | null = null;
+  private readonly figures = h("div", { class: "figures", "data-testid": "figures" });
+  private readonly said = h("div", { class: "sr-only", role: "status", "aria-live": "polite" });
+  private readonly legend = h("div", { class: "pattern-legend", "data-testid": "pattern-legend" });
+  private keepView = false;
+
+  constructor(private readonly store: Store) {
+    const sheet = h("div", { class: "sheet", "data-testid": "pattern" });
+    this.element = h(
+      "aside",
+      { class: "results", "aria-label": "Crease pattern and figures" },
+      h(
+        "header",
+        { class: "panel-head" },
+        h("h2", {}, "Crease pattern"),
+        button({ label: "Fit the crease pattern into view", icon: "fit", testid: "fit-pattern", act: () => this.pattern.fit() }),
+      ),
+      sheet,
+      this.legend,
+      new ProofCard(store).element,
+      h("div", { class: "figures-frame", tabindex: 0, role: "region", "aria-label": "Figures" }, this.figures),
+      this.said,
+    );
+    this.pattern = new Pattern2D(sheet, { label: "Crease pattern" });
+    store.freshness.bind((freshness) => (this.element.dataset["freshness"] = freshness));
+    store.proof.watch((proof) => {
+      if (proof.state !== "done") return;
+      this.showFigures();
+      this.say(`${wordsOfLock(store.report.value)[0]} ${this.summary()}`);
+    });
+  }
+
+  draw(): void {
+    const view = this.store.view.value;
+    if (!view) return;
+    this.pattern.show(view, this.keepView);
+    this.keepView = true;
+    this.legend.replaceChildren();
+    explainSigns(this.legend, assignmentCounts(view));
+    this.showFigures();
+  }
+
+  /** Show the whole of the next sheet. */
+  forgetView(): void {
+    this.keepView = false;
+  }
+
+  showFigures(): void {
+    const view = this.store.view.value;
+    if (!view) return;
+    keepFocus(() => {
+      renderFigures(this.figures, view, (text) => this.store.labels.said(text));
+      this.onFigures?.(this.figures);
+    });
+  }
+
+  private summary(): string {
+    const report = this.store.report.value;
+    if (!report) return "";
+    const { rows, columns, sheet } = report;
+    const unit = this.store.design.value.shell.unit;
+    return `${rows} rows, ${columns} columns; the flat sheet is ${sheet.width.toPrecision(3)} by ${sheet.height.toPrecision(3)} ${unit}.`;
+  }
+
+  private say(text: string): void {
+    this.said.textContent = text;
+  }
+}

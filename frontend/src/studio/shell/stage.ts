@@ -1,0 +1,132 @@
+// The middle: the shell in space, its colours and overlays, the fold.
+
+import { LoadedControls } from "../../shared/loaded-controls.ts";
+import { type Colouring, Shell3D } from "../../shared/shell3d.ts";
+import { button, segmented } from "../parts/controls.ts";
+import { contactOf } from "../../shared/stops.ts";
+import { h } from "../parts/dom.ts";
+import { FoldBar } from "./fold-bar.ts";
+import type { Store } from "../state/store.ts";
+
+const COLOURS: { value: Colouring; text: string; title: string }[] = [
+  { value: "plain", text: "Paper", title: "the two sides of the sheet" },
+  { value: "signs", text: "Mountain, valley", title: "creases by their sign" },
+  { value: "angle", text: "Fold angle", title: "creases and panels by fold angle" },
+  { value: "distance", text: "Distance", title: "from the target surface, at the target" },
+];
+const OVERLAYS = [
+  { name: "surface", text: "Target" },
+  { name: "f", text: "f" },
+  { name: "g", text: "g" },
+] as const;
+
+export class Stage {
+  readonly element: HTMLElement;
+  readonly fold: FoldBar;
+  readonly shell: Shell3D;
+  /** The switches of what is shown, and the frame that tools and cards lie over. */
+  readonly overlays: HTMLElement;
+  readonly frame: HTMLElement;
+  private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
+  private readonly loads: LoadedControls;
+  private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
+  private keepCamera = false;
+
+  constructor(
+    private readonly store: Store,
+    banner: HTMLElement,
+  ) {
+    this.fold = new FoldBar(store);
+    const colours = segmented<Colouring>(
+      "Colours of the panels",
+      COLOURS.map((each) => ({ ...each, testid: `colour-${each.value}` })),
+      (mode) => this.shell.setColouring(mode),
+    );
+    colours.set("plain");
+    this.overlays = h(
+      "div",
+      { class: "overlays", role: "group", "aria-label": "Shown beside the shell" },
+      ...OVERLAYS.map(({ name, text }) => this.overlay(name, text)),
+      this.thickness(),
+    );
+    this.shell = new Shell3D(this.scene, { label: "Shell in space" });
+    this.loads = new LoadedControls(this.shell, (on) => this.fold.hold(on));
+    this.frame = h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state);
+    this.element = h(
+      "section",
+      { class: "stage", "aria-label": "Shell in space" },
+      h(
+        "div",
+        { class: "stage-tools" },
+        colours.element,
+        this.overlays,
+        this.loads.element,
+        button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
+      ),
+      this.frame,
+      banner,
+      this.fold.element,
+    );
+    this.fold.share.bind((share) => this.shell.setFold(share));
+    store.freshness.bind(() => this.showState());
+    store.view.bind(() => this.showState());
+    store.busy.bind(() => this.showState());
+    store.fault.bind(() => this.showState());
+    store.proof.watch(() => this.showProof());
+  }
+
+  /** Draw the store's view; the camera stays unless another design has been opened. */
+  draw(): void {
+    const view = this.store.view.value;
+    if (!view) return;
+    this.shell.show(view, this.keepCamera);
+    this.shell.setFold(this.fold.share.value);
+    this.loads.show(view);
+    this.keepCamera = true;
+  }
+
+  /** Look anew at the next shell. */
+  forgetCamera(): void {
+    this.keepCamera = false;
+  }
+
+  private overlay(name: "surface" | "f" | "g", text: string): HTMLElement {
+    const input = h("input", {
+      type: "checkbox",
+      "data-testid": `overlay-${name}`,
+      onchange: () => this.shell.setOverlay(name, input.checked),
+    });
+    return h("label", { class: `check overlay-${name}` }, input, text);
+  }
+
+  /** Only where panels have one. */
+  private thickness(): HTMLElement {
+    const input = h("input", {
+      type: "checkbox",
+      checked: true,
+      "data-testid": "thickness",
+      onchange: () => this.shell.setThickness(input.checked),
+    });
+    const label = h("label", { class: "check", title: "panels as the boards they are built of" }, input, "Thickness");
+    this.store.view.bind((view) => (label.hidden = !view?.boards));
+    return label;
+  }
+
+  private showProof(): void {
+    const view = this.store.view.value;
+    if (this.store.proof.value.state !== "done" || !view) return;
+    this.shell.setDistance(view.distance ?? null);
+    const contact = contactOf(view);
+    this.shell.setContact(contact?.panels ?? null, contact?.drive_deg);
+  }
+
+  private showState(): void {
+    const { freshness, view, busy, fault } = this.store;
+    this.element.dataset["freshness"] = freshness.value;
+    this.element.dataset["empty"] = String(!view.value);
+    const outdated = freshness.value === "outdated" && view.value;
+    const why = this.store.design.value.tolerance && !fault.value ? "choose rows and columns" : "the last shell that worked";
+    this.state.textContent = busy.value ? `${busy.value}…` : outdated ? `Out of date: ${why}` : "";
+    this.state.hidden = !this.state.textContent;
+  }
+}

@@ -1,0 +1,149 @@
+// The state of the studio: the design with its history, and what is known of it.
+
+import type { View } from "../../shared/view.ts";
+import { History } from "./history.ts";
+import { keptSwitch } from "./kept-switch.ts";
+import { Labels } from "./labels.ts";
+import { Signal } from "./signal.ts";
+import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, Value } from "./types.ts";
+
+export type Proof =
+  | { state: "none" }
+  | { state: "waiting" }
+  | { state: "running"; share: number; what: string }
+  /** `refusal`: panels meet before the shell locks, and what would mend it. */
+  | { state: "done"; refusal: Fault | null }
+  | { state: "failed"; fault: Fault };
+
+/** A design and the name of its file. */
+export interface Named {
+  name: string;
+  design: Design;
+}
+
+/** What the shell on the screen is to the design. */
+export type Freshness = "current" | "computing" | "outdated";
+
+export class Store {
+  readonly design: Signal<Design>;
+  /** The design as it is in a file: as it was opened or saved last. */
+  readonly saved: Signal<Named>;
+  /** What was not saved when another design took its place. */
+  readonly replaced = new Signal<Named | null>(null);
+  /** The name that files get; undo brings it back with its design. */
+  readonly name: Signal<string>;
+  readonly view = new Signal<View | null>(null);
+  readonly report = new Signal<Report | null>(null);
+  readonly curves = new Signal<Curves | null>(null);
+  readonly ranges = new Signal<Ranges>({});
+  readonly fault = new Signal<Fault | null>(null);
+  readonly proof = new Signal<Proof>({ state: "none" });
+  readonly freshness = new Signal<Freshness>("computing");
+  /** Sizes are being chosen: what is done, in words. */
+  readonly busy = new Signal<string | null>(null);
+  /** Whether a person stands beside the shell, for its size. */
+  readonly figure = keptSwitch("orishell.figure", true);
+  /** What was done, in a few words, for a moment. */
+  readonly said = new Signal("");
+  /** Files that are being read or written. */
+  readonly files = new Signal(0);
+  /** Changes when undo or redo become possible or impossible. */
+  readonly steps = new Signal(0);
+  /** Time stamp of the input event that made the present design. */
+  changedAt = performance.now();
+
+  /** Keys in the words of the page. */
+  readonly labels: Labels;
+  private readonly history: History<Named>;
+
+  constructor(
+    readonly info: Info,
+    first: Named,
+  ) {
+    this.history = new History(first);
+    this.design = new Signal(first.design);
+    this.name = new Signal(first.name);
+    this.saved = new Signal(first);
+    this.labels = new Labels(info.families, () => this.design.value.shell.family);
+  }
+
+  get named(): Named {
+    return this.history.value;
+  }
+
+  /** Whether the design is in no file, or in one of another name. */
+  get unsaved(): boolean {
+    const { name, design } = this.saved.value;
+    return !Object.is(this.design.value, design) || this.name.value !== name;
+  }
+
+  get undoable(): string | null {
+    return this.history.undoable;
+  }
+
+  get redoable(): string | null {
+    return this.history.redoable;
+  }
+
+  /** Take a new design as a step of the history; see History.push for gestures. */
+  change(design: Design, what: string, gesture = ""): void {
+    if (Object.is(design, this.history.value.design)) return;
+    this.push({ name: this.name.value, design }, what, gesture);
+  }
+
+  /** Take another design, with its own name, in place of the present one. */
+  open(opened: Named, what = `open ${opened.name}`): void {
+    // A copy: the same may be replaced twice.
+    if (this.unsaved) this.replaced.set({ ...this.named });
+    this.push(opened, what);
+  }
+
+  rename(name: string): void {
+    if (name !== this.name.value) this.push({ name, design: this.design.value }, "name", "name");
+  }
+
+  rest(): void {
+    this.history.rest();
+  }
+
+  undo(): void {
+    this.changedAt = eventTime();
+    if (this.history.undo()) this.publish();
+  }
+
+  redo(): void {
+    this.changedAt = eventTime();
+    if (this.history.redo()) this.publish();
+  }
+
+  setPattern(key: string, value: Value | undefined, gesture = ""): void {
+    const design = this.design.value;
+    const pattern = { ...design.pattern };
+    if (value === undefined) delete pattern[key];
+    else pattern[key] = value;
+    this.change({ ...design, pattern }, this.labels.of(key), gesture);
+  }
+
+  setCurve(name: CurveName, table: CurveTable, what: string, gesture = ""): void {
+    const design = this.design.value;
+    this.change({ ...design, target: { ...design.target, [name]: table } }, what, gesture);
+  }
+
+  private push(named: Named, what: string, gesture = ""): void {
+    this.changedAt = eventTime();
+    this.history.push(named, what, gesture);
+    this.publish();
+  }
+
+  private publish(): void {
+    // First the name: who hears of the design may ask for it.
+    this.name.set(this.history.value.name);
+    this.design.set(this.history.value.design);
+    this.steps.set(this.steps.value + 1);
+  }
+}
+
+function eventTime(): number {
+  const event = window.event;
+  return event ? event.timeStamp : performance.now();
+}

@@ -1,0 +1,58 @@
+// What the page holds beside what the server sends: the design as it is edited, faults of its own.
+
+import type * as Api from "../../shared/api-types.ts";
+import type { Known } from "../../shared/view.ts";
+
+export type { Curves, DroppedCurve, FileFormat, Info, LockReport, Parameter, Range, Remedy, Verified } from "../../shared/api-types.ts";
+
+export type Value = string | number | boolean | Value[];
+export type CurveName = "f" | "g";
+export type Point = [number, number];
+export type Bound = number | string;
+
+/** A table [target.f] or [target.g] of a design file; points may be given in place of a path. */
+export interface CurveTable {
+  formula?: string | [string, string];
+  /** Numbers, or formulas of constants. */
+  range?: [Bound, Bound];
+  part?: [Bound, Bound];
+  points?: Point[] | string;
+  smooth?: boolean;
+  /** SVG path data. */
+  path?: string;
+  /** One factor, or one along x and one along y. */
+  scale?: number | [number, number];
+  [more: string]: Value | undefined;
+}
+
+export interface Tolerance {
+  surface: number;
+  panel_min?: number;
+  panel_max?: number;
+}
+
+/** The tables of a design file. */
+export interface Design {
+  shell: { family: string; unit: string; ground?: "z0" | "as-drawn" };
+  target: { f: CurveTable; g: CurveTable };
+  pattern: Record<string, Value>;
+  tolerance?: Tolerance;
+  deployment?: Record<string, Value>;
+  panel?: Record<string, Value>;
+  motion?: Record<string, Value>;
+  workshop?: Record<string, Value>;
+  structure?: Record<string, Value>;
+  load_case?: Record<string, Value>[];
+}
+
+/** The report of the shell on the screen: while it changes, without what only the proof can say. */
+export type Report = Omit<Api.Report, "lock" | "deviation"> & Pick<Known, "lock" | "deviation">;
+
+export type Ranges = Api.Ranges["ranges"];
+
+/** Why something did not work: as the server says it, or found by the page itself. */
+export type Fault = Omit<Api.Fault, "kind"> & {
+  kind: Api.Fault["kind"] | "network" | "http" | "page";
+  /** Whether what works is still being looked for. */
+  searching: boolean;
+};
