@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.formatting import in_one_line
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
@@ -41,6 +42,8 @@ class Chain:
 
     pieces: tuple[Piece, ...]
     joints: Array
+
+    __repr__ = in_one_line
 
     def reversed(self) -> Chain:
         """The same points, from the last to the first."""

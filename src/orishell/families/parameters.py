@@ -74,7 +74,13 @@ class Knob:
 
 
 def knobs_of(model: type[BaseModel]) -> dict[str, Knob]:
-    """The knobs of all keys of a table that the studio shows, in their order."""
+    """The knobs of all keys of a table that the studio shows, in their order.
+
+    Parameters
+    ----------
+    model
+        The table.
+    """
     return {
         key: each
         for key, field in model.model_fields.items()

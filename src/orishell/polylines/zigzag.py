@@ -43,6 +43,10 @@ class Zigzag:
         +1 if vertex 1 lies to the left of the curve, so that the zigzag turns right there, or -1.
     depth
         Distance h of the inner vertices from their feet, in the unit of the curve.
+    lengths
+        Edge lengths (m+1,).
+    angles
+        Angles beta (m,) on alternating sides, below pi where it turns as meant (radians).
     """
 
     vertices: Array
@@ -50,9 +54,7 @@ class Zigzag:
     first: int
     depth: float
     lengths: Array = field(init=False, repr=False)
-    """Edge lengths (m+1,)."""
     angles: Array = field(init=False, repr=False)
-    """Angles beta (m,) on alternating sides, below pi where it turns as meant (radians)."""
 
     __repr__ = in_one_line
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from orishell.conventions.formatting import in_one_line
 from orishell.families.flap_sheet import other_side, target_drive
 from orishell.numerics import Enclosure, Interval
 from orishell.numerics.arrays import Array
@@ -25,6 +26,8 @@ class Columns:
     """Distances (n+1,) between neighbouring columns in the flat sheet."""
     _tightest: tuple[float, float] = field(init=False, repr=False)
     """Of the tightest panel column's step, the shares along n and along K at the target."""
+
+    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "step", np.hypot(self.locked, self.k))

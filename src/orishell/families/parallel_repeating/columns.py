@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.formatting import in_one_line
 from orishell.families.flap_sheet import other_side
 from orishell.numerics.arrays import Array, Complex
 
@@ -21,6 +22,8 @@ class Columns:
     sines: Array  # sin delta_{2j-1}, (n-1,)
     sines_next: Array  # sin delta_{2j}, (n-1,)
     rest: float  # the smallest slope of the panel columns that exist
+
+    __repr__ = in_one_line
 
     @property
     def slope_beyond(self) -> Array:
