@@ -62,7 +62,7 @@ def prepared_copies() -> Iterator[None]:
     files = tempfile.mkdtemp(prefix="orishell-")
     with cleaning_up(lambda: shutil.rmtree(files, ignore_errors=True)):
         # Where the sockets of processes go; Python itself would leave them behind.
-        multiprocessing.current_process()._config["tempdir"] = files  # type: ignore[attr-defined]
+        vars(multiprocessing.current_process())["_config"]["tempdir"] = files
         before = os.environ.get(SAFE_PATH)
         os.environ[SAFE_PATH] = "1"  # modules are not those of the directory one works in
         try:
