@@ -125,6 +125,7 @@ def keep_picture(page: Page, name: str) -> None:
         whole = picture.convert("RGB")
     whole.save(place / f"{name}.png", optimize=True)
     if (place / f"{name}.png").stat().st_size > LARGEST:
-        # This way of choosing colours keeps those of thin lines.
-        few = whole.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-        few.save(place / f"{name}.png", optimize=True)
+        # This way of choosing colours keeps those of thin lines; shading is mixed of them.
+        few = whole.quantize(256, Image.Quantize.MAXCOVERAGE)
+        mixed = whole.quantize(palette=few, dither=Image.Dither.FLOYDSTEINBERG)
+        mixed.save(place / f"{name}.png", optimize=True)
