@@ -15,6 +15,11 @@ settings.register_profile(
 settings.load_profile("orishell")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The longest first, so that no process works alone at the end."""
+    items.sort(key=lambda item: "test_calculix_agrees" not in item.nodeid)
+
+
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """Print what tests measured without a limit, by ``record_property``, from all processes."""
     for report in terminalreporter.getreports("passed"):

@@ -207,7 +207,7 @@ def test_a_lampshade_of_card_with_its_printed_model(
             pattern = export(page, "pdf", tmp_path)
             printed = export(page, "3mf", tmp_path)
     with zipfile.ZipFile(pattern) as archive:
-        assert "pattern.pdf" in archive.namelist()  # beside those of the boards
+        assert "lampshade.pdf" in archive.namelist()  # beside those of the boards
     with zipfile.ZipFile(printed) as archive:
         (model,) = [name for name in archive.namelist() if name.endswith(".model")]
         root = ElementTree.fromstring(archive.read(model))

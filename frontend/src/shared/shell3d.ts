@@ -335,8 +335,8 @@ export class Shell3D {
   }
 
   private drawnPoints(): Float32Array {
-    this.pose();
     const motion = this.sheet.motion!;
+    motion.setFold(this.share);
     const points = new Float32Array(12 * motion.panels);
     for (let panel = 0; panel < motion.panels; panel++) {
       motion.place(panel, points.subarray(12 * panel, 12 * panel + 12));

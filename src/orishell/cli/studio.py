@@ -108,7 +108,7 @@ def _start(path: Path) -> NamedDesign:
     from orishell.design_file import read_design_file
     from orishell.design_file.target import Target
 
-    read_design_file(path)
+    read_design_file(path).require_target()
     tables = read_toml(path)
     for name, table in tables.get("target", {}).items():
         curve = Target.model_validate(table)
