@@ -205,6 +205,7 @@ def test_what_stands_around_a_shell(page: Page) -> None:
         switch.click()
     keep_picture(page, "studio-shelter")
     choose(page, "orthodiagonal")
+    settle(page)
     assert page.locator("label:has([data-testid=ties])").is_hidden()
     page.get_by_test_id("unit").select_option("mm")
     settle(page)
