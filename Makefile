@@ -41,7 +41,6 @@ studio: $(VENV)/.studio $(PAGES)
 
 docs: $(VENV)/.docs $(PAGES)
 	$(BIN)/python -m sphinx -q -W --keep-going -b html -d build/doctrees docs build/docs
-	$(BIN)/python -m sphinx -q -t doctest -b doctest -d build/doctrees-doctest docs build/doctest
 	@echo "build/docs/index.html"
 
 paper: $(VENV)/.run

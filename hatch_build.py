@@ -1,4 +1,4 @@
-"""Builds the pages of the studio and the viewer into wheels and source distributions.
+"""Builds the pages of the studio, the viewer and searches into wheels and source distributions.
 
 Installs that point to the sources (editable ones) do without: ``make pages`` builds there.
 """
@@ -14,8 +14,8 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 STUDIO = Path("src", "orishell", "studio", "static")
-VIEWER = Path("src", "orishell", "io", "pages")
-BUILT = (STUDIO / "index.html", VIEWER / "viewer.js")
+PROGRAMS = Path("src", "orishell", "io", "pages")
+BUILT = (STUDIO / "index.html", PROGRAMS / "viewer.js", PROGRAMS / "front.js")
 WITHOUT = "ORISHELL_WITHOUT_PAGES"
 
 
@@ -29,7 +29,7 @@ class PagesHook(BuildHookInterface):
         root = Path(self.root)
         if not _is_current(root):
             self._build(root / "frontend")
-        build_data["artifacts"] += [f"/{place.as_posix()}/**" for place in (STUDIO, VIEWER)]
+        build_data["artifacts"] += [f"/{place.as_posix()}/**" for place in (STUDIO, PROGRAMS)]
 
     def _build(self, frontend: Path) -> None:
         npm = shutil.which("npm")

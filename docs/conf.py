@@ -4,18 +4,12 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 # autodoc imports modules with TYPE_CHECKING set, which pydantic's models in fastapi do not survive.
 import fastapi  # noqa: F401
 
 from orishell.conventions.version import __version__
 
-if TYPE_CHECKING:
-    from sphinx.util.tags import Tags
-
-
-tags: Tags = globals()["tags"]  # Sphinx puts it into this file's names
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_ext"))
 
@@ -29,7 +23,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
-    "sphinx.ext.doctest",
+    "sphinx.ext.doctest",  # what it shows is run by pytest
     "sphinx.ext.viewcode",
     "house",
     "lean_pictures",
@@ -41,14 +35,9 @@ templates_path: list[str] = []
 nitpicky = True
 suppress_warnings = ["config.cache"]  # the gallery's configuration holds functions
 
-# The gallery runs examples/gallery/plot_*.py and writes docs/gallery. The doctest build leaves it
-# and the reference out: pytest runs the docstrings' examples.
+# The gallery runs examples/gallery/plot_*.py and writes docs/gallery.
 GALLERY = HERE.parent / "examples" / "gallery"
-if tags.has("doctest"):
-    exclude_patterns += ["gallery", "api"]
-    suppress_warnings += ["toc", "ref", "myst"]
-    nitpicky = False
-elif any(GALLERY.glob("plot_*.py")):
+if any(GALLERY.glob("plot_*.py")):
     from live_shells import keep_shells
 
     extensions.append("sphinx_gallery.gen_gallery")
@@ -101,13 +90,13 @@ python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88
 toc_object_entries_show_parents = "hide"
 add_module_names = False
-doctest_test_doctest_blocks = ""  # only {doctest} blocks: pytest runs the docstrings
 
 # References that lead nowhere on purpose.
 nitpick_ignore_regex = [
     # Other people's libraries: a build asks nothing of the network, so it has no inventories.
     (r"py:.*", r"(np|npt|numpy|NDArray|nptyping)(\..*)?"),
-    (r"py:.*", r"(asyncio|pathlib|collections|typing|types|enum|functools)\..*"),
+    (r"py:.*", r"(asyncio|pathlib|collections|typing|types|enum|functools|io|threading)\..*"),
+    (r"py:.*", r"multiprocessing\..*"),
     (
         r"py:.*",
         r"PydanticCustomError|(pydantic|pydantic_core|fastapi|starlette|matplotlib|anywidget|shapely|typer)\..*",

@@ -15,6 +15,7 @@ import numpy as np
 from orishell import Shell, analyse_structure
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES, Part
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Support
 
@@ -89,7 +90,8 @@ def design(panel: Panel | None = None) -> Shell:
             poisson=0.3,
         )
         file = replace(file, panel=None, workshop=workshop, structure=structure)
-    return make_shell(file, clash="unexamined", measured=False, nested=False, loaded=panel is None)
+    unloaded: tuple[Part, ...] = () if panel is None else ("structure",)
+    return make_shell(file, clash="unexamined", leave_out=(*MEASURES, "stock", *unloaded))
 
 
 def with_creases(shell: Shell, stiffness: float = inf, cells: int = 4) -> Analysis:

@@ -30,7 +30,7 @@ class Answers:
     displacements
         Of the shell's nodes (N, 3) in every static step.
     frequencies
-        Of the shell (Hz).
+        Of the shell (Hz); empty, as ``buckling`` is, if the deck does not ask for them.
     buckling
         The lowest factor of every case.
     """
@@ -57,11 +57,11 @@ def run_calculix(deck: Path) -> Answers:
     text = deck.with_suffix(".dat").read_text()
     static = re.split(r"E I G E N V A L U E", text)[0]
     tables = static.split("displacements")[1:]
-    frequencies = re.split(r"E I G E N V A L U E   O U T P U T", text)[1].split("P A R T")[0]
+    frequencies = re.split(r"E I G E N V A L U E   O U T P U T", text)[1:]
     buckling = re.split(r"B U C K L I N G", text)[1:]
     return Answers(
         [_rows(table, 3) for table in tables],
-        _rows(frequencies, 4)[:, 2],
+        np.array([row[2] for each in frequencies for row in _rows(each.split("P A R T")[0], 4)]),
         [float(_rows(table, 1)[0, 0]) for table in buckling],
     )
 

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 import pytest
 from hypothesis import HealthCheck, settings
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 settings.register_profile(
     "orishell",
@@ -15,9 +21,27 @@ settings.register_profile(
 settings.load_profile("orishell")
 
 
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """One for all tests of a process: what it needs to draw its first shell takes it the longest.
+
+    As long as it runs, so does an event loop in this thread: other loops run apart (``apart.py``).
+    """
+    from viewer_pages import running_browser
+
+    with running_browser() as found:
+        yield found
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The longest first, so that no process works alone at the end."""
-    items.sort(key=lambda item: "test_calculix_agrees" not in item.nodeid)
+    """The longest first, so that no process works alone at the end; what needs the site last."""
+
+    def place(item: pytest.Item) -> int:
+        if "test_calculix_agrees" in item.nodeid:
+            return 0
+        return 2 if "site" in getattr(item, "fixturenames", ()) else 1
+
+    items.sort(key=place)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

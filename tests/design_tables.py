@@ -9,6 +9,7 @@ from typing import Any
 from orishell.design_file import check_design
 from orishell.errors import DesignError, Remedy
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.parts import MEASURES
 
 Tables = dict[str, Any]
 
@@ -43,7 +44,7 @@ def formula(text: str | list[str], start: float, stop: float) -> Tables:
 
 def made(design: Tables) -> Shell:
     """The shell, its proof included; distances are not measured."""
-    return make_shell(check_design(design, Path("shell.toml")), measured=False)
+    return make_shell(check_design(design, Path("shell.toml")), leave_out=MEASURES)
 
 
 def refused(design: Tables) -> DesignError | None:

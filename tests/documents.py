@@ -19,6 +19,7 @@ from orishell.numerics.arrays import Array
 from orishell.sheet.boards import Boards
 from orishell.sheet.grid import Grid
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES
 from orishell.solids import build_boards, find_stop, largest_folds, largest_height
 from orishell.structure.sheet import mesh_sheet
 
@@ -126,7 +127,7 @@ def pack_document() -> Document:
     """A shell that is opened from its pack over its target, with its report."""
     tables = tomllib.loads(starter_file("orthodiagonal")) | {"deployment": {"from": "pack"}}
     file = check_design(tables, Path("pack.toml"), files=False)
-    return make_shell(file, clash="unexamined", measured=False, nested=False).document
+    return make_shell(file, clash="unexamined", leave_out=(*MEASURES, "stock")).document
 
 
 def flat_only(document: Document) -> Document:

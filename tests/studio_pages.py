@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from typing import TYPE_CHECKING, Any
 
 from viewer_pages import await_frames, wait_until
@@ -22,28 +22,38 @@ IDLE = "window.__orishell !== undefined && window.__orishell.idle"
 DRAWN = "window.__orishell.store.freshness.value !== 'computing'"
 READ = "window.__orishell.store.files.value === 0"
 
+TOUCHING = """() => {
+    const store = window.__orishell.store, design = structuredClone(store.design.value);
+    design.target = {
+        f: { formula: "-0.3*x**2", range: [-1, 1] },
+        g: { formula: ["4*cos(t)", "4*sin(t)"], range: [0, 2 * Math.PI] },
+    };
+    Object.assign(design.pattern, { columns: 30, xi_deg: 90 });
+    store.change(design, "ring");
+}"""
+"""Opens a ring whose ends meet before it is closed (as in test_app.py)."""
+
 
 @contextmanager
 def opened(
     browser: Browser, address: str, *, width: int = 1280, height: int = 720, **options: Any
 ) -> Iterator[Page]:
     """The studio's page; at the end it must have printed no error and asked no other machine."""
-    page = browser.new_page(viewport={"width": width, "height": height}, **options)
     said: list[str] = []
     asked: list[str] = []
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: asked.append(request.url))
 
     def hear(message: Any) -> None:
         # A design that cannot be made is answered with status 422, which the browser prints.
         if message.type in {"error", "warning"} and "status of 422" not in message.text:
             said.append(message.text)
 
-    page.on("console", hear)
-    page.goto(address)
-    wait_until(page, IDLE)
-    yield page
-    page.close()
+    with closing(browser.new_page(viewport={"width": width, "height": height}, **options)) as page:
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.on("request", lambda request: asked.append(request.url))
+        page.on("console", hear)
+        page.goto(address)
+        wait_until(page, IDLE)
+        yield page
     assert said == []
     assert [url for url in asked if not url.startswith((address, "blob:", "data:"))] == []
 

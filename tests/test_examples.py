@@ -16,6 +16,7 @@ from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES
 from orishell.solids import drive_for_height
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -68,7 +69,9 @@ class Example:
         # The distance from the surface takes longest, and no other example's sizes need what goes
         # with it.
         file = read_design_file(EXAMPLES / f"{name}.toml")
-        self.shell: Shell = make_shell(file, measured=name.startswith("shelter"))
+        self.shell: Shell = make_shell(
+            file, leave_out=() if name.startswith("shelter") else MEASURES
+        )
         self.size: dict[str, float] = self.module.measure(self.shell)
 
 
@@ -233,7 +236,7 @@ def test_figure_1_card(
         "pattern-boards-1.svg",
         "pattern.svg",
     ]
-    shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), measured=False)
+    shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), leave_out=MEASURES)
     assert shell.report.feasible
     assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
 

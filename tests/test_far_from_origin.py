@@ -22,6 +22,7 @@ from orishell.io.settings import Settings
 from orishell.io.view import dump_view
 from orishell.shell.export import convert_fold, write_format
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.parts import MEASURES
 from orishell.verification import inspect_fold
 from strategies import graph, pair
 
@@ -59,7 +60,7 @@ def shell(family: str, at: float) -> Shell:
         "pattern": pattern,
         "motion": {"frames": 5},
     }
-    return make_shell(check_design(tables, Path("far.toml")), measured=False)
+    return make_shell(check_design(tables, Path("far.toml")), leave_out=MEASURES)
 
 
 def written(shell: Shell, name: str, directory: Path) -> Path:

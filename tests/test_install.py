@@ -20,7 +20,8 @@ from studio_server import running_studio
 ROOT = Path(__file__).parents[1]
 ROOMS = ("orishell/io/pages/", "orishell/studio/static/")
 PAGES = {
-    *("orishell/io/pages/viewer.js", "orishell/io/pages/three-licence.txt"),
+    *("orishell/io/pages/viewer.js", "orishell/io/pages/front.js"),
+    "orishell/io/pages/three-licence.txt",
     *("orishell/studio/static/index.html", "orishell/studio/static/three-licence.txt"),
 }
 NONE: Mapping[str, str] = {}

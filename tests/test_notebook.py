@@ -8,7 +8,7 @@ import inspect
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -33,7 +33,10 @@ from orishell.notebook import show
 from orishell.shell.export import write_format, write_shell, write_structure
 from orishell.shell.overlay import lay_surface
 from public_names import public_callables
-from viewer_pages import pixels, require_viewer, running_browser, watched_page
+from viewer_pages import pixels, require_viewer, watched_page
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 PAGE = """<!doctype html><meta charset="utf-8"><title>notebook</title><div id="cell"></div>"""
 
@@ -140,11 +143,11 @@ def test_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
         show(demo_document())
 
 
-def test_draws_in_a_cell_and_leaves_the_notebook_alone() -> None:
+def test_draws_in_a_cell_and_leaves_the_notebook_alone(browser: Browser) -> None:
     view = base64.b64encode(dump_view(demo_document())).decode()
     require_viewer()
     files = {"/": ("text/html", PAGE), "/viewer.js": ("text/javascript", read_viewer())}
-    with running_browser() as browser, watched_page(browser) as page:
+    with watched_page(browser) as page:
 
         def answer(route: Any, request: Any) -> None:
             kind, body = files[request.url.removeprefix("http://viewer.test")]

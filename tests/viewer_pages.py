@@ -10,7 +10,7 @@ import io
 import os
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from PIL import Image
 
 from node_tools import lacking
 from orishell.io.formats.html import viewer_is_built
+from orishell.io.program_page import place_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Frame, Locator, Page
@@ -36,9 +37,9 @@ WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader
 
 
 def require_viewer() -> None:
-    """The test ends here if the viewer has not been built."""
-    if not viewer_is_built():
-        lacking("the viewer has not been built: make pages")
+    """The test ends here if the viewer and the page of a search have not been built."""
+    if not (viewer_is_built() and place_of("front.js").is_file()):
+        lacking("the pages have not been built: make pages")
 
 
 @contextmanager
@@ -61,15 +62,15 @@ def running_browser() -> Iterator[Browser]:
 @contextmanager
 def watched_page(browser: Browser, **options: Any) -> Iterator[Page]:
     """A page; at the end it must have printed nothing and asked for nothing but its own address."""
-    page = browser.new_page(viewport={"width": 1280, "height": 720}, **options)
     said: list[str] = []
     asked: list[str] = []
-    page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: asked.append(request.url))
-    yield page
-    own = page.url
-    page.close()
+    size: Any = {"width": 1280, "height": 720}
+    with closing(browser.new_page(viewport=size, **options)) as page:
+        page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.on("request", lambda request: asked.append(request.url))
+        yield page
+        own = page.url
     assert said == []
     assert [url for url in asked if url != own and not url.startswith("http://viewer.test/")] == []
 

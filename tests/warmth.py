@@ -13,7 +13,9 @@ warm = "orishell.studio.warm" in sys.modules
 """Whether the process had imported what answers need when it began."""
 
 
-def notes_warmth(name: str, _: dict[str, Any], progress: Progress) -> tuple[int, bool]:
+def notes_warmth(
+    name: str, _payload: dict[str, Any], progress: Progress, _send: object
+) -> tuple[int, bool]:
     """Work that says in which process it is done, and whether that was warm from the first."""
     if name == "stay":
         progress(float(os.getpid()), "warm" if warm else "cold")

@@ -22,6 +22,7 @@ from drawing import EXAMPLES
 from orishell import Shell
 from orishell.cli.structure_summary import summarize_structure
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES
 from orishell.shell.structure_files import draw_structure
 
 example = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
@@ -98,7 +99,9 @@ print(row("rigid, twice the cells", judge(plywood, with_creases(plywood, cells=8
 
 asked = replace(plywood.file.structure, crease_stiffness=(2e4, 2e4))
 shell = make_shell(
-    replace(plywood.file, structure=asked), clash="unexamined", measured=False, nested=False
+    replace(plywood.file, structure=asked),
+    clash="unexamined",
+    leave_out=(*MEASURES, "stock"),
 )
 show(shell)
 report = shell.report.structure

@@ -16,9 +16,10 @@ from orishell.conventions.colours import LIGHT
 from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES
 
 file = read_design_file(EXAMPLES / "vault.toml")
-shell = make_shell(file, measured=False)
+shell = make_shell(file, leave_out=MEASURES)
 sheet = shell.design.mechanism
 lock = shell.report.lock
 print(f"meets f at {lock.target_drive_deg:.3f} degrees")

@@ -184,6 +184,10 @@ class DesignError(OrishellError):
         What has been tried, through the whole design with its proof, and works; the nearest first.
     limit
         What stands in the way, if all that was tried failed.
+    excess
+        By how much the condition fails: 0 at its limit, and more the farther from it, so that a
+        search finds its way back. A share of the limit, of an angle the share of half a turn; None
+        where no size is known, or the limit is zero.
     """
 
     exit_status = 1
@@ -198,6 +202,7 @@ class DesignError(OrishellError):
         candidates: Iterable[Remedy] = (),
         remedies: tuple[Remedy, ...] = (),
         limit: str = "",
+        excess: float | None = None,
     ) -> None:
         super().__init__(condition)
         self.condition, self.keys = condition, keys
@@ -206,6 +211,7 @@ class DesignError(OrishellError):
         self.candidates = candidates
         self.remedies = remedies
         self.limit = limit
+        self.excess = None if excess is None else max(0.0, float(excess))
 
     def __str__(self) -> str:
         sentence = self.condition
@@ -228,6 +234,8 @@ class ClashError(DesignError):
     ----------
     condition, place, size
         Which panels, at which drive, and the depth of the corrugation there.
+    excess
+        The share of the way to the target that is missing.
     flap
         Width of the flaps if one of them is a flap, else 0 (length).
     thick
@@ -240,10 +248,11 @@ class ClashError(DesignError):
         *,
         place: str = "",
         size: str = "",
+        excess: float | None = None,
         flap: float = 0.0,
         thick: bool = False,
     ) -> None:
-        super().__init__(condition, place=place, size=size)
+        super().__init__(condition, place=place, size=size, excess=excess)
         self.flap, self.thick = flap, thick
 
 

@@ -24,6 +24,7 @@ from orishell.families.registry import FAMILIES
 from orishell.io import document_of_fold, read_fold, write_fold
 from orishell.locking import find_lock
 from orishell.shell.make import Shell, make_shell
+from orishell.shell.parts import MEASURES
 from orishell.verification import inspect_fold
 from public_names import public_objects
 
@@ -49,7 +50,7 @@ def test_no_array_is_printed() -> None:
 def shell(request: pytest.FixtureRequest, tmp_path: Path) -> Shell:
     path = tmp_path / "shell.toml"
     path.write_text(starter_file(request.param), encoding="utf-8")
-    return make_shell(read_design_file(path), clash="unexamined", measured=False)
+    return make_shell(read_design_file(path), clash="unexamined", leave_out=MEASURES)
 
 
 def parts(thing: Any, found: dict[int, Any]) -> Iterator[Any]:

@@ -10,7 +10,7 @@ from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 
 from orishell.curves import curve_from_points, trace_curve
-from orishell.design import Design
+from orishell.design import Design, Path, Surface, Turning
 from orishell.deviation import (
     COARSE,
     SAMPLES,
@@ -31,7 +31,6 @@ from orishell.families.longitudinal_linear_repeating import (
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.shell.deviation_report import ApproachReport, describe_deviation
-from orishell.surface import Path, Surface, Turning
 from strategies import (
     Request,
     graph,

@@ -6,30 +6,40 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
+from node_tools import lacking
 from viewer_pages import require_viewer
 
 ROOT = Path(__file__).parents[2]
 NEEDED = ("sphinx", "furo", "myst_parser", "sphinx_gallery")
 BUILT = "ORISHELL_BUILT_DOCS"
-"""In the environment of ``.ci/run``: where `make docs` has built it, so that it is built once."""
+"""In the environment of ``.ci/run``: where `make docs` has built it, so that it is built once,
+beside the tests."""
+SECONDS = 1200
+"""So long that may take."""
 
 
 @pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the site is, in ``docs``, and its code's output, in ``doctest``, as of `make docs`.
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The site's pages, as of `make docs`.
 
-    Built here, it is built from a copy, so that nothing is written beside the sources.
+    Built here, they are built from a copy, so that nothing is written beside the sources.
     """
     if BUILT in os.environ:
-        return ROOT / os.environ[BUILT]
+        built = ROOT / os.environ[BUILT]
+        end = time.monotonic() + SECONDS
+        while not (built / "docs.done").exists():
+            assert time.monotonic() < end, "the site is not built"
+            time.sleep(1)
+        return built / "docs"
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
-        pytest.skip(f"the site needs {', '.join(missing)}: make docs")
+        lacking(f"the site needs {', '.join(missing)}: make docs")
     require_viewer()
     place = tmp_path_factory.mktemp("site")
     source = place / "source"
@@ -38,19 +48,10 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
         shutil.copytree(ROOT / folder, source / folder, ignore=leave)
     for page in ROOT.glob("*.md"):
         shutil.copy(page, source)
-    build(source / "docs", place / "docs", "-b", "html", "-W", "--keep-going")
-    build(source / "docs", place / "doctest", "-b", "doctest", "-t", "doctest")
-    return place
-
-
-def build(source: Path, out: Path, *options: str) -> None:
-    """Build the site; every warning is a failure."""
-    words = [sys.executable, "-m", "sphinx", "-q", *options, str(source), str(out)]
+    # Every warning is a failure.
+    options = ["-q", "-b", "html", "-W", "--keep-going"]
+    folders = [str(source / "docs"), str(place / "docs")]
+    words = [sys.executable, "-m", "sphinx", *options, *folders]
     ran = subprocess.run(words, capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stdout + ran.stderr
-
-
-@pytest.fixture(scope="session")
-def site(built: Path) -> Path:
-    """The site's pages."""
-    return built / "docs"
+    return place / "docs"

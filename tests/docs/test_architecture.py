@@ -21,7 +21,7 @@ MOST_ROOMS = 26
 
 How a shell travels and what holds it, ``deployment``, what its panels are as boards, ``solids``,
 and whether it stands, ``structure``, are subjects of their own. They ask the motion, and nothing
-of families, proof or files.
+of families, proof or files. So is ``search``, which of a design's variants is best: it asks shells.
 """
 
 

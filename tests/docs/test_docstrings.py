@@ -39,9 +39,9 @@ from numpy.typing import NDArray
 import orishell.errors
 from orishell.cli.main import app
 from orishell.deployment import ColumnDistances
+from orishell.design import Rail
 from orishell.families.registry import FOLDERS
 from orishell.motion import Mechanism
-from orishell.surface import Rail
 from public_names import public_callables, public_objects
 
 ARRAY = re.compile(r"\b(Array|ArrayLike|Integers|Booleans|Complex|Singles|NDArray)\b")

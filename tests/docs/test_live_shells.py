@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from importlib import import_module
@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from orishell.io.formats.html import read_viewer
-from viewer_pages import await_frames, pixels, running_browser, wait_until
+from viewer_pages import await_frames, pixels, wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Frame, Page
@@ -72,7 +72,7 @@ def test_a_site_without_the_viewer_says_what_to_build(monkeypatch: pytest.Monkey
     monkeypatch.setattr(live_shells, "viewer_is_built", lambda: False)
     with pytest.raises(errors.ExtensionError, match="has not been built: make pages"):
         live_shells.require_viewer(html)
-    live_shells.require_viewer(SimpleNamespace(builder=SimpleNamespace(format="")))  # of doctest
+    live_shells.require_viewer(SimpleNamespace(builder=SimpleNamespace(format="")))  # of another
 
 
 def test_the_program_of_all_pages_is_the_viewer_without_exports(
@@ -102,24 +102,17 @@ def served(folder: Path) -> Iterator[str]:
         server.shutdown()
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with running_browser() as running:
-        yield running
-
-
 @contextmanager
 def opened(browser: Browser, base: str, path: str, **options: Any) -> Iterator[Page]:
     """A page of the site; at the end it must have printed nothing and asked for nothing else."""
-    page = browser.new_page(**options)
     said: list[str] = []
     asked: list[str] = []
-    page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: asked.append(request.url))
-    page.goto(base + path)
-    yield page
-    page.close()
+    with closing(browser.new_page(**options)) as page:
+        page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(base + path)
+        yield page
     assert said == []
     assert [url for url in asked if not url.startswith(base)] == []
 

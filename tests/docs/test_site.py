@@ -1,4 +1,4 @@
-"""The site builds without a warning, every link in it leads somewhere, and the code in it runs."""
+"""The site builds without a warning, and every link in it leads somewhere."""
 
 from __future__ import annotations
 
@@ -114,9 +114,3 @@ def test_every_command_is_in_the_reference(site: Path) -> None:
             for flag in each.opts:
                 if flag.startswith("--") and flag != "--help":
                     assert flag in text, f"{name} {flag}"
-
-
-def test_code_in_pages_runs(built: Path) -> None:
-    summary = (built / "doctest" / "output.txt").read_text(encoding="utf-8")
-    assert int(re.findall(r"(\d+) tests?\n", summary)[-1]) > 5
-    assert " 0 failures in tests" in summary

@@ -19,8 +19,10 @@ from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.deployment import DeploymentTable
 from orishell.design_file.load_case import LoadCaseTable, SnowTable, WindTable
 from orishell.design_file.panel import PanelTable, SetbackTable
+from orishell.design_file.search import SearchTable
 from orishell.design_file.structure import StructureTable, SupportTable
 from orishell.families.registry import FAMILIES
+from orishell.search.figures import NAMES
 from orishell.shell.case_report import (
     CaseReport,
     CreaseReport,
@@ -277,3 +279,7 @@ def test_the_guide_explains_every_key_and_field_of_structure() -> None:
     for part in (StructureReport, *PARTS_OF_STRUCTURE):
         for field in dataclasses.fields(part):
             assert f"`{field.name}`" in page, field.name
+
+
+def test_the_guide_explains_every_key_and_figure_of_a_search() -> None:
+    assert fields_in_table("[search]", "searching") == {*SearchTable.model_fields, *NAMES}

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 from loaded_shells import LARGEST, loaded_document
 from orishell.io.formats.html import write_html
 from orishell.io.settings import DEFAULT_SETTINGS
 from orishell.io.view import dump_view
-from viewer_pages import await_frames, pixels, running_browser, wait_until, watched_page
+from viewer_pages import await_frames, pixels, wait_until, watched_page
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -57,12 +55,6 @@ def test_a_view_without_loads_says_nothing_of_them() -> None:
     header, _ = parts_of(dump_view(replace(loaded_document(), loaded=None)))
     assert "cases" not in header
     assert not {"loaded_points", "displacements", "stresses"} & set(header["arrays"])
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with running_browser() as running:
-        yield running
 
 
 def choose(page: Page, what: str, value: str) -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from orishell.motion import measure_fold_angles, panel_normals
+from orishell.motion import corrugation_depth, measure_fold_angles, panel_normals
 
 
 def strip(angle: float, *, along_rows: bool) -> np.ndarray:
@@ -33,3 +33,13 @@ def test_normals_of_the_flat_sheet_point_up() -> None:
     np.testing.assert_array_equal(
         panel_normals(strip(0.0, along_rows=False)), [[[0, 0, 1], [0, 0, 1]]]
     )
+
+
+@pytest.mark.parametrize("half", [0.3, 1e-3, 1e-9, 0.0])
+def test_a_zigzag_is_as_deep_as_its_edges_reach_from_its_ends(half: float) -> None:
+    # Edges of length 1, each at an angle of half the zigzag's with the normal; 0: folded flat.
+    down = np.arange(3) * np.sin(half)
+    depth = np.array([0.0, 1.0, 0.0]) * np.cos(half)
+    column = np.stack([0 * down, down, depth], axis=-1)
+    positions = np.stack([column, column + np.array([1.0, 0.0, 0.0])], axis=1)
+    assert corrugation_depth(positions) == pytest.approx(np.cos(half), rel=1e-9)

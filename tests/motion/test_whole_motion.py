@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orishell import Design, design_orthodiagonal
+from orishell import Design, design_orthodiagonal, design_parallel_repeating
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.orthodiagonal.columns import SLIM
 from orishell.families.parallel_repeating import ParallelRepeating
@@ -186,6 +186,22 @@ def test_rows_that_are_straight_or_nearly_so(g: str) -> None:
     assert (angles * sheet.fold_angles(3.1).column >= -1e-15).all()
     lock = lock_without_clash(design)
     assert (lock.cause, lock.drive) == ("crease", np.pi)
+
+
+@pytest.mark.parametrize("columns", [5, 12])
+@pytest.mark.parametrize(
+    "g", ["0*x", "1e-7*x**2", "1e-6*sqrt(x**2 + 0.01)", "1e-5*sin(3*x)", "1e-4*x**3", "1e-2*x**2"]
+)
+def test_panel_columns_that_fold_flat_nearly_together(g: str, columns: int) -> None:
+    # At the end row creases in all panel columns are nearly closed: what differs counts.
+    design = design_parallel_repeating(
+        graph("0*x", -1, 1), graph(g, -3, 3), rows=1, columns=columns, xi=1.4, flap=0
+    )
+    sheet = design.mechanism
+    assert isinstance(sheet, ParallelRepeating)
+    flat, states = sheet.positions(0.0), sheet.positions(drives_of(sheet, 0))
+    errors = panel_distances(states) - panel_distances(flat)
+    assert np.abs(errors).max() < 1e-14 * diagonal(flat)
 
 
 def test_straight_rows_close_with_the_zigzags_of_the_columns() -> None:

@@ -3,13 +3,20 @@
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
+
 from orishell.design_file import read_design_file
+from orishell.errors import DesignError, InputError
 from orishell.locking import find_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
 from orishell.shell.lock_report import describe_lock
+from orishell.shell.parts import MEASURES, PARTS, Part
+from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.workshop import Workshop
 from planted import clear
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def test_what_the_report_says_of_a_lock() -> None:
@@ -29,9 +36,9 @@ def test_what_the_report_says_of_a_lock() -> None:
 
 
 def test_the_report_says_what_was_left_out() -> None:
-    file = read_design_file(Path(__file__).parents[2] / "examples" / "figure1.toml")
+    file = read_design_file(EXAMPLES / "figure1.toml")
     file = replace(file, workshop=Workshop(stock=(6.0, 5.0)))
-    report = make_shell(file, clash="unexamined", measured=False, nested=False).report
+    report = make_shell(file, clash="unexamined", leave_out=(*MEASURES, "stock")).report
     assert (report.feasible, report.lock.path) == (None, None)
     assert report.deviation is not None
     assert (report.deviation.surface, report.quantities.stock) == (None, None)
@@ -40,3 +47,63 @@ def test_the_report_says_what_was_left_out() -> None:
         "distance from the surface",
         "the layout on the stock",
     )
+
+
+def test_each_part_is_left_out_by_itself() -> None:
+    """Of a small shell with stock, under snow: what each part alone takes from the report."""
+    file = read_design_file(EXAMPLES / "figure1.toml")
+    file = replace(
+        file,
+        pattern=file.pattern.model_copy(update={"rows": 3, "columns": 5}),
+        workshop=Workshop(stock=(8.0, 8.0)),
+        structure=Structure(
+            1e9, 0.3, (Support("feet", "pinned"),), (LoadCase("snow", pressure=-500.0),), 0.02
+        ),
+        frames=2,
+    )
+
+    def lacking(*parts: Part) -> set[str]:
+        report = make_shell(file, clash="unexamined", leave_out=parts).report
+        assert report.deviation is not None
+        found = {
+            "residuals": report.residuals,
+            "surface": report.deviation.surface,
+            "packed": report.deployment.packed,
+            "largest_thickness": report.deployment.largest_thickness,
+            "weight": report.deployment.weight,
+            "stock": report.quantities.stock,
+            "structure": report.structure,
+        }
+        return {name for name, value in found.items() if value is None}
+
+    cost: dict[Part, set[str]] = {
+        "remedies": set(),
+        "verification": {"residuals"},
+        "deviation": {"surface"},
+        "pack": {"packed", "largest_thickness"},
+        "weight": {"weight"},
+        "stock": {"stock"},
+        "structure": {"structure"},
+    }
+    assert {part: lacking(part) for part in PARTS} == cost
+    assert lacking(*PARTS) == set().union(*cost.values())
+
+
+def test_a_refusal_without_its_remedies() -> None:
+    file = read_design_file(EXAMPLES / "figure1.toml")
+    file = replace(file, pattern=file.pattern.model_copy(update={"xi_deg": 75.0}))
+    with pytest.raises(DesignError) as mended:
+        make_shell(file)
+    with pytest.raises(DesignError) as plain:
+        make_shell(file, leave_out=["remedies"])
+    assert plain.value.condition == mended.value.condition
+    assert mended.value.remedies
+    assert not plain.value.remedies
+    assert not plain.value.limit
+
+
+@pytest.mark.parametrize("leave_out", [["deviation", "everything"], "everything", "pack"])
+def test_a_part_that_there_is_not(leave_out: list[Part]) -> None:
+    file = read_design_file(EXAMPLES / "figure1.toml")
+    with pytest.raises(InputError, match=r"leave_out: there is no such part"):
+        make_shell(file, leave_out=leave_out)

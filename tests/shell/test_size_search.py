@@ -110,6 +110,8 @@ def test_what_cannot_be_met_says_what_can() -> None:
     with pytest.raises(DesignError) as caught:
         choose(made, measuring(lambda m, n: 0.1 + 1 / m + 1 / n), Tolerance(0.05))
     nearest = float(str(next(iter(caught.value.candidates)).changes["tolerance.surface"]))
+    # With 201 rows and columns, the most that are tried.
+    assert caught.value.excess == pytest.approx((0.1 + 2 / 201) / 0.05 - 1)
     assert choose(made, measuring(lambda m, n: 0.1 + 1 / m + 1 / n), Tolerance(nearest))
     with pytest.raises(DesignError, match="panel edges from 1 to"):
         choose(made, measuring(ERRORS["sum"]), Tolerance(0.05, panel_min=1))

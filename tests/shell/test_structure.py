@@ -12,6 +12,7 @@ from design_tables import formula, tables
 from orishell.design_file import check_design
 from orishell.errors import InputError
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES
 from orishell.shell.structure_report import StructureReport
 
 STORM = {"speed": 26, "terrain": "II", "direction_deg": 90}
@@ -40,7 +41,7 @@ def arch(supports: Any = "pinned", **changes: Any) -> dict[str, Any]:
 
 def analysed(design: dict[str, Any]) -> StructureReport:
     shell = make_shell(
-        check_design(design, Path("shell.toml")), clash="unexamined", measured=False, nested=False
+        check_design(design, Path("shell.toml")), clash="unexamined", leave_out=(*MEASURES, "stock")
     )
     assert shell.report.structure is not None
     return shell.report.structure

@@ -6,6 +6,7 @@ import base64
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 import numpy as np
@@ -20,7 +21,9 @@ from orishell.shell.structure_caveats import name_of
 from orishell.shell.structure_files import write_structure_files
 from orishell.shell.structure_page import structure_page
 from orishell.shell.structure_report import StructureReport, describe_structure
-from viewer_pages import running_browser
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 HOSTILE = "</title><script>alert(1)</script> \"'& α"
 PNG = b"\x89PNG, not really"
@@ -125,20 +128,20 @@ def test_lengths_are_read_in_the_design_s_unit_and_stresses_in_megapascals() -> 
     assert "|2.7·10⁸ MPa|" in in_mm
 
 
-def test_it_is_as_wide_as_a4_and_dark_where_pages_are(tmp_path: Path) -> None:
+def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path: Path) -> None:
     """186 mm between the margins, 96 pixels to an inch; on paper it is never dark."""
     (tmp_path / "structure.html").write_text(page(), encoding="utf-8")
     width = int(186 / 25.4 * 96)
-    with running_browser() as browser:
-        shown = browser.new_page(viewport={"width": width, "height": 800}, color_scheme="dark")
-        shown.goto((tmp_path / "structure.html").as_uri())
-        light = []
-        for media in ("screen", "print"):
-            shown.emulate_media(media=media)
-            assert shown.evaluate("document.documentElement.scrollWidth") <= width
-            colour = shown.evaluate("getComputedStyle(document.body).backgroundColor")
-            light.append(sum(map(int, re.findall(r"\d+", colour)[:3])) > 3 * 128)
-        assert light == [False, True]
+    shown = browser.new_page(viewport={"width": width, "height": 800}, color_scheme="dark")
+    shown.goto((tmp_path / "structure.html").as_uri())
+    light = []
+    for media in ("screen", "print"):
+        shown.emulate_media(media=media)
+        assert shown.evaluate("document.documentElement.scrollWidth") <= width
+        colour = shown.evaluate("getComputedStyle(document.body).backgroundColor")
+        light.append(sum(map(int, re.findall(r"\d+", colour)[:3])) > 3 * 128)
+    shown.close()
+    assert light == [False, True]
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:

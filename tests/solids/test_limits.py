@@ -26,8 +26,7 @@ def shelter(thickness: float) -> Shell:
         replace(
             read_design_file(SHELTER),
             panel=PanelBuild(thickness, membrane=0.02 * thickness) if thickness else None,
-        ),
-        measured=True,
+        )
     )
 
 

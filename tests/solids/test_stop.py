@@ -103,7 +103,7 @@ def shell(figure: int, panel: PanelBuild, *, clipped: bool = False) -> Shell:
     file = read_design_file(EXAMPLES / f"figure{figure}.toml")
     if clipped:
         file = replace(file, deployment=Deployment(flap_attachment="clipped"))
-    return make_shell(replace(file, panel=panel), measured=True)
+    return make_shell(replace(file, panel=panel))
 
 
 @pytest.mark.parametrize("figure", [1, 2])

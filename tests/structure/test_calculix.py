@@ -52,8 +52,12 @@ def rigid_shell(
     return shell, case
 
 
-def asked_of_calculix(shell: Shell, path: Path) -> Answers:
+def asked_of_calculix(shell: Shell, path: Path, *, static: bool = False) -> Answers:
+    """All of the deck, or only its first case, which takes a fifth of the time."""
     write_calculix(path, shell.document, DEFAULT_SETTINGS)
+    if static:
+        first, end, _ = path.read_text().partition("*END STEP\n")
+        path.write_text(first + end)
     return run_calculix(path)
 
 
@@ -104,7 +108,7 @@ def test_ties_hold_feet_that_slide(tmp_path: Path) -> None:
         loaded = shell.document.loaded
         assert loaded is not None
         assert case.tie_forces.min() > 0
-        (found,) = asked_of_calculix(shell, tmp_path / "shell.inp").displacements
+        (found,) = asked_of_calculix(shell, tmp_path / "shell.inp", static=True).displacements
         assert pulls(loaded, case.displacements) == pytest.approx(case.tie_forces, rel=1e-6)
         for displacements, into in ((case.displacements, ours), (found, theirs)):
             forces = pulls(loaded, displacements)

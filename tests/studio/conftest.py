@@ -5,30 +5,37 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import httpx
 import pytest
 
 from node_tools import lacking
 from orishell.studio.app import PAGES
 from studio_pages import opened
-from studio_server import running_studio
-from viewer_pages import running_browser
+from studio_server import Studio, running_studio
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 
-@pytest.fixture(scope="module")
-def address() -> Iterator[str]:
+@pytest.fixture(scope="session")
+def studio() -> Iterator[Studio]:
+    """With its pages, or without where they have not been built."""
+    with running_studio() as found:
+        yield found
+
+
+@pytest.fixture(scope="session")
+def address(studio: Studio) -> str:
     if not (PAGES / "index.html").is_file():
         lacking("the studio's pages have not been built: make pages")
-    with running_studio() as studio:
-        yield studio.address
+    return studio.address
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with running_browser() as found:
-        yield found
+@pytest.fixture(scope="session")
+def client(studio: Studio) -> Iterator[httpx.Client]:
+    """What asks without a browser."""
+    with httpx.Client(base_url=studio.address, timeout=100) as session:
+        yield session
 
 
 @pytest.fixture(scope="module")

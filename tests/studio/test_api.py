@@ -6,7 +6,6 @@ import json
 import os
 import struct
 import tomllib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,19 +15,21 @@ import pytest
 from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
-from orishell.studio import api
+from orishell.search.page import FrontPage
+from orishell.studio import api, search_api
 from orishell.studio.refusals import make_refusal
-from studio_server import running_studio
 from typescript import declarations, fits
 
 TYPES = Path(__file__).parents[2] / "frontend" / "src" / "shared" / "api-types.ts"
 HEAD = """\
-// What the server sends, from orishell.studio.api and orishell.io.view. Do not edit:
+// What the server sends and pages have in them, from orishell.studio.api, orishell.io.view and
+// orishell.search.page. Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 """
 MESSAGES: tuple[Any, ...] = (
     Header,
+    FrontPage,
     api.Info,
     api.Ranges,
     api.Parsed,
@@ -38,6 +39,8 @@ MESSAGES: tuple[Any, ...] = (
     api.Result,
     api.TradeoffResult,
     api.SheetsResult,
+    search_api.SearchFound,
+    search_api.SearchResult,
     api.Refusal,
 )
 
@@ -47,15 +50,6 @@ def test_pages_have_the_servers_types() -> None:
     if os.environ.get("ORISHELL_WRITE_GOLDEN"):
         TYPES.write_text(text)
     assert TYPES.read_text() == text
-
-
-@pytest.fixture(scope="module")
-def client() -> Iterator[httpx.Client]:
-    with (
-        running_studio() as studio,
-        httpx.Client(base_url=studio.address, timeout=100) as session,
-    ):
-        yield session
 
 
 def test_what_the_page_asks_for_first(client: httpx.Client) -> None:
@@ -80,6 +74,19 @@ def test_answers_about_a_design(client: httpx.Client, family: str, more: str) ->
     *advances, result = client.post("/api/verify", json={"design": design}).text.splitlines()
     assert all(fits(json.loads(each), api.Advance) for each in advances)
     assert fits(json.loads(result), api.Result)
+    values = {"pattern.columns": [design["pattern"]["columns"], 3]}
+    search = {
+        "variables": values,
+        "minimise": ["panels"],
+        "subject_to": {"cut_length": {"least": 0}},
+    }
+    lines = client.post("/api/search", json={"design": {**design, "search": search}}).text
+    *said, result = map(json.loads, lines.splitlines())
+    assert all(
+        fits(each, api.Advance if "progress" in each else search_api.SearchFound) for each in said
+    )
+    assert fits(result, search_api.SearchResult)
+    assert result["result"]["made"] == 2
     view = client.post("/api/design", json={"design": design}).content
     header = json.loads(view[4 : 4 + struct.unpack("<I", view[:4])[0]])
     assert fits(header, Header)

@@ -20,6 +20,7 @@ import httpx
 import numpy as np
 import pytest
 
+from apart import run_apart
 from command_line import orishell
 from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
@@ -29,15 +30,6 @@ from studio_server import Studio, descendants, running_studio
 
 Design = dict[str, Any]
 EXAMPLES = Path(__file__).parents[2] / "examples"
-
-
-@pytest.fixture(scope="module")
-def client() -> Iterator[httpx.Client]:
-    with (
-        running_studio() as studio,
-        httpx.Client(base_url=studio.address, timeout=100) as session,
-    ):
-        yield session
 
 
 def starter(family: str = "parallel-repeating") -> Design:
@@ -481,7 +473,7 @@ def test_a_slow_body_is_in_nobodys_way_and_ends() -> None:
         await slow
         return statuses
 
-    assert asyncio.run(scene()) == [200, 408]
+    assert run_apart(scene()) == [200, 408]
 
 
 @pytest.mark.parametrize("task", ["verify", "ranges"])

@@ -14,7 +14,7 @@ import pytest
 from command_line import orishell
 from node_tools import lacking
 from orishell.design_file import starter_file
-from studio_pages import choose, drag, drawn, figures, fold, opened, settle, type_into
+from studio_pages import TOUCHING, choose, drag, drawn, figures, fold, opened, settle, type_into
 from viewer_pages import (
     await_frames,
     keep_picture,
@@ -148,18 +148,7 @@ def test_latency_of_a_drag(page: Page, record_property: Callable[[str, object], 
 
 def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> None:
     choose(page, "parallel-repeating")
-    # A ring whose ends meet before it is closed (as in test_app.py).
-    page.evaluate(
-        """() => {
-          const store = window.__orishell.store, design = structuredClone(store.design.value);
-          design.target = {
-            f: { formula: "-0.3*x**2", range: [-1, 1] },
-            g: { formula: ["4*cos(t)", "4*sin(t)"], range: [0, 2 * Math.PI] },
-          };
-          Object.assign(design.pattern, { columns: 30, xi_deg: 90 });
-          store.change(design, "ring");
-        }"""
-    )
+    page.evaluate(TOUCHING)
     settle(page)
     card = page.get_by_test_id("verify-status")
     assert "touch first" in card.inner_text()

@@ -198,9 +198,9 @@ def test_a_dropped_half_circle_stays_an_arc(page: Page, tmp_path: Path) -> None:
     page.get_by_test_id("undo").click()
     page.get_by_test_id("undo").click()
     # The person goes, and comes again.
-    page.get_by_test_id("figure-f").click()
+    page.get_by_test_id("person").click()
     assert page.locator("[data-curve=f] .plot-person").count() == 0
-    page.get_by_test_id("figure-f").click()
+    page.get_by_test_id("person").click()
     assert page.locator("[data-curve=f] .plot-person").count() == 1
 
 
@@ -223,6 +223,15 @@ def test_a_spline_as_a_path_keeps_its_shape_and_has_tangents(page: Page) -> None
     assert target(page, "f")["path"].count("C") == before.count("C") + 1
     page.locator("label:has([data-testid=mode-f-formula])").click()
     drawn(page)
+
+
+def test_ends_of_a_range_are_not_cut(page: Page) -> None:
+    choose(page, "orthodiagonal")
+    for end, number in (("low", "-3.14159265"), ("high", "3.14159265")):
+        box = page.get_by_test_id(f"range-f-{end}")
+        box.fill(number)
+        drawn(page)
+        assert box.evaluate("box => box.scrollWidth <= box.clientWidth")
 
 
 def test_tools_of_the_curves_have_room(page: Page) -> None:

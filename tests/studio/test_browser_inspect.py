@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from node_tools import PACKAGES, lacking
-from studio_pages import SIZES, choose, fold, opened, settle
+from studio_pages import SIZES, TOUCHING, choose, fold, opened, settle
 from viewer_pages import await_frames, keep_picture, pixels, require_apart, wait_until
 
 if TYPE_CHECKING:
@@ -22,16 +22,6 @@ DROP = """([text, name]) => {
     brought.items.add(new File([text], name));
     document.dispatchEvent(
         new DragEvent("drop", { dataTransfer: brought, bubbles: true, cancelable: true }));
-}"""
-# A ring whose ends meet before it is closed (as in test_app.py).
-TOUCHING = """() => {
-    const store = window.__orishell.store, design = structuredClone(store.design.value);
-    design.target = {
-        f: { formula: "-0.3*x**2", range: [-1, 1] },
-        g: { formula: ["4*cos(t)", "4*sin(t)"], range: [0, 2 * Math.PI] },
-    };
-    Object.assign(design.pattern, { columns: 30, xi_deg: 90 });
-    store.change(design, "ring");
 }"""
 # Where the middle of a panel is in the window.
 PANEL = """(() => {

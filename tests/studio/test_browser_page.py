@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from node_tools import PACKAGES, lacking
 from orishell.design_file import starter_file
+from page_checks import MISPLACED, serious_findings
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
@@ -16,51 +16,10 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
 
 STARTS = ["orishell-theme", "orishell.tour"]
-MISPLACED = """() => {
-  const controls = "button, select, output, label, input, [role=status]";
-  const seen = [];
-  for (const each of document.querySelectorAll(controls)) {
-    // A box in its label is placed with it.
-    if (each.matches("input") && each.closest("label")) continue;
-    if (!each.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
-    const own = each.getBoundingClientRect();
-    let { left, top, right, bottom } = own;
-    for (let room = each.parentElement; room !== document.body; room = room.parentElement) {
-      const { overflowX, overflowY } = getComputedStyle(room);
-      if (overflowX === "visible" && overflowY === "visible") continue;
-      const box = room.getBoundingClientRect();
-      [left, right] = [Math.max(left, box.left), Math.min(right, box.right)];
-      [top, bottom] = [Math.max(top, box.top), Math.min(bottom, box.bottom)];
-    }
-    if (right - left < 2 || bottom - top < 2) continue;
-    const name = each.dataset.testid || each.ariaLabel || each.textContent.trim();
-    const cut = own.left < left - 1 || own.right > right + 1;
-    seen.push({ each, name, left, top, right, bottom, cut });
-  }
-  const wrong = [];
-  for (const [k, one] of seen.entries()) {
-    const { each, name, left, right } = one;
-    if (left < -0.5 || right > innerWidth + 0.5 || one.cut) wrong.push(`${name} is out of view`);
-    if (each.matches("button, .number") && each.scrollWidth > each.clientWidth + 1) {
-      wrong.push(`${name} is cut`);
-    }
-    for (const other of seen.slice(0, k)) {
-      if (each.contains(other.each) || other.each.contains(each)) continue;
-      const across = Math.min(right, other.right) - Math.max(left, other.left);
-      const down = Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top);
-      if (across > 1 && down > 1) wrong.push(`${name} lies on ${other.name}`);
-    }
-  }
-  return wrong;
-}"""
-"""Controls that are not in the window (or in what scrolls), whose text is cut, or that overlap."""
 
 
 @pytest.mark.parametrize("size", SIZES)
 def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> None:
-    axe = PACKAGES / "axe-core" / "axe.min.js"
-    if not axe.is_file():
-        lacking("axe-core is not installed: make node")
     options: dict[str, Any] = {**SIZES[size], "bypass_csp": True, "color_scheme": "light"}
     with opened(browser, address, **options) as page:
         width, height = options["width"], options["height"]
@@ -79,18 +38,11 @@ def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> No
         if "has_touch" in options:
             for name in ("play", "undo", "export", "more-rows", "param-xi_deg"):
                 assert _box(page.get_by_test_id(name))["height"] >= 44
-        page.add_script_tag(path=str(axe))
         for theme in ("light", "dark"):
             assert page.evaluate("document.documentElement.dataset.theme") == theme
             await_frames(page)
             assert page.evaluate(MISPLACED) == []
-            found = page.evaluate("axe.run().then((result) => result.violations)")
-            serious = [
-                (each["id"], [node["html"][:120] for node in each["nodes"]])
-                for each in found
-                if each["impact"] in {"serious", "critical"}
-            ]
-            assert serious == []
+            assert serious_findings(page) == []
             page.get_by_test_id("theme").click()
         # What is wrong is said beside the shell, and leaves it in sight.
         page.evaluate("window.__orishell.store.setPattern('xi_deg', 120)")
@@ -279,6 +231,7 @@ def test_who_is_new_is_shown_around_once(browser: Browser, address: str) -> None
         page.keyboard.press("Escape")
         assert card.is_hidden()
         page.keyboard.press("?")
+        await_frames(page)
         assert "Keys and gestures" in card.inner_text()
         page.get_by_test_id("tour-next").click()
         assert card.is_hidden()

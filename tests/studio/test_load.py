@@ -13,6 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
+from apart import run_apart
 from orishell.design_file import starter_file
 from studio_server import descendants, running_studio
 
@@ -64,7 +65,7 @@ def test_twenty_clients_drag(record_property: Callable[[str, object], None]) -> 
         return [await task for task in tasks], sizes
 
     with running_studio() as studio:
-        answers, sizes = asyncio.run(scene(studio.address, studio.process))
+        answers, sizes = run_apart(scene(studio.address, studio.process))
     half = len(sizes) // 2
     said = f"{sum(answers)} answers, memory {sizes[half]} to {sizes[-1]} kB"
     record_property(f"{CLIENTS} clients for {SECONDS:.0f} s", said)

@@ -10,11 +10,12 @@ import pytest
 
 from node_tools import lacking
 from orishell.studio.app import PAGES
+from studio_pages import opened, settle
 from studio_server import running_studio
-from viewer_pages import await_frames, keep_picture, pixels, running_browser, wait_until
+from viewer_pages import await_frames, keep_picture, pixels
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Page
+    from playwright.sync_api import Browser, Page
 
 DESIGN = """
 [shell]
@@ -51,25 +52,19 @@ self_weight = true
 name = "snow"
 snow = { ground = 500 }
 """
-IDLE = "window.__orishell !== undefined && window.__orishell.idle"
+
 SHOWN = "window.__orishell.shell3d.loaded.shown"
 
 
 @pytest.fixture
-def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     """The studio with a design that has a structure, analysed."""
     if not (PAGES / "index.html").is_file():
         lacking("the studio's pages have not been built: make pages")
     design = tmp_path_factory.mktemp("studio") / "loaded.toml"
     design.write_text(DESIGN)
-    with running_studio(design) as studio, running_browser() as browser:
-        shown = browser.new_page(viewport={"width": 1280, "height": 720})
-        said: list[str] = []
-        shown.on("pageerror", lambda error: said.append(str(error)))
-        shown.goto(studio.address)
-        wait_until(shown, IDLE)
+    with running_studio(design) as studio, opened(browser, studio.address) as shown:
         yield shown
-        assert said == []
 
 
 def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
@@ -92,8 +87,7 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     assert page.evaluate("window.__orishell.fold") == 1
 
     page.get_by_test_id("param-rows").fill("7")
-    await_frames(page)
-    wait_until(page, IDLE)
+    settle(page)
     await_frames(page)
     assert cases.input_value() == "snow"
     assert page.evaluate(f"{SHOWN}.deflection.name") == "snow"

@@ -2,29 +2,18 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import tomllib
-from collections.abc import Iterator
 
 import httpx
-import pytest
 
 from node_tools import lacking
 from orishell.design_file import starter_file
 from orishell.studio.app import PAGES
-from studio_server import running_studio
 
 DESIGN = {"design": tomllib.loads(starter_file("parallel-repeating"))}
-
-
-@pytest.fixture(scope="module")
-def client() -> Iterator[httpx.Client]:
-    with (
-        running_studio() as studio,
-        httpx.Client(base_url=studio.address, timeout=100) as session,
-    ):
-        yield session
 
 
 def test_json_is_compressed_for_those_who_take_it(client: httpx.Client) -> None:
@@ -49,6 +38,14 @@ def test_lines_of_a_proof_come_one_by_one(client: httpx.Client) -> None:
         chunks = list(answer.iter_raw())
     assert set(json.loads(chunks[0])) == {"progress", "what"}
     assert "result" in json.loads(b"".join(chunks).splitlines()[-1])
+
+
+def test_pages_are_small() -> None:
+    """In bytes of all its JavaScript, compressed as it travels: it opens at once on a phone."""
+    scripts = sorted(PAGES.glob("assets/*.js"))
+    if not scripts:
+        lacking("the studio's pages have not been built: make pages")
+    assert sum(len(gzip.compress(script.read_bytes())) for script in scripts) < 250_000
 
 
 def test_files_of_hashed_names_are_kept(client: httpx.Client) -> None:

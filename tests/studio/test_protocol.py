@@ -8,6 +8,7 @@ from typing import Any
 from uvicorn import Config
 from uvicorn.server import ServerState
 
+from apart import run_apart
 from orishell.studio.protocol import ImpatientProtocol
 
 SECONDS = 0.5
@@ -56,7 +57,7 @@ def answers(*begun: bytes, drip: bool) -> list[bytes]:
         server.close()
         return found
 
-    return asyncio.run(scene())
+    return run_apart(scene())
 
 
 def test_a_connection_that_says_nothing_is_closed() -> None:

@@ -7,11 +7,13 @@ import subprocess
 import sys
 import tempfile
 import tomllib
+from multiprocessing import forkserver
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from apart import run_apart
 from orishell.design_file import starter_file
 from orishell.studio.processes import Worker, prepared_copies
 from orishell.studio.refusals import RefusalError
@@ -44,7 +46,7 @@ def test_slow_requests_are_stopped_and_others_go_on() -> None:
         assert len(await pool.run("design", payload())) > 10_000
         pool.close()
 
-    asyncio.run(scene())
+    run_apart(scene())
 
 
 def test_a_stream_that_is_closed_stops_its_work() -> None:
@@ -59,7 +61,7 @@ def test_a_stream_that_is_closed_stops_its_work() -> None:
         assert asyncio.get_running_loop().time() - begin < 30
         pool.close()
 
-    asyncio.run(scene())
+    run_apart(scene())
 
 
 def test_refusals_and_lines_that_are_too_long() -> None:
@@ -77,7 +79,7 @@ def test_refusals_and_lines_that_are_too_long() -> None:
         await asyncio.gather(first, second)
         pool.close()
 
-    asyncio.run(scene())
+    run_apart(scene())
 
 
 def test_what_comes_after_a_stopped_task_waits_for_no_imports() -> None:
@@ -92,8 +94,9 @@ def test_what_comes_after_a_stopped_task_waits_for_no_imports() -> None:
         assert warm
         pool.close()
 
+    vars(forkserver)["_forkserver"]._stop()  # one that has imported what other tests need
     with prepared_copies():
-        asyncio.run(scene())
+        run_apart(scene())
 
 
 def test_a_process_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -111,7 +114,7 @@ def test_a_process_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) ->
         pool.close()
 
     monkeypatch.setattr("orishell.studio.workers.start_worker", refuse)
-    asyncio.run(scene())
+    run_apart(scene())
 
 
 def test_the_studio_warms_up_with_all_that_answers_import() -> None:
@@ -151,4 +154,4 @@ def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.Mon
         assert not list(tmp_path.iterdir())
         pool.close()
 
-    asyncio.run(scene())
+    run_apart(scene())

@@ -21,6 +21,6 @@ if (parent !== window) {
     else start = null;
   }, true);
   addEventListener("message", ({ source, data }) => {
-    if (source === parent && (data === "light" || data === "dark")) window.orishell.setTheme(data);
+    if (source === parent && (data === "light" || data === "dark")) window.orishell.theme.set(data);
   });
 }

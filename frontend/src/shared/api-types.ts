@@ -1,4 +1,5 @@
-// What the server sends, from orishell.studio.api and orishell.io.view. Do not edit:
+// What the server sends and pages have in them, from orishell.studio.api, orishell.io.view and
+// orishell.search.page. Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 /** The share of the work that is done, from 0 to 1, and what the work is. */
@@ -287,6 +288,33 @@ export interface FirstContact {
   panels: [number, number];
 }
 
+/** A design that no other beats. */
+export interface FrontMember {
+  /** Which it is of all designs that were sent, from 0. */
+  number: number;
+  /** What a step to it from the knee gains and costs, in words; empty for the knee. */
+  costs: string;
+}
+
+/** What the page of a search shows. */
+export interface FrontPage {
+  /** The name of the design. */
+  title: string;
+  /** How many designs were made, and what became of them. */
+  said: string;
+  /** Keys of the design file. */
+  variables: string[];
+  figures: PageFigure[];
+  /** By their first objective. */
+  members: PageMember[];
+  /** Number of the member at the knee. */
+  knee: number;
+  /** Objectives of designs that keep all limits and are not on the front. */
+  beaten: number[][];
+  /** Objectives of the design that the file has; null if it cannot be made. */
+  begun_with: number[] | null;
+}
+
 /** What is nearest to the end of what it bears, of all cases. */
 export interface GoverningReport {
   /** What it is. */
@@ -330,6 +358,7 @@ export interface Info {
   examples: Example[];
   formats: FileFormat[];
   workshop: Parameter[];
+  search: SearchInfo;
   limits: Largest;
   start: NamedDesign | null;
 }
@@ -447,6 +476,12 @@ export interface NamedDesign {
   design: Record<string, unknown>;
 }
 
+/** A figure that is to be small, and its name with its unit. */
+export interface Objective {
+  name: string;
+  label: string;
+}
+
 /** The state that packs smallest, from the target to where the motion ends. */
 export interface PackedReport {
   /** Its drive angle. */
@@ -459,6 +494,32 @@ export interface PackedReport {
   height: number;
   /** How many panels lie on top of each other: boards make it that many times as thick. */
   layers: number;
+}
+
+/** A figure that designs are compared by. */
+export interface PageFigure {
+  /** Its name, with its unit if that is known. */
+  name: string;
+  /** The limits that were set to it; empty if none were. */
+  note: string;
+  /** Whether it was to be as small as can be. These come first. */
+  minimised: boolean;
+}
+
+/** A design that no other beats. */
+export interface PageMember {
+  /** Its design file. */
+  file: string;
+  /** Values of its variables. */
+  values: unknown[];
+  /** Its figures. */
+  figures: number[];
+  /** To its neighbours, by the first objective. */
+  steps: Step[];
+  /** The view of its shell, deflated, in base64; null if it is not drawn. */
+  view: string | null;
+  /** Why it is not drawn. */
+  missing: string;
 }
 
 /** The force between two vertices: of a tie, or of two panels of a flap on each other. */
@@ -687,6 +748,61 @@ export interface Result {
   result: Verified;
 }
 
+/** A figure that a search can make small, or keep within limits. */
+export interface SearchFigure {
+  name: string;
+  /** Its name in words. */
+  words: string;
+  /** Its unit, "{unit}" standing for that of lengths; empty where it has none. */
+  unit: string;
+  /** Whether it is there only where the design has a table [structure]. */
+  of_structure: boolean;
+}
+
+/** A line of the answer: how far the search has come. */
+export interface SearchFound {
+  found: SearchState;
+}
+
+/** What a search can be for. */
+export interface SearchInfo {
+  figures: SearchFigure[];
+  /** The command that installs what a search needs; empty where that is installed. */
+  install: string;
+}
+
+/** The last line of the answer: the search has come to its end. */
+export interface SearchResult {
+  result: SearchState;
+}
+
+/** How far a search has come. */
+export interface SearchState {
+  objectives: Objective[];
+  /** The design as it was opened; null if it cannot be made. */
+  begun_with: SearchedDesign | null;
+  /** Those that keep all limits and were not sent before. */
+  designs: SearchedDesign[];
+  /** Those that no other beats, by their first objective. */
+  front: FrontMember[];
+  /** Place of the knee in the front; -1 where nothing is in it. */
+  knee: number;
+  /** Designs that were made, or cannot be, and of how many at most. */
+  made: number;
+  /** Designs that were made, or cannot be, and of how many at most. */
+  total: number;
+  /** Why designs cannot be made or break limits, the commonest reason first, and how many do. */
+  refused: [string, number][];
+}
+
+/** A design that was made. */
+export interface SearchedDesign {
+  /** What keys of the design file have in it, the tables in front of them. */
+  values: Record<string, unknown>;
+  /** Its figures, by name. */
+  figures: Record<string, number>;
+}
+
 /** Size of the flat sheet. */
 export interface SheetReport {
   /** Its bounding box. */
@@ -756,6 +872,14 @@ export interface StandsReport {
   uneven: number;
   /** Whether all are at one height. */
   level: boolean;
+}
+
+/** What it gains and costs to take a neighbour on the front instead. */
+export interface Step {
+  /** Number of the neighbour. */
+  to: number;
+  /** What it gains and costs. */
+  words: string;
 }
 
 /** The largest stress in panels. */

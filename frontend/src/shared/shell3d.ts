@@ -29,8 +29,17 @@ export type { Colouring, Overlay };
 const SAME = 1e-4;
 const SAME_SHARE = 1e-6;
 
+/** From where one looks: the way from what is looked at to the camera, and how far that was moved
+ * from the middle of what was last fitted. */
+export interface Sight {
+  arm: Vector3;
+  moved: Vector3;
+}
+
 export class Shell3D {
   onHover: ((panel: number | null) => void) | null = null;
+  /** Told when the camera has moved. */
+  onSight: (() => void) | null = null;
 
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -64,6 +73,8 @@ export class Shell3D {
   private view: View | null = null;
   private extent: Extent | null = null;
   private origin = new Vector3();
+  /** The middle of what was last fitted. */
+  private readonly middle = new Vector3();
   private share = 0;
   /** Share of the state that is the shell as it stands. */
   private target = 1;
@@ -99,7 +110,10 @@ export class Shell3D {
     this.controls.dampingFactor = 0.09;
     this.controls.rotateSpeed = 0.75;
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", this.invalidate);
+    this.controls.addEventListener("change", () => {
+      this.invalidate();
+      this.onSight?.();
+    });
     this.following = new Following(this.camera, this.controls.target);
     shareTouch(canvas, (x, y) => this.under(x, y) !== null);
 
@@ -136,6 +150,18 @@ export class Shell3D {
 
   get canvas(): HTMLCanvasElement {
     return this.renderer.domElement;
+  }
+
+  get sight(): Sight {
+    return { arm: this.arm(), moved: this.controls.target.clone().sub(this.middle) };
+  }
+
+  /** Two shells seen with the same sight are seen at the same scale. */
+  set sight({ arm, moved }: Sight) {
+    this.controls.target.copy(this.middle).add(moved);
+    this.camera.position.copy(this.controls.target).add(arm);
+    this.controls.update();
+    this.invalidate();
   }
 
   /** What drawings in the same space share. */
@@ -349,7 +375,8 @@ export class Shell3D {
   }
 
   private aim(points: Float32Array[], direction: Vector3): void {
-    this.controls.target.copy(placeCamera(this.camera, points, direction));
+    this.middle.copy(placeCamera(this.camera, points, direction));
+    this.controls.target.copy(this.middle);
     this.limitDistance();
     this.invalidate();
   }

@@ -18,6 +18,7 @@ import { publishProbe } from "./probe.ts";
 import { Results } from "./shell/results.ts";
 import { saidElement } from "./page/said.ts";
 import { listenForShortcuts } from "./page/shortcuts.ts";
+import { SearchCard } from "./search/search.ts";
 import { skipLinks } from "./page/skip.ts";
 import { Stage } from "./shell/stage.ts";
 import { forgetWhatIsStale } from "./state/stale.ts";
@@ -95,6 +96,7 @@ export function buildStudio(root: HTMLElement, store: Store): void {
         parameters.element,
         new PanelControls(store).element,
         new DeploymentControls(store).element,
+        new SearchCard(store).element,
       ),
       stage.element,
       results.element,

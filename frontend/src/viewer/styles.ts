@@ -5,9 +5,9 @@ import theme from "../shared/theme.css?inline";
 import views from "../shared/views.css?inline";
 import viewer from "./viewer.css?inline";
 
-/** Give a page or a shadow root the viewer's looks; nothing outside it is touched. */
-export function adoptStyles(root: DocumentOrShadowRoot): void {
+/** Give a page or a shadow root the viewer's looks, and more; nothing outside it is touched. */
+export function adoptStyles(root: DocumentOrShadowRoot, more = ""): void {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(meanings + theme + views + viewer);
+  sheet.replaceSync(meanings + theme + views + viewer + more);
   root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
 }

@@ -15,6 +15,7 @@ from orishell.cli.convert import convert
 from orishell.cli.design import design
 from orishell.cli.new import new
 from orishell.cli.printing import say
+from orishell.cli.search import search
 from orishell.cli.solve import solve
 from orishell.cli.structure import structure
 from orishell.cli.studio import studio
@@ -29,6 +30,7 @@ app = typer.Typer(
 app.command()(new)
 app.command()(design)
 app.command()(structure)
+app.command()(search)
 app.command()(solve)
 app.command()(check)
 app.command()(convert)

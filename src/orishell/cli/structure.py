@@ -35,6 +35,7 @@ def structure(
     from orishell.io import OutputDirectory
     from orishell.shell.export import write_structure
     from orishell.shell.make import make_shell
+    from orishell.shell.parts import MEASURES
 
     if out is not None:
         OutputDirectory(out).require_usable()
@@ -46,7 +47,7 @@ def structure(
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
     with bar() as progress:
-        shell = make_shell(asked, progress, clash="unexamined", measured=False, nested=False)
+        shell = make_shell(asked, progress, clash="unexamined", leave_out=(*MEASURES, "stock"))
     report = shell.report.structure
     assert report is not None
     for warning in report.warnings:

@@ -41,7 +41,7 @@ def studio(
         )
     import uvicorn
 
-    from orishell.io.formats.html import BUILD_PAGES
+    from orishell.io.program_page import BUILD_PAGES
     from orishell.studio.app import PAGES, make_app
     from orishell.studio.protocol import ImpatientProtocol
 

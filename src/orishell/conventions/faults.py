@@ -40,10 +40,16 @@ def first_fault(
     inside
         Keys of the table that pydantic looked at.
     """
+    found = [
+        (_key_path(raw, (*inside, *details["loc"]), details["type"]), details)
+        for details in error.errors()
+    ]
+    places = {location for location, _ in found}
     faults: dict[Location, list[ErrorDetails]] = {}
-    for details in error.errors():
-        location = _key_path(raw, (*inside, *details["loc"]), details["type"])
-        faults.setdefault(location, []).append(details)
+    for location, details in found:
+        # A value that fits none of several types has a fault, and others within it: they are one.
+        whole = next(location[:k] for k in range(len(location) + 1) if location[:k] in places)
+        faults.setdefault(whole, []).append(details)
     first, *others = [
         _fault(location, group, spell, keys)
         for location, group in islice(faults.items(), MOST_FAULTS)
@@ -55,16 +61,19 @@ def first_fault(
 
 
 def _key_path(raw: dict[str, Any], location: Location, kind: str) -> Location:
-    """The part of a location that is in the file; what follows names alternatives of a type."""
-    if kind == "missing":
-        return location
+    """The part of a location that is in the file, and what is missing there.
+
+    What else a location has names alternatives of a type.
+    """
     value: Any = raw
-    for depth, key in enumerate(location):
+    found: list[str | int] = []
+    for key in location:
         try:
             value = value[key]
         except (KeyError, IndexError, TypeError):
-            return location[:depth]
-    return location
+            continue
+        found.append(key)
+    return (*found, location[-1]) if kind == "missing" else tuple(found)
 
 
 def _fault(

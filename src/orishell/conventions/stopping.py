@@ -34,7 +34,8 @@ def _stop(number: int, _: FrameType | None) -> None:
     for clean in reversed(_cleanups):
         clean()
     if sys.stderr.isatty():
-        os.write(sys.stderr.fileno(), SHOW_CURSOR.encode())
+        with contextlib.suppress(OSError):
+            os.write(sys.stderr.fileno(), SHOW_CURSOR.encode())
     os._exit(128 + number)
 
 
@@ -74,3 +75,43 @@ def uninterrupted() -> Iterator[None]:
             signal.signal(each, handler)
         for number in caught[:1]:
             signal.raise_signal(number)
+
+
+class Asked(threading.Event):
+    """Set once this process is asked to stop.
+
+    Attributes
+    ----------
+    number
+        The signal that asked for it; 0 before.
+    """
+
+    number = 0
+
+
+@contextlib.contextmanager
+def asked_to_stop(said: str) -> Iterator[Asked]:
+    """Let the first Ctrl-C or SIGTERM ask for an end, and the second one end this process.
+
+    Parameters
+    ----------
+    said
+        What the first one is answered with, on standard error.
+    """
+    asked = Asked()
+
+    def ask(number: int, frame: FrameType | None) -> None:
+        if asked.is_set():
+            _stop(number, frame)
+        asked.number = number
+        asked.set()
+        with contextlib.suppress(OSError):  # nobody reads it
+            os.write(sys.stderr.fileno(), f"{said}\n".encode())
+
+    watched = [each for each in SIGNALS if signal.getsignal(each) is not signal.SIG_IGN]
+    before = {each: signal.signal(each, ask) for each in watched}
+    try:
+        yield asked
+    finally:
+        for each, handler in before.items():
+            signal.signal(each, handler)

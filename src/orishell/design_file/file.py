@@ -16,6 +16,7 @@ from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelBuild
 from orishell.design_file.faults import explain
 from orishell.design_file.limits import require_memory
+from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.structure import structure_of
 from orishell.design_file.tables import FileTable, Ground, keys_of
 from orishell.errors import InputError
@@ -63,6 +64,8 @@ class DesignFile:
         What its panels are made of; None if they have no thickness.
     structure
         How it is analysed as a structure; None if that was not asked for.
+    search
+        What is searched for among its variants; None if nothing is.
     """
 
     path: Path
@@ -78,6 +81,7 @@ class DesignFile:
     deployment: Deployment = FROM_FLAT
     panel: PanelBuild | None = None
     structure: Structure | None = None
+    search: Search | None = None
 
     __repr__ = in_one_line
 
@@ -143,6 +147,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     InputError
         Naming the file, the key, what was found and what is expected.
     """
+    raw = with_joined_keys(raw)
     try:
         file = FileTable.model_validate(raw)
     except ValidationError as error:
@@ -193,6 +198,7 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
         file.deployment.settings(),
         panel,
         structure,
+        None if file.search is None else file.search.settings(),
     )
 
 

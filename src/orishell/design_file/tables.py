@@ -15,6 +15,7 @@ from orishell.conventions.units import Unit
 from orishell.design_file.deployment import DeploymentTable
 from orishell.design_file.load_case import LoadCaseTable
 from orishell.design_file.panel import PanelTable, SetbackTable
+from orishell.design_file.search import SearchTable, search_table_at
 from orishell.design_file.structure import StructureTable, table_at
 from orishell.design_file.target import Target, Targets
 from orishell.design_file.workshop import WorkshopTable
@@ -71,6 +72,7 @@ class FileTable(Table):
     structure: StructureTable | None = None
     load_case: list[LoadCaseTable] = Field(default_factory=list)
     workshop: WorkshopTable = WorkshopTable()
+    search: SearchTable | None = None
 
     @field_validator("target")
     @classmethod
@@ -112,6 +114,8 @@ def keys_of(model: type[BaseModel]) -> Callable[[Location], list[str]]:
                 table = SetbackTable
             case ("structure" | "load_case", *_):
                 table = table_at(location)
+            case ("search", *_):
+                table = search_table_at(location)
             case _:
                 table = tables[str(location[0])]
         return [field.alias or name for name, field in table.model_fields.items()]

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.design import Design
+from orishell.design import Design, Surface
 from orishell.deviation.branch_and_bound import Cells, find_largest
 from orishell.deviation.patches import Patch
 from orishell.deviation.triangles import Nearest, Triangles, mesh_shell, mesh_surface
 from orishell.numerics.arrays import Array
-from orishell.surface import Surface
 
 SAMPLES = 15_000
 """Samples each way by default: a fifth of a second for sheets of some hundred panels."""

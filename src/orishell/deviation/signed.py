@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.design import Surface
 from orishell.deviation.patches import Patch
 from orishell.deviation.triangles import mesh_surface
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.surface import Surface
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from orishell.design import Lattice, Surface
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
 from orishell.sheet.quads import lengths, unit_normals
-from orishell.surface import Lattice, Surface
 
 FLATNESS = 400.0
 """The mesh of a surface leaves it by about the samples' step over this."""

@@ -80,6 +80,7 @@ class FlapSheet:
                 size=f"they are to stop {in_degrees(stop)} degrees short, and must less than "
                 f"{in_degrees(limit)}, half of the sharpest angle of the columns beside them",
                 candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
+                excess=(stop - limit) / np.pi,
             )
         return self._stopped(stop)
 

@@ -134,6 +134,7 @@ class Followed:
         shift = self.unturned
         turns = angles(self.theta, begin + shift, end + shift, theta + shift)
         place = self._steepest_place(trace, theta)
+        excess = ((NARROWEST_XI if xi is None else xi) - limit) / np.pi
         if limit > NARROWEST_XI and xi is not None:
             raise DesignError(
                 f"{self.xi} = {in_degrees(xi)} is too large for {self.name}",
@@ -142,6 +143,7 @@ class Followed:
                 size=f"{reached} and may reach only {in_degrees((np.pi - xi) / 2)}; {self.xi} must "
                 f"stay below {in_degrees(limit)}",
                 candidates=chain(angles(self.xi, 0.0, limit, xi), turns),
+                excess=excess,
             )
         if end - begin <= NARROWEST_XI:
             raise self._too_much_turning(trace, high - low, xi)
@@ -153,6 +155,7 @@ class Followed:
             size=f"{reached} and must stay below 90; {self.theta} must lie between "
             f"{in_degrees(begin + shift)} and {in_degrees(end + shift)}",
             candidates=turns,
+            excess=excess,
         )
 
     def _too_much_turning(self, trace: Trace, spread: float, xi: float | None) -> DesignError:
@@ -173,6 +176,7 @@ class Followed:
             size=f"its tangents spread over {in_degrees(spread)} degrees and may spread over less "
             f"than {in_degrees(allowed)}" + (self.unless_it_turns if walls else ""),
             candidates=candidates,
+            excess=(spread - allowed) / np.pi,
         )
 
     def _steepest_place(self, trace: Trace, theta: float) -> str:

@@ -63,9 +63,9 @@ class Manifest:
         return cls({file.name: hash_of(file) or "" for file in files})
 
 
-def read_manifest(directory: Path) -> Manifest | None:
-    """The list of the files in a directory; None if there is none that can be used."""
-    path = directory / NAME
+def read_manifest(directory: Path, name: str = NAME) -> Manifest | None:
+    """The list of the files in a directory, by its ``name``; None if none can be used."""
+    path = directory / name
     try:
         if not path.is_file() or path.stat().st_size > LARGEST:
             return None

@@ -29,9 +29,12 @@ class OutputDirectory:
     ----------
     path
         The directory; made if it does not exist, otherwise its other files stay.
+    manifest
+        The name of the list of files in it: what one command wrote is not another's to remove.
     """
 
     path: Path
+    manifest: str = NAME
 
     def require_usable(self) -> None:
         """Refuse, before any work is done, a path that files cannot be written to.
@@ -62,7 +65,7 @@ class OutputDirectory:
 
     def of_earlier_run(self) -> list[Path]:
         """The files that an earlier run wrote here, as far as they are there and unchanged."""
-        manifest = read_manifest(self.path)
+        manifest = read_manifest(self.path, self.manifest)
         known = {} if manifest is None else manifest.known
         return [
             self.path / name for name in sorted(known) if hash_of(self.path / name) in known[name]
@@ -83,13 +86,13 @@ class OutputDirectory:
             yield draft
             new = Manifest.of(sorted(draft.iterdir()))
             with self._alone():
-                before = read_manifest(self.path) or Manifest({})
-                (draft / NAME).write_text(Manifest(new.files, before.known).text())
-                self._move(draft, first=NAME)
+                before = read_manifest(self.path, self.manifest) or Manifest({})
+                (draft / self.manifest).write_text(Manifest(new.files, before.known).text())
+                self._move(draft, first=self.manifest)
                 for name in before.known.keys() - new.files.keys():
                     if hash_of(self.path / name) in before.known[name]:
                         (self.path / name).unlink()
-                (draft / NAME).write_text(new.text())
+                (draft / self.manifest).write_text(new.text())
                 self._move(draft)
 
     @contextlib.contextmanager

@@ -93,6 +93,7 @@ def require_pack(design: Design, lock: Lock) -> None:
         keys=("deployment.from",),
         size="" if contact is None else f"panels meet there ({contact.kind})",
         candidates=[*further, Remedy({"deployment.from": "flat", **clipped})],
+        excess=1 - (lock.pack / lock.target - 1) / NO_PACK,
     )
 
 
@@ -107,6 +108,7 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         return ClashError(
             "panels of the flat sheet touch",
             place=f"panels {first} and {second}",
+            excess=1.0,
         )
     aim = "stage" if design.swept is None else "target"
     at, target = in_degrees(contact.drive), in_degrees(lock.target)
@@ -114,6 +116,7 @@ def _clash(design: Design, lock: Lock) -> ClashError:
         f"panels {first} and {second} meet before the shell reaches its {aim} ({contact.kind})",
         place=f"at drive {at} of {target} degrees",
         size=f"the corrugation is {contact.depth:.4g} deep there, {lock.depth:.4g} at the {aim}",
+        excess=1 - contact.drive / lock.target,
         flap=flap_width(design) if "flap" in contact.kind else 0.0,
     )
     if design.swept is None and contact.clear_until > 0:
@@ -135,5 +138,6 @@ def _clash_of_boards(contact: Contact, sides: tuple[str, str], target: float) ->
         f"{first} and {second} meet before the shell reaches its target",
         place=f"at drive {in_degrees(contact.drive)} of {in_degrees(target)} degrees",
         size="panels without a thickness do not",
+        excess=1 - contact.drive / target,
         thick=True,
     )

@@ -147,6 +147,7 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
         size=f"a crease folds by {in_degrees(needed)} degrees there, hinges by at most "
         f"{in_degrees(limit)}",
         candidates=[*clipped, Remedy({"deployment.largest_fold_deg": min(asked, 180.0)})],
+        excess=(needed - limit) / np.pi,
     )
 
 
@@ -179,6 +180,7 @@ def _require_room(design: Design) -> None:
         keys=("panel.thickness",),
         size=f"panels may be {room.thickness:.4g} thick, and are {build.thickness:.4g}",
         candidates=[*earlier, *thinner(build, room.thickness)],
+        excess=build.thickness / room.thickness - 1 if room.thickness else None,
     )
 
 

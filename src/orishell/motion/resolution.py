@@ -43,4 +43,5 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
             size=f"an edge of {name} is {shortest:.4g} long, and must be at least {RESOLUTION:g} "
             f"of the sheet's diagonal, which is {size:.4g}",
             candidates=candidates,
+            excess=1 - shortest / (RESOLUTION * size),
         )

@@ -7,6 +7,9 @@ import numpy as np
 from orishell.numerics.arrays import Array
 from orishell.sheet.quads import area_vectors, grid_corners
 
+ROUNDING = 1e-13
+"""Points nearer to each other than this share of an edge lie on each other but for rounding."""
+
 
 def diagonal(flat: Array) -> float:
     """Diagonal of the flat sheet's bounding box, the length that residuals are relative to.
@@ -45,6 +48,8 @@ def sheet_area(positions: Array) -> float:
 def corrugation_depth(positions: Array) -> float:
     """Mean distance of inner vertices from the line between those above and below (length).
 
+    Where these two lie on each other, the distance from them.
+
     Parameters
     ----------
     positions
@@ -54,4 +59,5 @@ def corrugation_depth(positions: Array) -> float:
     base = inner[2:] - inner[:-2]
     arm = inner[1:-1] - inner[:-2]
     across = np.linalg.norm(np.cross(arm, base), axis=-1)
-    return float((across / np.linalg.norm(base, axis=-1)).mean())
+    apart, depth = np.linalg.norm(base, axis=-1), np.linalg.norm(arm, axis=-1)
+    return float(np.divide(across, apart, out=depth, where=apart > ROUNDING * depth).mean())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal
 
@@ -25,6 +26,7 @@ from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
 from orishell.sheet.grid import VertexPair
+from orishell.shell.parts import Part
 from orishell.shell.standing import Feet
 from orishell.solids import Built, largest_thickness
 
@@ -158,14 +160,18 @@ class DeploymentReport:
 
 
 def describe_deployment(
-    file: DesignFile, design: Design, lock: Lock, feet: Feet | None, *, measured: bool
+    file: DesignFile,
+    design: Design,
+    lock: Lock,
+    feet: Feet | None,
+    leave_out: Collection[Part] = (),
 ) -> DeploymentReport:
     """How a shell is deployed, and what holds it at its target.
 
     Parameters
     ----------
-    measured
-        Whether pack and own weight are asked for.
+    leave_out
+        What is not asked for: of pack and own weight.
 
     Raises
     ------
@@ -175,19 +181,19 @@ def describe_deployment(
     mechanism = design.mechanism
     clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
     ties = find_ties(mechanism, pairs_of_ties(design, file.deployment, feet), lock.pack)
-    packed = weight = None
-    if measured:
-        packed = _packed(design, lock)
-        if feet is not None:
-            metres = conversion(file.unit, "m")
-            density = areal_density(file, design, lock.built)
-            weight = _weight(design, feet, lock, metres, density)
+    packed = most = weight = None
+    if "pack" not in leave_out:
+        packed, most = _packed(design, lock), _largest_thickness(design)
+    if "weight" not in leave_out and feet is not None:
+        metres = conversion(file.unit, "m")
+        density = areal_density(file, design, lock.built)
+        weight = _weight(design, feet, lock, metres, density)
     return DeploymentReport(
         start=file.deployment.start,
         flap_attachment="clipped" if clipped else "folded" if folded else None,
         largest_fold_deg=tidy_degrees(design.largest_fold),
         thickness=_thickness(design),
-        largest_thickness=_largest_thickness(design) if measured else None,
+        largest_thickness=most,
         end_drive_deg=tidy_degrees(lock.pack),
         closing="clipped flaps" if clipped else lock.cause if lock.pack <= lock.target else None,
         opening="ties" if ties else None,

@@ -16,7 +16,8 @@ from orishell.io import OutputDirectory, document_of_fold, read_fold
 from orishell.io.all_formats import FOLD, format_of
 from orishell.io.format import Format
 from orishell.io.settings import DEFAULT_SETTINGS, Settings
-from orishell.shell.make import Clock, Shell
+from orishell.shell.clock import Clock
+from orishell.shell.make import Shell
 from orishell.shell.overlay import lay_surface
 from orishell.shell.pictures import draw_pictures
 from orishell.shell.structure_files import write_structure_files

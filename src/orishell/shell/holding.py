@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +14,7 @@ from orishell.design_file import DesignFile
 from orishell.errors import DesignError, InputError, Remedy
 from orishell.locking import Lock, Request, find_lock
 from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
+from orishell.shell.parts import Part
 from orishell.shell.tolerance import request_of
 
 PLANE = 0.01
@@ -23,18 +24,29 @@ SMALLER = 0.5
 
 
 def warn_of_deployment(
-    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport
+    file: DesignFile,
+    design: Design,
+    lock: Lock,
+    report: DeploymentReport,
+    leave_out: Collection[Part] = (),
 ) -> list[str]:
-    """Warnings of a pack that is no bundle, and of what nothing holds."""
+    """Warnings of a pack that is no bundle, and of what nothing holds.
+
+    Parameters
+    ----------
+    leave_out
+        What is not asked for: of changes that would mend them.
+    """
+    mended = "remedies" not in leave_out
     return [
-        *_of_pack(file, design, lock, report),
+        *_of_pack(file, design, lock, report, mended=mended),
         *_of_ties(report),
         *(_of_weight(report, report.weight) if report.weight is not None else ()),
     ]
 
 
 def _of_pack(
-    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport
+    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport, *, mended: bool
 ) -> Iterator[str]:
     packed = report.packed
     if report.start == "flat" or packed is None or packed.height < PLANE * packed.length:
@@ -48,7 +60,8 @@ def _of_pack(
         why = f"boards {design.panel.thickness:g} {file.unit} thick close no further than that"
     elif lock.cause == "hinges":
         why = f"its hinges close no further than {in_degrees(design.largest_fold)} degrees"
-    better = _closes_better(request_of(replace(file, tolerance=None)), packed)
+    request = request_of(replace(file, tolerance=None))
+    better = _closes_better(request, packed) if mended else None
     remedy = f"; with {better} it does" if better is not None else ""
     yield f"the pack, {box}, is no flat bundle: {why}{remedy}"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import time
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -29,11 +29,13 @@ from orishell.locking import (
 from orishell.motion import FoldingMotion, extents, sheet_area
 from orishell.shell.caveats import find_caveats, warn_of_lock
 from orishell.shell.choice import Choice
+from orishell.shell.clock import Clock
 from orishell.shell.deployment_report import describe_deployment
 from orishell.shell.deviation_report import describe_deviation
 from orishell.shell.holding import warn_of_deployment
 from orishell.shell.lock_report import describe_lock
 from orishell.shell.panel_report import describe_panels
+from orishell.shell.parts import Part, not_checked, require_parts
 from orishell.shell.report import (
     BoxReport,
     Report,
@@ -120,10 +122,7 @@ def make_shell(
     progress: Progress = unwatched,
     *,
     clash: ClashPolicy = "refused",
-    verified: bool = True,
-    measured: bool = True,
-    nested: bool = True,
-    loaded: bool = True,
+    leave_out: Collection[Part] = (),
 ) -> Shell:
     """Design a shell, verify its states and prove how its motion ends.
 
@@ -131,50 +130,45 @@ def make_shell(
     ----------
     clash
         What becomes of a shell whose panels meet.
-    verified
-        Whether all states are measured to be those of rigid panels.
-    measured
-        Whether the distance from the surface is measured.
-    nested
-        Whether the sheet is laid out on its stock.
-    loaded
-        Whether it is analysed as a structure, where the file asks for that.
+    leave_out
+        What is not found out of it; its report says so where a reader might think it was.
 
     Raises
     ------
     InputError
-        If a curve is not usable, or a setting does not fit the sheet.
+        If a curve is not usable, a setting does not fit the sheet, or there is no such part.
     DesignError
         If the family cannot reach the target, or panels meet before the shell locks.
     VerificationError
         If the result is not rigid: a fault of the program.
     """
+    require_parts(leave_out)
     clock = Clock()
-    file, design, lock, choice = _designed(file, progress, clash, clock)
+    file, design, lock, choice = _designed(file, progress, clash, clock, leave_out)
     feet = find_feet(design)
     if file.ground == "z0":
         design = stand(design, feet)
     motion = _motion(file, design, lock)
     flat = motion.flat
     residuals = assignment = None
-    if verified:
+    if "verification" not in leave_out:
         residuals, assignment = measure_residuals(
             followed(motion, len(motion), progress, "verifying"), flat
         )
         require_verified(residuals, assignment)
     clock.lap("fold")
 
-    compared = design.swept is not None
-    deviation = measure_deviation(design) if measured and compared else None
-    approach = measure_approach(design) if measured and compared else None
+    deviation = approach = None
+    if design.swept is not None and "deviation" not in leave_out:
+        deviation, approach = measure_deviation(design), measure_approach(design)
     clock.lap("deviation")
 
     document = _document(file, design, lock, motion)
     try:
-        deployment = describe_deployment(file, design, lock, feet, measured=measured)
-        quantities = measure_quantities(document, file.workshop, nested=nested)
+        deployment = describe_deployment(file, design, lock, feet, leave_out)
+        quantities = measure_quantities(document, file.workshop, nested="stock" not in leave_out)
         structure = analysis = None
-        if loaded and file.structure is not None:
+        if "structure" not in leave_out and file.structure is not None:
             found = load_shell(file, design, lock, file.structure, progress)
             analysis, structure = found.analysis, found.report
             document = replace(document, loaded=found.drawn)
@@ -182,6 +176,13 @@ def make_shell(
     except InputError as error:
         raise error.located(f"{file.path}:") from None
     width, height, _ = extents(flat.positions)
+    found_out: dict[Part | Literal["clash"], bool] = {
+        "verification": residuals is not None,
+        "clash": clash != "unexamined",
+        "deviation": deviation is not None or design.swept is None,
+        "stock": quantities.stock is not None,
+        "structure": structure is not None or file.structure is None,
+    }
     report = Report(
         family=file.family,
         unit=file.unit,
@@ -196,21 +197,17 @@ def make_shell(
             *design.warnings,
             *warn_of_lock(lock),
             *find_caveats(design, lock, feet, file.unit, file.workshop),
-            *warn_of_deployment(file, design, lock, deployment),
+            *warn_of_deployment(file, design, lock, deployment, leave_out),
             *([] if structure is None else structure.warnings),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
         lock=describe_lock(lock),
-        not_checked=(
-            *([] if verified else ["whether panels stay rigid"]),
-            *(["contact between panels on the way"] if clash == "unexamined" else []),
-            *([] if measured or not compared else ["distance from the surface"]),
-            *(["the layout on the stock"] if quantities.stock is None else []),
-            *(["the structure"] if structure is None and file.structure is not None else []),
-        ),
+        not_checked=not_checked(found_out),
         stands=describe_feet(design, feet),
-        deviation=describe_deviation(design, deviation, approach) if compared else None,
+        deviation=describe_deviation(design, deviation, approach)
+        if design.swept is not None
+        else None,
         sheet=SheetReport(width, height, sheet_area(flat.positions)),
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
@@ -225,7 +222,11 @@ def make_shell(
 
 
 def _designed(
-    file: DesignFile, progress: Progress, clash: ClashPolicy, clock: Clock
+    file: DesignFile,
+    progress: Progress,
+    clash: ClashPolicy,
+    clock: Clock,
+    leave_out: Collection[Part],
 ) -> tuple[DesignFile, Design, Lock, Choice | None]:
     """The file with rows and columns, its design, how its motion ends, and the choice made."""
     choice: Choice | None = None
@@ -248,7 +249,7 @@ def _designed(
         if file.deployment.start == "pack":
             require_pack(design, lock)
     except DesignError as error:
-        if clash == "unexamined":
+        if clash == "unexamined" or "remedies" in leave_out:
             raise
         raise with_remedies(asked, error, progress) from None
     except InputError as error:
@@ -284,17 +285,3 @@ def _first_contact(design: Design, lock: Lock) -> FirstContact | None:
     across = design.mechanism.grid.columns - 1
     first, second = (row * across + column for row, column in contact.panels)
     return FirstContact(tidy_degrees(contact.drive), (first, second))
-
-
-class Clock:
-    """A clock that takes the time of every step of the work."""
-
-    def __init__(self) -> None:
-        self.seconds: dict[str, float] = {}
-        self._last = time.perf_counter()
-
-    def lap(self, step: str) -> None:
-        """Note the time since the last step was done."""
-        now = time.perf_counter()
-        self.seconds[step] = now - self._last
-        self._last = now

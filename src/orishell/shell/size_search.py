@@ -274,6 +274,12 @@ class _Search:
             candidates=[Remedy({"tolerance.surface": rounded(share * nearest.error)})]
             if allowed
             else (),
+            excess=max(
+                nearest.error / limits.surface,
+                limits.panel_min / nearest.shortest,
+                nearest.longest / limits.panel_max,
+            )
+            - 1,
         )
 
 

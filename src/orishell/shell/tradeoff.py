@@ -131,4 +131,7 @@ def _no_such_edges(tried: list[Trial], limits: Tolerance) -> DesignError:
         place=f"in {len(tried)} sizes that were tried",
         size=f"their edges are from {shortest:.4g} to {longest:.4g} long",
         keys=("tolerance.panel_min", "tolerance.panel_max"),
+        excess=min(
+            max(limits.panel_min / t.shortest, t.longest / limits.panel_max) - 1 for t in tried
+        ),
     )

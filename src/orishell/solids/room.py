@@ -106,6 +106,7 @@ def wide_gap(build: PanelBuild, place: str, room: Callable[[PanelBuild], float])
         keys=("panel.gap",),
         size=f"it is {build.gap:.4g} wide",
         candidates=[Remedy({"panel.gap": gap}) for gap in offered],
+        excess=None if widest is None else build.gap / widest - 1,
     )
 
 

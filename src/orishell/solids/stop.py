@@ -62,6 +62,7 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
                 keys=("panel.thickness",),
                 size=f"panels may be {most:.4g} thick, and are {build.thickness:.4g}",
                 candidates=_candidates(build, most),
+                excess=build.thickness / most - 1,
             )
     return _angle(bisect_integers(works, good, 0))
 

@@ -12,6 +12,7 @@ from orishell.families.parameters import Kind, Measure
 from orishell.io.view import Curves
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
+from orishell.studio.search_api import SearchInfo
 from orishell.workshop.drawing import Layer
 from orishell.workshop.sheets import Waste
 
@@ -94,6 +95,7 @@ class Info(TypedDict):
     examples: list[Example]
     formats: list[FileFormat]
     workshop: list[Parameter]
+    search: SearchInfo
     limits: Largest
     start: NamedDesign | None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Collection
+from collections.abc import AsyncIterator, Collection, Mapping
 from contextlib import aclosing, asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,21 +19,14 @@ from starlette.exceptions import HTTPException
 from orishell.conventions.units import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.io.all_formats import FORMATS
-from orishell.studio.api import (
-    Advance,
-    Info,
-    NamedDesign,
-    Refusal,
-    Result,
-    SheetsResult,
-    TradeoffResult,
-)
+from orishell.studio.api import Info, NamedDesign, Refusal
 from orishell.studio.guard import Guard
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
 from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.pages import Compressed, Pages
 from orishell.studio.processes import prepared_copies
 from orishell.studio.refusals import RefusalError, make_refusal
+from orishell.studio.searches import describe_search
 from orishell.studio.tasks import answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
 
@@ -49,17 +42,18 @@ class Limits:
     ----------
     bytes
         Size of a request.
-    quick, slow
-        Seconds that a design, and that a proof or a file may take.
+    quick, slow, search
+        Seconds that a design, that a proof or a file, and that a search may take.
     receiving
         Seconds in which a request must have come in.
     processes
-        Processes for each of both.
+        Processes for each of the three.
     """
 
     bytes: int = 5_000_000
     quick: float = 20.0
     slow: float = 120.0
+    search: float = 3600.0
     receiving: float = 30.0
     processes: int = 2
 
@@ -90,6 +84,7 @@ def make_app(
     """
     quick = Pool(answer, limits.processes, limits.quick)
     slow = Pool(answer, limits.processes, limits.slow)
+    search = Pool(answer, limits.processes, limits.search)
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
@@ -97,6 +92,7 @@ def make_app(
             yield
             quick.close()
             slow.close()
+            search.close()
 
     app = FastAPI(lifespan=life, docs_url=None, redoc_url=None, openapi_url=None)
     app.add_middleware(Compressed)
@@ -113,6 +109,7 @@ def make_app(
                 {"name": each.name, "file": each.file, "what": each.what} for each in FORMATS
             ],
             "workshop": describe_workshop(),
+            "search": describe_search(),
             "limits": {"vertices": MAX_VERTICES, "bytes": limits.bytes, "seconds": limits.quick},
             "start": start,
         }
@@ -134,6 +131,7 @@ def make_app(
 
     for task in ("verify", "tradeoff", "sheets"):
         _add_stream(app, task, slow)
+    _add_stream(app, "search", search)
     for task, pool in (("ranges", slow), ("parse", quick), ("format", quick), ("curve", quick)):
         _add_task(app, task, pool)
 
@@ -211,7 +209,7 @@ def _parsed(body: bytes) -> dict[str, Any]:
 
 
 async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterator[bytes]:
-    """Lines of JSON: the progress, then the result or the error."""
+    """Lines of JSON: progress and what is found on the way, then the result or the error."""
     try:
         # Closed with the response, so that its process stops when the page is gone.
         async with aclosing(pool.stream(task, payload)) as stream:
@@ -220,12 +218,12 @@ async def _lines(pool: Pool, task: str, payload: dict[str, Any]) -> AsyncIterato
                     share, what = value
                     yield _line({"progress": share, "what": what})
                 else:
-                    yield _line({"result": value})
+                    yield _line({kind: value})
     except FAILURES as error:
         yield _line(_describe(error)[1])
 
 
-def _line(message: Advance | Result | TradeoffResult | SheetsResult | Refusal) -> bytes:
+def _line(message: Mapping[str, Any]) -> bytes:
     import orjson
 
     return orjson.dumps(message, option=orjson.OPT_APPEND_NEWLINE)

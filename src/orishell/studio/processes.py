@@ -14,25 +14,31 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from multiprocessing import forkserver
 from multiprocessing.connection import Connection
-from multiprocessing.context import ForkServerContext, SpawnContext
+from multiprocessing.context import ForkServerContext
 from multiprocessing.process import BaseProcess
 from typing import Any, Literal
 
+from orishell.conventions.copies import context_of, prepare
 from orishell.conventions.progress import Progress
 from orishell.conventions.stopping import cleaning_up
 from orishell.errors import OrishellError
 from orishell.studio.refusals import describe_error
 
 Payload = dict[str, Any]
-Work = Callable[[str, Payload, Progress], Any]
-"""Does a task by its name, given a payload and whom to tell how far it is; raises OrishellError
-for bad input. A function of a module, so that every process finds it."""
+Send = Callable[[Any], None]
+"""Is told what was found so far."""
+Work = Callable[[str, Payload, Progress, Send], Any]
+"""Does a task by its name, given a payload, whom to tell how far it is and what was found so far;
+raises OrishellError for bad input. A function of a module, so that every process finds it."""
 
-Kind = Literal["progress", "result", "refusal", "fault"]
+
+def unheard(_: Any) -> None:
+    """Nobody is told."""
+
+
+Kind = Literal["progress", "found", "result", "refusal", "fault"]
 WARM = "orishell.studio.warm"
-SAFE_PATH = "PYTHONSAFEPATH"
 STEP = 0.01
 """Progress is passed on when it grew by this share."""
 
@@ -56,31 +62,16 @@ def prepared_copies() -> Iterator[None]:
 
     Its files are removed at the end of the context, or when this process is stopped in it.
     """
-    if not isinstance(_context(), ForkServerContext):
+    context = context_of(WARM)
+    if not isinstance(context, ForkServerContext):
         yield
         return
     files = tempfile.mkdtemp(prefix="orishell-")
     with cleaning_up(lambda: shutil.rmtree(files, ignore_errors=True)):
         # Where the sockets of processes go; Python itself would leave them behind.
         vars(multiprocessing.current_process())["_config"]["tempdir"] = files
-        before = os.environ.get(SAFE_PATH)
-        os.environ[SAFE_PATH] = "1"  # modules are not those of the directory one works in
-        try:
-            forkserver.ensure_running()
-        finally:
-            if before is None:
-                del os.environ[SAFE_PATH]
-            else:
-                os.environ[SAFE_PATH] = before
+        prepare(context)
         yield
-
-
-def _context() -> ForkServerContext | SpawnContext:
-    if "forkserver" not in multiprocessing.get_all_start_methods():
-        return multiprocessing.get_context("spawn")
-    context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload([WARM])
-    return context
 
 
 def start_worker(work: Work) -> Worker:
@@ -91,7 +82,7 @@ def start_worker(work: Work) -> Worker:
     OSError
         If there is no room for one.
     """
-    context = _context()
+    context = context_of(WARM)
     ours, theirs = context.Pipe()
     files = tempfile.mkdtemp(prefix="orishell-")
     process = context.Process(target=_serve, args=(work, theirs, files), daemon=True)
@@ -156,8 +147,11 @@ def _serve(work: Work, pipe: Connection, files: str) -> None:
                 last = share
                 pipe.send(("progress", (share, what)))
 
+        def found(value: Any) -> None:
+            pipe.send(("found", value))
+
         try:
-            answer: tuple[Kind, Any] = ("result", work(name, payload, advanced))
+            answer: tuple[Kind, Any] = ("result", work(name, payload, advanced, found))
         except OrishellError as error:
             answer = ("refusal", describe_error(error))
         except Exception as error:

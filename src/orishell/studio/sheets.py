@@ -12,6 +12,7 @@ from orishell.document import Document
 from orishell.errors import InputError
 from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
+from orishell.shell.parts import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, Sheets
 from orishell.workshop import Workshop
 from orishell.workshop.drawing import ORDER
@@ -47,8 +48,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
         replace(file, frames=2),
         progress,
         clash="allowed" if proved else "unexamined",
-        measured=False,
-        loaded=False,
+        leave_out=(*MEASURES, "structure"),
     )
     document, workshop = shell.document, file.workshop
     palette = load_palette(workshop.palette)

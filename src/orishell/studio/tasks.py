@@ -3,30 +3,26 @@
 from __future__ import annotations
 
 import base64
-import io
 import tempfile
 import time
-import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
-import numpy as np
-
 from orishell.conventions.progress import Progress
 from orishell.conventions.toml_file import parse_toml
 from orishell.conventions.units import MILLIMETRES
-from orishell.curves import Curve, trace_curve
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.errors import ClashError, InputError, OrishellError
 from orishell.families.registry import FAMILIES
 from orishell.io import Settings
 from orishell.io.all_formats import find_formats
-from orishell.io.view import Curves, Drawn, dump_view
+from orishell.io.view import Curves, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
 from orishell.shell.overlay import lay_surface
+from orishell.shell.parts import PARTS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
@@ -38,17 +34,19 @@ from orishell.studio.api import (
     Verified,
     Written,
 )
+from orishell.studio.archives import zipped
+from orishell.studio.curves import sampled
 from orishell.studio.dropped import read_dropped
 from orishell.studio.limits import require_small
 from orishell.studio.names import design_name, file_name
+from orishell.studio.processes import Send, unheard
 from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
+from orishell.studio.search_api import SearchState
+from orishell.studio.searches import search_variants
 from orishell.studio.sheets import preview_sheets
 
-DRAWN = 200
-"""Points of a curve that are drawn, about."""
 FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
-ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,10 +59,13 @@ class Task:
         What the page sent: the tables of a design under "design", and what the answer takes.
     progress
         Is told the share that is done, and of what.
+    send
+        Is told what was found so far.
     """
 
     payload: dict[str, Any]
     progress: Progress
+    send: Send = unheard
 
     def warm_up(self) -> None:
         """Import what answers need, by answering: a small design of every family, and a proof."""
@@ -85,7 +86,7 @@ class Task:
             If the design cannot be made; holds its curves.
         """
         file = self._design(tolerated=True)
-        curves: Curves = {"f": _sampled(file.f, "f"), "g": _sampled(file.g, "g")}
+        curves: Curves = {"f": sampled(file.f, "f"), "g": sampled(file.g, "g")}
         frames = self.payload.get("states", STATES)
         if not isinstance(frames, int) or isinstance(frames, bool):
             raise InputError(
@@ -96,10 +97,7 @@ class Task:
                 replace(file, frames=min(max(frames, FEWEST_STATES), MOST_STATES)),
                 self.progress,
                 clash="unexamined",
-                verified=False,
-                measured=False,
-                nested=False,
-                loaded=False,
+                leave_out=PARTS,
             )
         except OrishellError as error:
             raise RefusalError({**describe_error(error), "curves": curves}) from None
@@ -150,7 +148,7 @@ class Task:
             If it is not TOML, or no design.
         """
         tables = parse_toml(str(self.payload.get("text", "")))
-        replace(self, payload={**self.payload, "design": tables})._design()
+        replace(self, payload={**self.payload, "design": tables})._design(searched=True)
         return {"design": tables}
 
     def format(self) -> Written:
@@ -163,7 +161,7 @@ class Task:
         """
         import tomli_w
 
-        self._design()
+        self._design(searched=True)
         return {"text": tomli_w.dumps(self.payload["design"])}
 
     def read_curve(self) -> DroppedCurve:
@@ -200,6 +198,17 @@ class Task:
             require_small(file)
         return find_tradeoff(file, self.progress)
 
+    def search(self) -> SearchState:
+        """What :func:`search_variants` finds, which raises as this does.
+
+        Raises
+        ------
+        InputError, DesignError
+            If nothing is to be searched for, or found.
+        """
+        path = self._design(searched=True).path
+        return search_variants(self.payload["design"], path, self.progress, self.send)
+
     def draw_sheets(self) -> Sheets:
         """The drawings that a workshop gets.
 
@@ -231,24 +240,27 @@ class Task:
             paths = sorted(Path(directory).iterdir())
             if len(paths) == 1:
                 return file_name(paths[0].name, self._name()), paths[0].read_bytes()
-            archive = io.BytesIO()
-            with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
-                for path in paths:
-                    # Drawings have the design's name; other files may name each other.
-                    drawing = path.stem.startswith("pattern")
-                    inner = file_name(path.name, self._name()) if drawing else path.name
-                    packed.writestr(zipfile.ZipInfo(inner, ZIP_DATE), path.read_bytes())
-            return f"{self._name()}-{format_.name}.zip", archive.getvalue()
+            # Drawings have the design's name; other files may name each other.
+            names = [
+                file_name(path.name, self._name()) if path.stem.startswith("pattern") else path.name
+                for path in paths
+            ]
+            archive = zipped(dict(zip(names, paths, strict=True)))
+            return f"{self._name()}-{format_.name}.zip", archive
 
     def _name(self) -> str:
         return design_name(str(self.payload.get("name", NAME)))
 
-    def _design(self, *, tolerated: bool = False) -> DesignFile:
-        """The design file of the payload, small enough for the studio."""
+    def _design(self, *, tolerated: bool = False, searched: bool = False) -> DesignFile:
+        """The design file of the payload, small enough for the studio.
+
+        What is wrong with the table [search] concerns only what asks for it.
+        """
         design: Tables | None = self.payload.get("design")
         if not isinstance(design, dict):
             raise InputError("there is no design", where="design", expected="its tables")
-        file = check_design(design, Path(f"{self._name()}.toml"), files=False)
+        asked = {key: each for key, each in design.items() if searched or key != "search"}
+        file = check_design(asked, Path(f"{self._name()}.toml"), files=False)
         file.require_target()
         if file.tolerance is None or tolerated:
             require_small(file)
@@ -266,30 +278,17 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
     "export": Task.export,
     "tradeoff": Task.find_tradeoff,
     "sheets": Task.draw_sheets,
+    "search": Task.search,
 }
 
 
-def answer(name: str, payload: dict[str, Any], progress: Progress) -> Any:
+def answer(name: str, payload: dict[str, Any], progress: Progress, send: Send = unheard) -> Any:
     """The answer to a request of a page."""
-    return TASKS[name](Task(payload, progress))
+    return TASKS[name](Task(payload, progress, send))
 
 
 def _text(content: bytes) -> str:
     return base64.b64encode(content).decode()
-
-
-def _sampled(curve: Curve, name: str) -> Drawn:
-    """Points of a curve to be drawn; empty if it cannot be used."""
-    try:
-        trace = trace_curve(curve, name)
-    except InputError:
-        return []
-    kept = np.unique(np.rint(np.linspace(0, len(trace.points) - 1, DRAWN)).astype(int))
-    corners = np.flatnonzero(np.abs(trace.heading - trace.arriving) > 0)
-    # The page says how wide and how high the curve is.
-    extremes = [*trace.points.argmin(axis=0), *trace.points.argmax(axis=0)]
-    points = trace.points[np.unique([*kept, *corners[:DRAWN], *extremes])]
-    return [(float(x), float(y)) for x, y in points]
 
 
 def _state(value: object) -> int | str | None:

@@ -78,8 +78,9 @@ class Pool:
     async def stream(self, name: str, payload: Payload) -> AsyncGenerator[tuple[Kind, Any]]:
         """Progress as ("progress", (share, what)), then the result of a task as ("result", value).
 
-        The task is found by its ``name`` and given its ``payload``. A task whose stream is closed
-        before its end is stopped.
+        In between comes what was found so far, as ("found", value). The task is found by
+        its ``name`` and given its ``payload``; if its stream is closed before its end, it is
+        stopped.
         """
         worker = await self._take()
         try:
@@ -89,7 +90,7 @@ class Pool:
             while True:
                 await readable(worker.pipe, end)
                 kind, value = await asyncio.to_thread(worker.pipe.recv)
-                if kind != "progress":
+                if kind not in ("progress", "found"):
                     break
                 yield kind, value
         except BaseException as error:

@@ -103,6 +103,8 @@ def measure_panels(
     InputError
         If only folded states are known, or a board is larger than the stock.
     """
+    if document.panel is None:
+        return None
     everything = with_clipped(document)
     boards, build = everything.boards, everything.panel
     if boards is None or build is None:

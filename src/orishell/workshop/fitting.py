@@ -154,7 +154,10 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     """
     import shapely
 
-    wrong = [k for k in range(len(sheet.corners)) if not sheet.fits(np.array([k]))]
+    corners = np.concatenate([sheet.corners, sheet.tabs.reshape(-1, 8, 2)], axis=1)
+    size = np.nanmax(corners, axis=1) - np.nanmin(corners, axis=1)
+    large = np.flatnonzero((size > (sheet.width, sheet.height)).any(axis=1))
+    wrong = [int(k) for k in large if not sheet.fits(np.array([k]))]
     if not wrong:
         return
     points = [shapely.multipoints(sheet.points(np.array([k]))) for k in wrong]

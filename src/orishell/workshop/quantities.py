@@ -94,7 +94,7 @@ def measure_quantities(
     if nested or workshop.stock is None:
         stock = measure_waste(document, workshop)
     else:
-        require_stock(document, workshop)
+        require_stock(everything, workshop)
     area = float(everything.areas().sum())
     in_metres = conversion(document.unit, "m")
     return Quantities(

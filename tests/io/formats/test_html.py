@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -34,7 +33,6 @@ from viewer_pages import (
     await_frames,
     pixels,
     require_apart,
-    running_browser,
     wait_until,
     watched_page,
 )
@@ -108,12 +106,6 @@ def test_says_what_to_do_where_the_viewer_is_not_built(tmp_path: Path, stub: Pat
         write_html(tmp_path / "viewer.html", demo_document(), DEFAULT_SETTINGS)
     assert caught.value.what == "the viewer has not been built"
     assert not (tmp_path / "viewer.html").exists()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with running_browser() as running:
-        yield running
 
 
 def opened(page: Page, path: Path) -> None:

@@ -9,9 +9,8 @@ import { BLANK, FALLBACK, FILES, MODES, TITLES, WIDTHS, WORDS } from "./curve-wo
 import { Dimensions } from "./dimensions.ts";
 import { h, pickFile, setAttribute } from "../parts/dom.ts";
 import { faultOf, isAbout } from "../state/faults.ts";
-import { figureSwitch } from "./figure-switch.ts";
 import { FormulaFields } from "./formula-fields.ts";
-import { headOf, profileGround, suitsCurve } from "./ground.ts";
+import { headOf, profileGround } from "./ground.ts";
 import { icon } from "../parts/icons.ts";
 import { PointFields } from "./point-fields.ts";
 import { fitStroke } from "./spline.ts";
@@ -140,7 +139,6 @@ export class CurveEditor {
           testid: `file-${name}`,
           act: () => void pickFile(FILES).then((file) => file && this.read(file)),
         }),
-        name === "f" ? figureSwitch(this.store, "figure-f", () => suitsCurve(this.samples, this.unit)) : null,
         this.dimensions.element,
       ),
       this.plot.element,

@@ -1,12 +1,15 @@
 // A curve by its formula: y(x), or x(t) and y(t), and a range.
 
-import { segmented } from "../parts/controls.ts";
+import { makeRoom, segmented } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Bound, CurveName, CurveTable } from "../state/types.ts";
 
 /** Typing rests this long before the formula is read, in milliseconds. */
 const TYPING = 250;
+
+/** Characters of an end of the range that there is always room for. */
+const ROOM = 4;
 
 type Form = "single" | "pair";
 
@@ -47,10 +50,7 @@ export class FormulaFields {
         "div",
         { class: "formula-line" },
         this.form.element,
-        h("span", { class: "quiet" }, "from"),
-        this.low,
-        h("span", { class: "quiet" }, "to"),
-        this.high,
+        h("span", { class: "formula-range" }, h("span", { class: "quiet" }, "from"), this.low, h("span", { class: "quiet" }, "to"), this.high),
       ),
     );
   }
@@ -98,6 +98,7 @@ export class FormulaFields {
       "data-testid": testid,
     });
     input.addEventListener("input", () => {
+      makeRoom(input, ROOM);
       clearTimeout(this.timer);
       this.timer = window.setTimeout(() => this.publish(gesture), TYPING);
     });
@@ -134,5 +135,7 @@ function shown(end: Bound): string {
 }
 
 function put(input: HTMLInputElement, text: string): void {
-  if (input.value !== text && document.activeElement !== input) input.value = text;
+  if (input.value === text || document.activeElement === input) return;
+  input.value = text;
+  makeRoom(input, ROOM);
 }

@@ -1,7 +1,8 @@
 // The plot of panels against distance: all sizes faint, the best as points that are chosen.
 
 import type { Tradeoff, Trial } from "../../shared/api-types.ts";
-import { h, s, setAttribute, uniqueId } from "../parts/dom.ts";
+import { axisAcross, axisUp } from "../../shared/plot.ts";
+import { h, nearestTo, s, setAttribute, uniqueId } from "../parts/dom.ts";
 import { LogScale } from "./front.ts";
 import { short } from "../parts/numbers.ts";
 
@@ -11,14 +12,15 @@ const LEFT = 48;
 const RIGHT = 10;
 const TOP = 8;
 const BOTTOM = 38;
+const FRAME = { left: LEFT, right: WIDTH - RIGHT, top: TOP, bottom: HEIGHT - BOTTOM };
 
 export class TradeoffPlot {
   readonly element: HTMLElement;
   private readonly frame = s("g", {});
-  private readonly cloud = s("g", { class: "tradeoff-tried", "aria-hidden": "true" });
-  private readonly line = s("polyline", { class: "tradeoff-front" });
-  private readonly allowed = s("line", { class: "tradeoff-limit", x1: LEFT, x2: WIDTH - RIGHT });
-  private readonly now = s("circle", { class: "tradeoff-now", r: 8 }, s("title", {}, "the shell on the screen"));
+  private readonly cloud = s("g", { class: "beaten", "aria-hidden": "true" });
+  private readonly line = s("polyline", { class: "line" });
+  private readonly allowed = s("line", { class: "limit", x1: LEFT, x2: WIDTH - RIGHT });
+  private readonly now = s("circle", { class: "begun", r: 8 }, s("title", {}, "the shell on the screen"));
   private readonly points = s("g", { role: "radiogroup", "aria-label": "Sizes that no other beats" });
   private best: readonly Trial[] = [];
   private chosen = 0;
@@ -36,7 +38,7 @@ export class TradeoffPlot {
     this.points.addEventListener("keydown", (event) => this.key(event));
     this.element = h(
       "figure",
-      { class: "tradeoff-figure", "aria-labelledby": id },
+      { class: "front-figure", "aria-labelledby": id },
       h("figcaption", { id, class: "note" }, "Largest distance from the surface against the number of panels. Choose a point."),
       drawing,
     );
@@ -47,7 +49,11 @@ export class TradeoffPlot {
     const errors = [...tried, ...best].map(({ error }) => error);
     this.panels = LogScale.of(tried.map(({ panels }) => panels), LEFT, WIDTH - RIGHT);
     this.errors = LogScale.of(errors, HEIGHT - BOTTOM, TOP);
-    this.frame.replaceChildren(...this.axes(this.panels, this.errors, unit));
+    const { panels: across, errors: up } = this;
+    this.frame.replaceChildren(
+      ...axisAcross(FRAME, { ticks: across.ticks(), at: (value) => across.at(value), written: short, name: "panels" }),
+      ...axisUp(FRAME, { ticks: up.ticks(), at: (value) => up.at(value), written: short, name: `distance (${unit})` }),
+    );
     const place = ({ panels, error }: Trial): [number, number] => [this.panels!.at(panels), this.errors!.at(error)];
     this.cloud.replaceChildren(
       ...tried.map((trial) => {
@@ -62,7 +68,7 @@ export class TradeoffPlot {
         const words = `${trial.rows} rows, ${trial.columns} columns: ${trial.panels} panels, ${short(trial.error, 3)} ${unit}`;
         return s(
           "g",
-          { class: "tradeoff-point", role: "radio", "aria-label": words, "data-testid": `front-${number}` },
+          { class: "point", role: "radio", "aria-label": words, "data-testid": `front-${number}` },
           s("title", {}, words),
           s("circle", { class: "touched", cx, cy, r: 12 }),
           s("circle", { class: "dot", cx, cy, r: 4.5 }),
@@ -126,11 +132,7 @@ export class TradeoffPlot {
 
   /** The point nearest to the pointer: they lie closer together than fingers are wide. */
   private click(event: MouseEvent): void {
-    const away = [...this.points.children].map((point) => {
-      const box = point.querySelector(".dot")!.getBoundingClientRect();
-      return Math.hypot(box.x + box.width / 2 - event.clientX, box.y + box.height / 2 - event.clientY);
-    });
-    this.choose(away.indexOf(Math.min(...away)));
+    this.choose(nearestTo(event, this.points));
     this.focus();
   }
 
@@ -151,29 +153,5 @@ export class TradeoffPlot {
 
   private focus(): void {
     (this.points.children[this.chosen] as SVGGElement).focus();
-  }
-
-  private axes(panels: LogScale, errors: LogScale, unit: string): SVGElement[] {
-    const across = panels.ticks().flatMap((tick) => {
-      const x = panels.at(tick);
-      return [
-        s("line", { class: "tradeoff-grid", x1: x, x2: x, y1: TOP, y2: HEIGHT - BOTTOM }),
-        s("text", { x, y: HEIGHT - BOTTOM + 14, "text-anchor": "middle" }, short(tick)),
-      ];
-    });
-    const up = errors.ticks().flatMap((tick) => {
-      const y = errors.at(tick);
-      return [
-        s("line", { class: "tradeoff-grid", x1: LEFT, x2: WIDTH - RIGHT, y1: y, y2: y }),
-        s("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, short(tick)),
-      ];
-    });
-    const middle = (TOP + HEIGHT - BOTTOM) / 2;
-    return [
-      ...across,
-      ...up,
-      s("text", { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 6, "text-anchor": "middle" }, "panels"),
-      s("text", { x: 12, y: middle, "text-anchor": "middle", transform: `rotate(-90 12 ${middle})` }, `distance (${unit})`),
-    ];
   }
 }

@@ -87,7 +87,7 @@ export function setNumber(input: HTMLInputElement, text: string): void {
 /** Characters that a box has room for without growing. */
 const ROOM = 8;
 
-/** A box grows with its number, so that none is cut. */
-function makeRoom(input: HTMLInputElement): void {
-  input.style.setProperty("--digits", String(Math.max(ROOM, input.value.length)));
+/** A box grows with what is in it, so that nothing is cut. */
+export function makeRoom(input: HTMLInputElement, least = ROOM): void {
+  input.style.setProperty("--digits", String(Math.max(least, input.value.length)));
 }

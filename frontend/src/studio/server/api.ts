@@ -120,8 +120,13 @@ export function drawSheets(design: Design, name: string, signal: AbortSignal, pr
   return streamed("sheets", { design, name }, signal, progressed);
 }
 
-/** The result of work whose progress is told while it is under way. */
-async function streamed<T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed): Promise<T> {
+/** Search the variants of a design; what is found is told as it is, aborting stops the search. */
+export function searchDesigns(design: Design, name: string, signal: AbortSignal, found: (state: Api.SearchState) => void): Promise<Api.SearchState> {
+  return streamed("search", { design, name }, signal, () => undefined, found);
+}
+
+/** The result of work whose progress, and what it finds, is told while it is under way. */
+async function streamed<T>(path: string, body: unknown, signal: AbortSignal, progressed: Progressed, found?: (value: T) => void): Promise<T> {
   const response = await ask(path, body, signal);
   const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
@@ -132,10 +137,11 @@ async function streamed<T>(path: string, body: unknown, signal: AbortSignal, pro
     rest = lines.pop()!;
     for (const line of lines) {
       if (!line.trim()) continue;
-      const message = JSON.parse(line) as Api.Advance | { result: T } | Api.Refusal;
+      const message = JSON.parse(line) as Api.Advance | { found: T } | { result: T } | Api.Refusal;
       if ("error" in message) throw refusalOf(message);
       if ("result" in message) return message.result;
-      progressed(message.progress, message.what);
+      if ("found" in message) found?.(message.found);
+      else progressed(message.progress, message.what);
     }
     if (done) throw unreachable();
   }

@@ -8,7 +8,7 @@ import { fetchView } from "./early-view.ts";
 import { ServerFault, faultOf } from "../state/faults.ts";
 import { Flights } from "./flights.ts";
 import { leaveOpen } from "./left-open.ts";
-import { sized } from "../state/sizing.ts";
+import { isSameShell, sized } from "../state/sizing.ts";
 import { isOfFile } from "../state/stale.ts";
 import { STATES, allStates, liveStates } from "./states.ts";
 import type { Store } from "../state/store.ts";
@@ -44,7 +44,9 @@ export class Live {
     /** Draws the store's view; resolves when its frame has been drawn. */
     private readonly draw: () => Promise<void>,
   ) {
-    store.design.watch(() => this.changed());
+    store.design.watch((design, before) => {
+      if (!isSameShell(design, before)) this.changed();
+    });
   }
 
   /** Nothing is under way or waiting. */

@@ -45,10 +45,8 @@ export function addInspection(store: Store, stage: Stage, results: Results): voi
   const place = (): void => void (NARROW.matches ? stage.frame.after(cards) : stage.frame.append(cards));
   NARROW.addEventListener("change", place);
   stage.frame.after(past.element);
-  stage.frame.append(
-    h("div", { class: "scene-tools", role: "group", "aria-label": "Measure and compare" }, measure.button, compare.button, past.button),
-    standing.legend,
-  );
+  stage.tools.append(measure.button, compare.button, past.button);
+  stage.frame.append(standing.legend);
   place();
   foldByKeys(fold);
   document.addEventListener("keydown", (event) => {

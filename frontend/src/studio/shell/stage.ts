@@ -27,6 +27,8 @@ export class Stage {
   /** The switches of what is shown, and the frame that tools and cards lie over. */
   readonly overlays: HTMLElement;
   readonly frame: HTMLElement;
+  /** Tools over the scene: others join the first. */
+  readonly tools: HTMLElement;
   private readonly scene = h("div", { class: "scene", "data-testid": "scene" });
   private readonly loads: LoadedControls;
   private readonly state = h("div", { class: "scene-state", "data-testid": "freshness" });
@@ -51,7 +53,12 @@ export class Stage {
     );
     this.shell = new Shell3D(this.scene, { label: "Shell in space" });
     this.loads = new LoadedControls(this.shell, (on) => this.fold.hold(on));
-    this.frame = h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state);
+    this.tools = h(
+      "div",
+      { class: "scene-tools", role: "group", "aria-label": "Fit, measure and compare" },
+      button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
+    );
+    this.frame = h("div", { class: "scene-frame" }, this.scene, h("div", { class: "computing", "aria-hidden": "true" }), this.state, this.tools);
     this.element = h(
       "section",
       { class: "stage", "aria-label": "Shell in space" },
@@ -61,7 +68,6 @@ export class Stage {
         colours.element,
         this.overlays,
         this.loads.element,
-        button({ label: "Fit the shell into view", icon: "fit", testid: "fit", act: () => this.shell.fit() }),
       ),
       this.frame,
       banner,

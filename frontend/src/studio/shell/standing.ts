@@ -8,7 +8,6 @@ import { Person3D } from "../../shared/person3d.ts";
 import { tiesOf } from "../../shared/ties.ts";
 import type { View } from "../../shared/view.ts";
 import { h } from "../parts/dom.ts";
-import { figureSwitch } from "../curves/figure-switch.ts";
 import { Signal } from "../state/signal.ts";
 import type { Stage } from "./stage.ts";
 import type { Store } from "../state/store.ts";
@@ -39,7 +38,8 @@ export class Standing {
     const person = new Person3D(shell.uniforms), ties = new Ties3D(shell.uniforms);
     const redraw = shell.add(person), redrawTies = shell.add(ties);
     shell.add(new Feet3D(shell.uniforms));
-    const personSwitch = figureSwitch(store, "person");
+    const standing = h("input", { type: "checkbox", "data-testid": "person", onchange: () => store.figure.set(standing.checked) });
+    const personSwitch = h("label", { class: "check", title: "a person of 1.75 m beside shell and profile, for the size" }, standing, "Person");
     const tied = h("input", { type: "checkbox", checked: true, "data-testid": "ties", onchange: () => {
       ties.setVisible(tied.checked);
       redrawTies();
@@ -47,6 +47,7 @@ export class Standing {
     const tiesSwitch = h("label", { class: "check", title: "taut: a line; slack: dashes" }, tied, "Ties");
     stage.overlays.append(personSwitch, tiesSwitch);
     store.figure.bind((on) => {
+      standing.checked = on;
       person.setVisible(on);
       redraw();
     });

@@ -1,5 +1,6 @@
 // Keys of the design file in the words of the page: the labels of its controls.
 
+import { capital } from "../../shared/words.ts";
 import type { Info, Remedy, Value } from "./types.ts";
 
 /** Tables whose controls are not listed by the server, or that have none. */
@@ -42,6 +43,22 @@ export class Labels {
   /** The label of a key of the table [pattern]; the key itself where it has no control. */
   of(key: string): string {
     return this.find(key) ?? key;
+  }
+
+  /** The label of a key with its tables in front of it. */
+  place(place: string): string {
+    const [table = "", ...rest] = place.split(".");
+    const curve = table === "target" ? ` of ${rest.shift()}` : "";
+    const names = rest.filter((each) => !isPlace(each));
+    const label = (table === "pattern" ? this.find(names[0]!) : TABLES[table]?.[names[0]!]) ?? capital(names.join(" ").replaceAll("_", " "));
+    // Places in a list are counted from 1.
+    return [label, ...rest.filter(isPlace).map((each) => Number(each) + 1)].join(" ") + curve;
+  }
+
+  /** The section of the page, or the table, that a key stands in. */
+  section(place: string): string {
+    const [table = ""] = place.split(".");
+    return table === "target" ? "Curves" : (SECTIONS[table] ?? capital(table.replaceAll("_", " ")));
   }
 
   /** A text of the server with labels for keys, and sections of the page for tables. */
@@ -87,6 +104,10 @@ export class Labels {
 /** Within a sentence a label begins small. */
 function small(label: string): string {
   return label.charAt(0).toLowerCase() + label.slice(1);
+}
+
+function isPlace(name: string): boolean {
+  return /^\d+$/.test(name);
 }
 
 function written(value: Value): string {

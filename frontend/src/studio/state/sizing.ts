@@ -1,4 +1,4 @@
-// A design whose size was chosen by a tolerance, as one that says its size itself.
+// Designs as shells: one whose size was chosen by a tolerance, two that differ in their search only.
 
 import type { Design, Report } from "./types.ts";
 
@@ -16,4 +16,12 @@ export function sized(design: Design, report: Report | null): Design {
     if (!(key in design.pattern) && taken !== undefined) pattern[key] = taken;
   }
   return { ...rest, pattern };
+}
+
+/** Whether two designs, one of which came from the other, differ in what is searched for only. */
+export function isSameShell(design: Design, before: Design): boolean {
+  const { search: _, ...now } = design;
+  const { search: __, ...then } = before;
+  const names = new Set([...Object.keys(now), ...Object.keys(then)]) as Set<keyof typeof now>;
+  return [...names].every((name) => Object.is(now[name], then[name]));
 }

@@ -31,6 +31,25 @@ export interface Tolerance {
   panel_max?: number;
 }
 
+/** What a key may be in a search: all from one number to another, or one of a list. */
+export type Variable = { low: number; high: number; step?: number } | Value[];
+
+export interface Limit {
+  least?: number;
+  most?: number;
+}
+
+/** The table [search] of a design file. */
+export interface SearchTable {
+  variables: Record<string, Variable>;
+  minimise: string[];
+  subject_to?: Record<string, Limit>;
+  evaluations?: number;
+  population?: number;
+  seed?: number;
+  method?: string;
+}
+
 /** The tables of a design file. */
 export interface Design {
   shell: { family: string; unit: string; ground?: "z0" | "as-drawn" };
@@ -43,6 +62,7 @@ export interface Design {
   workshop?: Record<string, Value>;
   structure?: Record<string, Value>;
   load_case?: Record<string, Value>[];
+  search?: SearchTable;
 }
 
 /** The report of the shell on the screen: while it changes, without what only the proof can say. */

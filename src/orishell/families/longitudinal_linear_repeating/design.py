@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import Annotated, Any, Final
@@ -272,17 +272,15 @@ class _Target:
             wanted = replace(free, advance=(weights, length))
             return find_even_lengths(directions, wanted) is not None
 
-        def candidates() -> Iterator[Remedy]:
-            # The range is that of sheets in proportion; others are made, too.
-            start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
-            if start is not None:
-                length = bisect(works, start, self.line.length)
-                yield from sizes("g", self.line.trace.curve, length / self.line.length)
-            yield AUTO_SECTORS
+        # The range is that of sheets in proportion; others are made, too.
+        start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
+        share = None if start is None else bisect(works, start, self.line.length) / self.line.length
+        g = self.line.trace.curve
 
         raise DesignError(
             "a sheet with a middle row as long as g would have creases of zero or negative length",
             size=f"g is {self.line.length:.6g} long, and with column 1 following f the middle row "
             f"may be {low:.6g} to {high:.6g} long",
-            candidates=candidates(),
+            candidates=chain(() if share is None else sizes("g", g, share), [AUTO_SECTORS]),
+            excess=None if share is None else max(share, 1 / share) - 1,
         )

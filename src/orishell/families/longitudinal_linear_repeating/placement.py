@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from orishell.design import Approached, Design, Parameter
+from orishell.design import Approached, Design, Parameter, Path, Sliding, Surface
 from orishell.families.longitudinal_linear_repeating.motion.measures import (
     describe_radii,
     measure_departures,
@@ -21,7 +21,6 @@ from orishell.families.longitudinal_linear_repeating.target import Line, Profile
 from orishell.families.longitudinal_linear_repeating.target_state import TargetState
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness, measure_closeness
-from orishell.surface import Path, Sliding, Surface
 
 
 def place(

@@ -78,6 +78,7 @@ def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
     raise DesignError(
         condition,
         candidates=chain(choices, nearer_to_90(columns.sectors[0])),
+        excess=rows / max(fewer_rows, 1) - 1,
     )
 
 
@@ -125,6 +126,7 @@ def with_fitting_border(
                 keys=("pattern.flap",),
                 size=f"flap = {given:.4g} is too wide",
                 candidates=values("flap", 0.0, share * given, given),
+                excess=1 / share - 1,
             )
         mechanism = _with_flap(mechanism, 0.5 * share * given)
     return mechanism
@@ -143,6 +145,7 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
                     *(Remedy({"pattern.rows": len(turns) - 1 + more}) for more in (2, 4, 8)),
                     Remedy({"pattern.column_lengths": "auto"}),
                 ],
+                excess=-turns[row, worst].min(),
             )
     if turns.min() < SLENDER:
         panel = np.argwhere(turns == turns.min())[0, :2].tolist()
@@ -151,6 +154,7 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
             place=f"panel {panel}",
             size=f"the sine of a corner is {turns.min():.1g} and must be at least {SLENDER:g}",
             candidates=[*(Remedy({"pattern.solution": other}) for other in (0, 1)), AUTO_SECTORS],
+            excess=1 - turns.min() / SLENDER,
         )
     flat = mechanism.positions(0.0)[..., :2]
     border = np.concatenate([flat[0], flat[1:, -1], flat[-1, -2::-1], flat[-2:0:-1, 0]])

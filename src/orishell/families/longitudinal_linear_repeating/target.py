@@ -48,6 +48,7 @@ class Line:
                 place=f"at parameter {trace.curve.as_drawn(trace.t[worst]):.6g} of g",
                 size=f"g leaves a straight line by {leaves:.4g}; it is {trace.length:.4g} long",
                 candidates=[_straight(trace)],
+                excess=max(leaves / trace.length, 1 - length / trace.length) - STRAIGHT,
             )
         return cls(trace, trace.points[0], chord / length, length)
 
@@ -78,15 +79,17 @@ class Profile:
         """
         trace = run_along_axis(trace)
         turned = float(trace.heading[-1] - trace.heading[0])
-        if abs(turned) < TURNING_BACK:
+        spread = float(np.ptp([trace.heading, trace.arriving]))
+        if spread < TURNING_BACK:
             raise DesignError(
                 "f is straight, but the rows of this family all turn the same way",
+                excess=1 - spread / TURNING_BACK,
             )
         side = -1 if turned > 0 else 1
         back = -side * np.stack([trace.arriving, trace.heading]).T.ravel()
         fall = np.maximum.accumulate(back) - back
         if fall.max() > TURNING_BACK:
-            raise _not_convex(trace)
+            raise _not_convex(trace, fall.max())
         return cls(trace, side)
 
     @property
@@ -129,7 +132,7 @@ class Profile:
         return trace.curve.position(t)
 
 
-def _not_convex(trace: Trace) -> DesignError:
+def _not_convex(trace: Trace, back: float) -> DesignError:
     """The error for an f that is not convex: its first inflection, its longest convex part."""
     steps = np.sign(np.where(np.abs(np.diff(trace.heading)) > 1e-9, np.diff(trace.heading), 0.0))
     turning = np.flatnonzero(steps)
@@ -146,6 +149,7 @@ def _not_convex(trace: Trace) -> DesignError:
         size=f"f turns the other way from there, its tangents spreading over {in_degrees(spread)} "
         "degrees",
         candidates=[part("f", trace.curve, low, high)],
+        excess=back / np.pi,
     )
 
 

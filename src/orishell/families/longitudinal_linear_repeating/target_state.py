@@ -115,6 +115,7 @@ def require_before_end(drive: float, end: float) -> None:
             candidates=chain(
                 angles("stage_deg", 0.0, end, drive), [Remedy({"pattern.stage_deg": "auto"})]
             ),
+            excess=(drive - end) / np.pi,
         )
 
 
@@ -157,6 +158,7 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
             size=f"they turn by {in_degrees(turning(begin))} degrees at least, because rows fan "
             f"out in the flat sheet; f turns by {in_degrees(profile.turning)}",
             candidates=candidates(-1),
+            excess=(turning(begin) - profile.turning) / np.pi,
         )
     at = np.geomspace(begin, end, STEPS)
     enough = turnings(columns, rows, first_row, at, profile.side) >= profile.turning
@@ -171,6 +173,7 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
         size=f"they turn by {in_degrees(turning(end))} degrees at the end of the motion; f turns "
         f"by {in_degrees(profile.turning)}",
         candidates=candidates(1),
+        excess=(profile.turning - turning(end)) / np.pi,
     )
 
 
@@ -189,6 +192,7 @@ def _require_one_way(turns: Array, profile: Profile) -> None:
             place=f"at row {row}",
             size=f"F and S rows turn by {in_degrees(turns[0])} and {in_degrees(turns[1])} degrees",
             candidates=[AUTO_SECTORS],
+            excess=(turns * profile.side).max() / np.pi,
         )
 
 
@@ -209,4 +213,5 @@ def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
         place=f"at parameter {trace.curve.as_drawn(trace.t[near]):.6g} of f, row {max(worst, 1)}",
         size=f"the crease there would be {forward[worst]:.4g} long",
         candidates=[Remedy({"pattern.column_lengths": [1.0] * (len(turns) + 1)})],
+        excess=SHORTEST - forward[worst] / np.abs(steps).sum(),
     )

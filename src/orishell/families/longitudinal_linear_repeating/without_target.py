@@ -165,6 +165,7 @@ def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None
         if inner is None
         else f"the shortest crease would be {inner.shortest:.4g} long",
         candidates=_candidates(request, columns),
+        excess=None if inner is None else -inner.shortest / np.abs(inner.row).mean(),
     )
 
 
@@ -201,6 +202,7 @@ def _require_folded(sheet: LongitudinalLinearRepeating, stage: float) -> None:
                 Remedy({"pattern.stage_deg": rounded(np.rad2deg(more * UNFOLDED / share))})
                 for more in (1.01, 2.0)
             ],
+            excess=1 - stage * share / UNFOLDED,
         )
 
 

@@ -54,6 +54,7 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
             place=f"at parameter {trace.curve.as_drawn(place):.6g} of f",
             size=f"the depth must stay below f's radius of curvature, which is {radius:.4g} there",
             candidates=candidates,
+            excess=h / radius - 1,
         )
     angles = place_zigzag(trace, rows, h).angles
     row = int(angles.argmax()) + 1
@@ -65,6 +66,7 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
         size=f"its angle there, measured from the alternating sides, is "
         f"{in_degrees(angles[row - 1])} degrees and must be below 180",
         candidates=candidates,
+        excess=angles[row - 1] / np.pi - 1,
     )
 
 

@@ -209,6 +209,7 @@ def _turns_too_far(g: Trace, headings: HeadingConditions) -> DesignError:
             | Remedy({"pattern.heading_deg": "auto"})
             for share in PARTS
         ),
+        excess=np.ptp(direction) / np.pi - 1,
     )
 
 
@@ -223,6 +224,7 @@ def _does_not_cross(
         size=f"the angle between them is {in_degrees(eps[worst])} degrees, and must lie between "
         f"0 and 180{limits}",
         candidates=candidates,
+        excess=max(-eps[worst], eps[worst] - np.pi) / np.pi,
     )
 
 
@@ -245,6 +247,7 @@ def _rows_meet(
         size=f"the crease there would be {share[row, column] * length[row, 0]:.4g} long, "
         f"in column 1 it is {length[row, 0]:.4g}{limits}",
         candidates=candidates,
+        excess=-share[row, column],
     )
 
 
@@ -256,4 +259,5 @@ def _flap_too_wide(
         keys=("pattern.flap",),
         size=f"they are {headings.flap:.4g} wide, and there is room for {room:.4g}",
         candidates=candidates,
+        excess=(headings.flap or 0.0) / room - 1,
     )

@@ -102,6 +102,7 @@ class Row:
                 keys=("pattern.columns",),
                 size=f"there are {columns} columns, and must be at least {FEWEST}",
                 candidates=(Remedy({"pattern.columns": count}) for count in MORE),
+                excess=1 - columns / FEWEST,
             )
         return _fit(g, columns, heading, angle)
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.curves import Trace, curve_from_points, trace_curve
-from orishell.design import Approached
+from orishell.design import Approached, Path, Sliding, Surface
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.polylines import Zigzag
-from orishell.surface import Path, Sliding, Surface
 
 STRAIGHT = 1e-9
 """A g that leaves the columns' normal by less than this share of its length follows it."""

@@ -36,7 +36,7 @@ from numpy.typing import ArrayLike
 from orishell.design import FlapSide
 from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.parallel_repeating.acceleration import bound_edges
-from orishell.families.parallel_repeating.columns import Columns, from_middle, interleaved, turned
+from orishell.families.parallel_repeating.columns import Columns, interleaved, running_sums, turned
 from orishell.families.parallel_repeating.distances import squared_distances
 from orishell.families.vertex import column_fold_angle, row_fold_angle
 from orishell.motion import mechanism_in_one_line
@@ -100,11 +100,12 @@ class ParallelRepeating(FlapSheet):
 
     def column_arcs(self) -> Array:
         """Arc length (m+2,) along the first column from its middle vertex."""
-        return from_middle(self.lengths)
+        return running_sums(self.lengths, len(self.lengths) // 2)
 
     def locked_heights(self) -> Array:
         """Height z (m+2,) of every row at lock, 0 at the middle row."""
-        return from_middle(self._rising() * self.lengths * np.cos(self.xi / 2))
+        rises = self._rising() * self.lengths * np.cos(self.xi / 2)
+        return running_sums(rises, len(rises) // 2)
 
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).
@@ -221,7 +222,7 @@ class ParallelRepeating(FlapSheet):
             slope=slope,
             sines=right.imag,
             sines_next=left.imag,
-            rest=float(slope[self._existing].min()),
+            existing=self._existing,
         )
 
     @property
@@ -254,7 +255,8 @@ class ParallelRepeating(FlapSheet):
             The tightest w, (..., 1).
         """
         rest = columns.rest
-        w = np.hypot(columns.slope_beyond, tight)
+        there = tight == rest  # at the target what is known needs no square root
+        w = np.where(there, columns.slope, np.hypot(columns.slope_beyond, tight))
         # Turns against the target state, of a segment from the column at its left, and of a
         # column from the segment at its left: exp(i (eps - delta)), exactly 1 at the target.
         inner, slope = w[..., 1:-1], columns.slope[1:-1]
@@ -279,7 +281,7 @@ class ParallelRepeating(FlapSheet):
         home = (weight * self.points).sum()
         row = row * back + (home - (weight * row).sum(axis=-1, keepdims=True) * back)
 
-        half = np.hypot(columns.tau_beyond, tight)
+        half = np.where(there, columns.tau, np.hypot(columns.tau_beyond, tight))
         axis = of_axis * self.axes * back
         spread = axis * half
 

@@ -107,6 +107,7 @@ class Row:
             candidates=angles("plane_deg", low, high, self.plane)
             if turnable
             else self._enough_columns(trace, spacing, placement),
+            excess=outside[worst] / np.pi,
         )
 
     def _enough_columns(

@@ -45,6 +45,7 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
         place=f"at row {row} between columns {column} and {column + 1}",
         size=f"the crease there would be {length:.4g} long, where f reaches {reach:.4g} from g",
         candidates=chain(sizes("f", f, scale), sizes("g", g, 1 / scale)),
+        excess=SHORTEST_EDGE - share[worst],
     )
 
 
@@ -66,6 +67,7 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
                 "the flaps are too narrow or too wide for this sheet",
                 size=f"they are {flap:.4g} wide, and may be {limits[0]:.4g} to {limits[1]:.4g}",
                 candidates=values("flap", limits[0], limits[1], flap),
+                excess=max(1 - flap / limits[0], flap / limits[1] - 1),
             )
     for name, shortest, key, count in (
         (
@@ -83,6 +85,7 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
                 size=f"it is {shortest:.4g} long, and must be at least {RESOLUTION:g} of "
                 f"the sheet's diagonal, which is {size:.4g}",
                 candidates=fewer(key, count),
+                excess=1 - shortest / (RESOLUTION * size),
             )
 
 
@@ -116,6 +119,7 @@ def require_flat_sheet(
             "the flaps overlap in the flat sheet",
             size=f"they are {flap:.4g} wide",
             candidates=values("flap", 0.0, share * flap, flap) if share else (),
+            excess=1 / share - 1 if share else None,
         )
 
     def works(xi: float) -> bool:
@@ -142,6 +146,7 @@ def require_flat_sheet(
         "the flat sheet overlaps itself: g turns too far",
         place=f"first at column {columns + 1}",
         candidates=candidates(),
+        excess=len(parameters) / columns - 1,
     )
 
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.curves import Trace
-from orishell.design import Approached
+from orishell.design import Approached, Path, Surface, Turning
 from orishell.polylines import Staircase
-from orishell.surface import Path, Surface, Turning
 
 STRETCHED = 1e-9
 """A stretch that differs from 1 by less than this counts as none."""

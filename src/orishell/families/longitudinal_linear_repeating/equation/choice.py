@@ -96,6 +96,7 @@ def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
             if len(solutions) == 1
             else f"it has {len(solutions)}, numbers 0 to {len(solutions) - 1}",
             candidates=[Remedy({"pattern.solution": len(solutions) - 1})],
+            excess=(number + 1) / len(solutions) - 1,
         )
     return solutions[number]
 

@@ -113,6 +113,7 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
                     Remedy({"pattern.couplings": [*couplings[:number], *ends]}),
                     Remedy({"pattern.couplings": "periodic"}),
                 ],
+                excess=1 - (number + 1) / (len(couplings) + 1),
             )
         sectors.append(further[0].second)
         multipliers.append(multipliers[-1] * further[0].c)

@@ -9,11 +9,11 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.design.surface import Surface
 from orishell.errors import InputError
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness
-from orishell.surface import Surface
 
 FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""

@@ -7,13 +7,12 @@ import pytest
 from hypothesis import given, settings
 
 from orishell.curves import Curve, curve_from_points, trace_curve
-from orishell.design import Design
+from orishell.design import Design, Path, Sliding, Surface, Turning
 from orishell.deviation.triangles import Triangles
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,
 )
-from orishell.surface import Path, Sliding, Surface, Turning
 from strategies import (
     Request,
     graph,

@@ -10,10 +10,10 @@ import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.curves import Trace
+from orishell.design.path import Path
+from orishell.design.rails import Rail
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.quads import area_vectors, lengths
-from orishell.surface.path import Path
-from orishell.surface.rails import Rail
 
 LOOSE = 20.0
 """A lattice leaves the surface by about its step over this, if nothing else is asked for."""
@@ -79,7 +79,7 @@ class Surface:
     >>> from orishell.curves import curve_from_formulas, parse_formula, trace_curve
     >>> f = trace_curve(curve_from_formulas(None, parse_formula("-x**2"), -1, 1))
     >>> g = trace_curve(curve_from_formulas(None, parse_formula("0*x"), 0, 3))
-    >>> from orishell.surface import Path, Turning
+    >>> from orishell.design import Path, Turning
     >>> surface = Surface(f, np.zeros(2), Turning(Path.of(g), np.pi / 2))
     >>> surface.points(np.array(1.0), np.array(0.5))
     array([ 3.  , -0.5 , -0.25])

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.design.path import Path
 from orishell.numerics.arrays import Array, Complex, Integers
-from orishell.surface.path import Path
 
 NEWTON_STEPS = 8
 MET = 1e-9

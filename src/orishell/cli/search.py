@@ -1,0 +1,112 @@
+"""``orishell search``: the best of a design's variants, by what its table [search] asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from orishell.cli.files import directory, shortened
+from orishell.cli.printing import say
+from orishell.cli.progress import bar
+from orishell.conventions.stopping import asked_to_stop
+
+if TYPE_CHECKING:
+    from orishell.search import Crew, Found, Outcome, Problem
+
+SHOWN = 12
+"""Members of a front that are printed; of more, the ends and those about the knee."""
+
+
+def search(
+    file: Annotated[Path, typer.Argument(help="The design file (TOML), with a table [search].")],
+    out: Annotated[
+        Path, typer.Option(parser=directory, help="Directory for the files; made if needed.")
+    ],
+    *,
+    processes: Annotated[
+        int | None, typer.Option(min=1, help="Processes of this machine; one a core without it.")
+    ] = None,
+    cluster: Annotated[
+        str | None,
+        typer.Option(help="Address of a Dask scheduler whose workers are to make the designs."),
+    ] = None,
+) -> None:
+    """Search a design's variants for those that no other beats; go on where a search ended."""
+    with _crew(processes, cluster) as crew:  # at once: it imports what this process does meanwhile
+        _search(file, out, crew)
+
+
+def _search(file: Path, out: Path, crew: Crew) -> None:
+    from orishell.io import OutputDirectory
+    from orishell.search import open_journal, read_problem, search_designs
+    from orishell.search.journal import NAME
+    from orishell.search.write import require_apart, require_installed, write_found
+
+    require_installed()
+    OutputDirectory(out).require_usable()
+    problem = read_problem(file)
+    require_apart(problem, out)
+    with open_journal(out / NAME, problem.fingerprint()) as journal:
+        known = len(journal)
+        if known:
+            say(f"orishell: {known} designs were made before: {out / NAME}", err=True)
+        writing = "orishell: stopping, and writing what there is"
+        with asked_to_stop(writing) as stopped, bar() as shown:
+            found = search_designs(problem, crew, journal, shown, stop=stopped)
+        with asked_to_stop("orishell: stopping, without the other shells") as stop, bar() as shown:
+            written = write_found(problem, found, out, crew, shown, stop=stop)
+    say("\n".join(_summary(problem, found, written)))
+    if not found.whole:
+        raise typer.Exit(128 + stopped.number)
+
+
+def _crew(processes: int | None, address: str | None) -> AbstractContextManager[Crew]:
+    from orishell.search import dask_workers, local_processes
+
+    return local_processes(processes) if address is None else dask_workers(address)
+
+
+def _summary(problem: Problem, found: Found, written: list[Path]) -> Iterator[str]:
+    from orishell.search.feasible import reasons, violation
+    from orishell.search.front import costs
+
+    made = found.outcomes
+    feasible = sum(violation(problem, each) == 0.0 for each in made)
+    whole = "" if found.whole else ", stopped before its end: the same command goes on"
+    yield f"searched  {len(made)} designs, {feasible} of them feasible{whole}"
+    for reason, count in reasons(problem, made)[:3]:
+        yield f"          {count}: {reason}"
+    members, knee = found.front.members, found.front.knee
+    yield f"front     {len(members)} design{'s' * (len(members) > 1)} that no other beats"
+    last = -1
+    for number in _printed(len(members), knee):
+        if number > last + 1:
+            yield "          ..."
+        mark = "  <- knee" if number == knee else ""
+        yield f"          {found.front.name(number)}  {_figures(problem, members[number])}{mark}"
+        last = number
+    for number in (knee - 1, knee + 1):
+        if 0 <= number < len(members):
+            words = costs(problem, members[knee], members[number])
+            yield f"          from the knee to {found.front.name(number)}: {words}"
+    yield from (f"wrote     {text}" for text in shortened(written))
+
+
+def _printed(count: int, knee: int) -> list[int]:
+    if count <= SHOWN:
+        return list(range(count))
+    about = range(max(knee - 2, 0), min(knee + 3, count))
+    return sorted({0, 1, *about, count - 2, count - 1})
+
+
+def _figures(problem: Problem, outcome: Outcome) -> str:
+    from orishell.conventions.formatting import rounded
+
+    return ", ".join(
+        f"{each.label(problem.unit)} {rounded(outcome.figures[each.name]):g}"
+        for each in problem.objectives
+    )

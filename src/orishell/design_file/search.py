@@ -1,0 +1,216 @@
+"""The table [search] of a design file: what may be changed, and what is to be small."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.table import Number, Table
+
+Method = Literal["auto", "nsga2", "nsga3", "grid"]
+"""How designs are chosen: NSGA-II, or III beyond three objectives; or one of them, or all there
+are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """Numbers that a key may have.
+
+    Parameters
+    ----------
+    low, high
+        The least and the largest.
+    step
+        From one to the next; None for all numbers between.
+    """
+
+    low: float
+    high: float
+    step: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """What a figure of the report may be.
+
+    Parameters
+    ----------
+    least, most
+        The least and the largest; None where there is no limit.
+    """
+
+    least: float | None = None
+    most: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """What is searched for among the variants of a design.
+
+    Parameters
+    ----------
+    variables
+        Values that keys of the design file may have, by key, its tables in front of it.
+    minimise
+        Figures of the report that are to be as small as can be.
+    subject_to
+        What figures of the report may be, by name.
+    evaluations
+        Designs that are made, at most.
+    population
+        Designs of which the next ones are bred.
+    seed
+        Of the random numbers.
+    method
+        How designs are chosen.
+    """
+
+    variables: Mapping[str, Range | tuple[Any, ...]]
+    minimise: tuple[str, ...]
+    subject_to: Mapping[str, Limit]
+    evaluations: int
+    population: int
+    seed: int
+    method: Method
+
+
+class RangeTable(Table):
+    """Numbers from one to another."""
+
+    low: int | Number
+    high: int | Number
+    step: Annotated[int | Number, Field(gt=0)] | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if not self.low < self.high:
+            raise PydanticCustomError(
+                "empty_range",
+                "a value above low ({low})",
+                {"low": f"{self.low:g}", "key": "high", "got": self.high},
+            )
+        return self
+
+
+class LimitTable(Table):
+    """What a figure may be at least, and at most."""
+
+    least: Number | None = None
+    most: Number | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.least is None and self.most is None:
+            raise PydanticCustomError("no_limit", "least, most or both", {"got": {}})
+        if self.least is not None and self.most is not None and self.least > self.most:
+            raise PydanticCustomError(
+                "no_room",
+                "a value of at least {least}, which is least",
+                {"least": f"{self.least:g}", "key": "most", "got": self.most},
+            )
+        return self
+
+
+Choices = Annotated[list[Any], Field(min_length=1, max_length=1000)]
+Allowed = Annotated[
+    Annotated[RangeTable, Tag("range")] | Annotated[Choices, Tag("choices")],
+    Discriminator(lambda value: "range" if isinstance(value, dict) else "choices"),
+]
+"""What a key may be."""
+
+
+class SearchTable(Table):
+    """What may be changed in the design, and what is to be as small as can be."""
+
+    variables: Annotated[dict[str, Allowed], Field(min_length=1)]
+    minimise: Annotated[list[str], Field(min_length=1, max_length=8)]
+    subject_to: dict[str, LimitTable] = Field(default_factory=dict)
+    evaluations: Annotated[int, Field(ge=1, le=1_000_000)] = 400
+    population: Annotated[int, Field(ge=4, le=10_000)] = 40
+    seed: Annotated[int, Field(ge=0, lt=2**32)] = 1
+    method: Method = "auto"
+
+    @field_validator("variables")
+    @classmethod
+    def _require_choice(cls, variables: dict[str, Any]) -> dict[str, Any]:
+        for key, values in variables.items():
+            if isinstance(values, list) and any(
+                each in values[:k] for k, each in enumerate(values)
+            ):
+                raise PydanticCustomError(
+                    "twice", "values that differ", {"key": key, "got": values}
+                )
+        return variables
+
+    @field_validator("minimise")
+    @classmethod
+    def _require_different(cls, names: list[str]) -> list[str]:
+        if len(set(names)) < len(names):
+            raise PydanticCustomError("twice", "figures that differ", {"got": names})
+        return names
+
+    def settings(self) -> Search:
+        """The settings."""
+        return Search(
+            variables={
+                key: tuple(each)
+                if isinstance(each, list)
+                else Range(each.low, each.high, each.step)
+                for key, each in self.variables.items()
+            },
+            minimise=tuple(self.minimise),
+            subject_to={
+                name: Limit(each.least, each.most) for name, each in self.subject_to.items()
+            },
+            evaluations=self.evaluations,
+            population=self.population,
+            seed=self.seed,
+            method=self.method,
+        )
+
+
+def with_joined_keys(raw: dict[str, Any]) -> dict[str, Any]:
+    """The tables of a design file, keys of [search] without quotes joined by their dots.
+
+    TOML takes them for tables within each other.
+
+    Parameters
+    ----------
+    raw
+        The tables.
+    """
+    search = raw.get("search")
+    if not isinstance(search, dict):
+        return raw
+    joined = {
+        name: dict(pair for key, value in search[name].items() for pair in _joined(key, value))
+        for name in ("variables", "subject_to")
+        if isinstance(search.get(name), dict)
+    }
+    return {**raw, "search": {**search, **joined}}
+
+
+def _joined(key: str, value: Any) -> Iterator[tuple[str, Any]]:
+    """Dotted keys and what they may be: a table of tables or lists is a part of the key."""
+    parts = value.values() if isinstance(value, dict) else ()
+    if parts and all(isinstance(each, dict | list) for each in parts):
+        for name, inner in value.items():
+            yield from _joined(f"{key}.{name}", inner)
+    else:
+        yield key, value
+
+
+def search_table_at(location: tuple[str | int, ...]) -> type[Table]:
+    """The table that a key of [search] stands in.
+
+    Parameters
+    ----------
+    location
+        Keys from the outermost table to the key.
+    """
+    inner: dict[str | int, type[Table]] = {"variables": RangeTable, "subject_to": LimitTable}
+    return inner.get(location[1], SearchTable) if len(location) > 2 else SearchTable

@@ -1,0 +1,190 @@
+"""One variant of a design: made, and read off its report; or why it cannot be made."""
+
+from __future__ import annotations
+
+import math
+import re
+import warnings
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from orishell.design_file import DesignFile, check_design
+from orishell.errors import DesignError, InputError
+from orishell.search.figures import figure
+from orishell.search.problem import Problem
+from orishell.search.space import Values, with_values
+from orishell.shell.make import Shell, make_shell
+from orishell.shell.parts import PARTS, Part
+from orishell.shell.report import Report
+
+Require = Callable[[DesignFile], None]
+STATES = 3
+"""States of a motion, of which nothing is asked here: the fewest."""
+FAULT, LACKING = "a fault of the program", "the report lacks a figure"
+"""Reasons that the search itself looks for."""
+_NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
+_VALUE = re.compile(f" = {_NUMBER.pattern}")
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of a variant.
+
+    Parameters
+    ----------
+    values
+        What its keys have.
+    figures
+        Its figures by name; empty if it cannot be made.
+    reason
+        Why it cannot be made, in the words that many refusals share; empty if it can.
+    said
+        The whole message of the refusal.
+    excess
+        By how much it misses its nearest limit, relative to that; None if that is not known.
+    """
+
+    values: Values
+    figures: dict[str, float]
+    reason: str = ""
+    said: str = ""
+    excess: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """What a process needs to make variants of a design.
+
+    Parameters
+    ----------
+    path
+        The design file; curves from files are found beside it.
+    tables
+        Its tables.
+    figures
+        Names of what is to be read off the report.
+    files
+        Whether curves may come from files.
+    require
+        Raises InputError for a variant that is not to be made; None if all are.
+    """
+
+    path: Path
+    tables: dict[str, Any]
+    figures: tuple[str, ...]
+    files: bool = True
+    require: Require | None = None
+
+
+def job_of(problem: Problem, *, files: bool = True, require: Require | None = None) -> Job:
+    """What a process needs to make variants for a search."""
+    return Job(problem.path, problem.tables, tuple(problem.figures), files, require)
+
+
+def evaluate(job: Job, variants: Sequence[Values]) -> list[Outcome]:
+    """Make variants of a design, one after the other.
+
+    Parameters
+    ----------
+    job
+        The design.
+    variants
+        What keys of each have.
+    """
+    with warnings.catch_warnings():
+        # Numbers beyond all measure are refused by what they lead to.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        return [_outcome(job, values) for values in variants]
+
+
+def died(values: Values) -> Outcome:
+    """What becomes of a variant with which processes die, or with others beside it."""
+    return Outcome(values, {}, FAULT, "the process that made it, or designs beside it, died")
+
+
+def report_of(job: Job, values: Values) -> Report:
+    """The report of a variant, without what no figure asks for.
+
+    Parameters
+    ----------
+    job
+        The design.
+    values
+        What its keys have.
+
+    Raises
+    ------
+    InputError, DesignError
+        If it cannot be made.
+    """
+    needed = {figure(name).part for name in job.figures}
+    left_out = [part for part in PARTS if part not in needed]
+    return shell_of(job, values, STATES, left_out).report
+
+
+def shell_of(job: Job, values: Values, states: int, leave_out: Collection[Part]) -> Shell:
+    """The shell of a variant.
+
+    Parameters
+    ----------
+    job
+        The design.
+    values
+        What its keys have.
+    states
+        States of its motion.
+    leave_out
+        What is not found out of it.
+
+    Raises
+    ------
+    InputError, DesignError
+        If it cannot be made.
+    """
+    file = check_design(with_values(job.tables, values), job.path, files=job.files)
+    if job.require is not None:
+        job.require(file)
+    return make_shell(replace(file, frames=states), leave_out=leave_out)
+
+
+def _outcome(job: Job, values: Values) -> Outcome:
+    try:
+        return _read(job, values, report_of(job, values))
+    except DesignError as error:
+        excess = error.excess if error.excess is not None and math.isfinite(error.excess) else None
+        return Outcome(values, {}, _common(error.condition), str(error), excess)
+    except InputError as error:
+        return Outcome(values, {}, _common(error.what), str(error))
+    except Exception as error:  # one variant of thousands must not end the search
+        return Outcome(values, {}, FAULT, f"{type(error).__name__}: {error}")
+
+
+def _common(condition: str) -> str:
+    """A condition without its numbers, so that all designs that fail it count as one."""
+    return _NUMBER.sub("...", _VALUE.sub("", condition))
+
+
+def _read(job: Job, values: Values, report: Report) -> Outcome:
+    """The figures of a design, if it has all that are asked for."""
+    moving = _moving(report)
+    if moving:
+        return Outcome(values, {}, "the shell does not stand under its loads", moving)
+    found = {name: figure(name).read(report) for name in job.figures}
+    figures = {
+        key: value for key, value in found.items() if value is not None and math.isfinite(value)
+    }
+    if len(figures) < len(found):
+        lacking = ", ".join(name for name in found if name not in figures)
+        return Outcome(values, {}, LACKING, f"the report does not say {lacking}")
+    return Outcome(values, figures)
+
+
+def _moving(report: Report) -> str:
+    """How it moves under a load case that it does not bear; empty if it bears all."""
+    if report.structure is None:
+        return ""
+    return next(
+        (f"under {case.name!r}: {case.moves}" for case in report.structure.cases if case.moves), ""
+    )

@@ -1,0 +1,197 @@
+"""Figures of the report that designs are compared by: a few by name, all numbers by their key."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import types
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Union, get_args, get_origin, get_type_hints
+
+from orishell.errors import InputError
+from orishell.shell.case_report import StandingReport
+from orishell.shell.parts import Part
+from orishell.shell.report import Report
+
+Read = Callable[[Report], float | None]
+Share = Callable[[StandingReport], float | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A number of the report.
+
+    Parameters
+    ----------
+    name
+        Its name or key, as the design file has it.
+    unit
+        Its unit, "{unit}" standing for that of lengths; empty where it has none, or may have any.
+    part
+        What a shell cannot leave out for it; None if it always has it.
+    read
+        Gives it; None where the report does not say it.
+    """
+
+    name: str
+    unit: str
+    part: Part | None
+    read: Read
+
+    def label(self, unit: str) -> str:
+        """Its name in words, and its unit, where that of lengths is given."""
+        words = self.name.replace("_", " ").replace(".", " under " if self.unit else ".")
+        return f"{words} ({self.unit.format(unit=unit)})" if self.unit else words
+
+
+def figure(name: str) -> Figure:
+    """A figure by its name, or by its key in the report.
+
+    Parameters
+    ----------
+    name
+        One of :data:`NAMES`, of a load case with its name behind a dot; or keys from the outermost
+        table of the report, joined by dots.
+
+    Raises
+    ------
+    InputError
+        If the report has no such number.
+    """
+    if name in _OF_SHELL:
+        return Figure(name, *_OF_SHELL[name])
+    worst, _, case = name.partition(".")
+    if worst in _OF_CASE:
+        unit, share = _OF_CASE[worst]
+        return Figure(name, unit, "structure", _worst(share, case))
+    if name not in _keys():
+        close = difflib.get_close_matches(name, [*NAMES, *_keys()], n=1, cutoff=0.5)
+        raise InputError(
+            "the report has no such figure",
+            got=repr(name)[:80],
+            expected=f"{', '.join(NAMES)}, or the key of a number in report.json",
+            remedy=f"write {close[0]}, if that is what was meant" if close else "",
+        )
+    keys = name.split(".")
+
+    def read_at(report: Report) -> float | None:
+        value: Any = report
+        for key in keys:
+            value = getattr(value, key) if value is not None else None
+        return float(value) if isinstance(value, int | float) else None
+
+    return Figure(name, "", _part_of(name), read_at)
+
+
+def _deviation(report: Report) -> float | None:
+    found = report.deviation
+    return None if found is None or found.surface is None else found.surface.max
+
+
+def _utilisation(report: Report) -> float | None:
+    found = report.structure
+    return None if found is None or found.governs is None else found.governs.utilisation
+
+
+def _packed_volume(report: Report) -> float | None:
+    packed = report.deployment.packed
+    if packed is None:
+        return None
+    thickness = report.deployment.thickness
+    if not thickness and report.structure is not None:
+        thickness = report.structure.model.thickness
+    return packed.length * packed.width * max(packed.height, packed.layers * thickness)
+
+
+def _mass(report: Report) -> float | None:
+    built = report.quantities.built
+    if report.quantities.mass_kg is not None or built is None:
+        return report.quantities.mass_kg
+    return built.mass_kg.total
+
+
+def _crease_length(report: Report) -> float:
+    length = report.quantities.crease_length
+    return length.mountain + length.valley
+
+
+def _worst(share: Share, case: str) -> Read:
+    """The largest of a load case, or of all where none is named."""
+
+    def read(report: Report) -> float | None:
+        cases = () if report.structure is None else report.structure.cases
+        shares = [
+            share(each.stands) or 0.0
+            for each in cases
+            if each.stands is not None and case in ("", each.name)
+        ]
+        return max(shares, default=None)
+
+    return read
+
+
+def _tie_force(standing: StandingReport) -> float:
+    return max((tie.force for tie in standing.ties), default=0.0)
+
+
+_OF_SHELL: Mapping[str, tuple[str, Part | None, Read]] = {
+    "panels": ("", None, lambda report: float(report.quantities.panels)),
+    "deviation": ("{unit}", "deviation", _deviation),
+    "mass": ("kg", None, _mass),
+    "packed_volume": ("{unit}³", "pack", _packed_volume),
+    "sheet_area": ("{unit}²", None, lambda report: report.quantities.area),
+    "crease_length": ("{unit}", None, _crease_length),
+    "cut_length": ("{unit}", None, lambda report: report.quantities.outline_length),
+    "utilisation": ("", "structure", _utilisation),
+}
+_OF_CASE: Mapping[str, tuple[str, Share]] = {
+    "deflection": ("{unit}", lambda each: each.displacement.size),
+    "tie_force": ("N", _tie_force),
+    "stress": ("N/{unit}²", lambda each: each.stress.size),
+    "buckling": ("", lambda each: each.utilisation.buckling),
+}
+"""These are of the worst load case, or of one: "deflection.snow". Buckling is the share of the load
+at which the shell buckles, 0 if it does not."""
+NAMES = (*_OF_SHELL, *_OF_CASE)
+"""Figures that have a name."""
+
+_PARTS: Mapping[str, Part] = {
+    "residuals": "verification",
+    "deviation.surface": "deviation",
+    "deviation.approached": "deviation",
+    "deployment.packed": "pack",
+    "deployment.largest_thickness": "pack",
+    "deployment.weight": "weight",
+    "quantities.stock": "stock",
+    "quantities.built.stock_sheets": "stock",
+    "structure": "structure",
+}
+"""What a shell cannot leave out, by the beginning of the keys that it is told by."""
+
+
+def _part_of(name: str) -> Part | None:
+    begins = (part for key, part in _PARTS.items() if f"{name}.".startswith(f"{key}."))
+    return next(begins, None)
+
+
+@cache
+def _keys() -> frozenset[str]:
+    """The keys of all numbers of the report."""
+    return frozenset(_numbers(Report, ""))
+
+
+def _numbers(kind: Any, head: str) -> list[str]:
+    if get_origin(kind) in (Union, types.UnionType):
+        return [key for each in get_args(kind) for key in _numbers(each, head)]
+    if kind in (int, float):
+        return [head]
+    if not dataclasses.is_dataclass(kind):
+        return []
+    hints = get_type_hints(kind)
+    return [
+        key
+        for field in dataclasses.fields(kind)
+        for key in _numbers(hints[field.name], f"{head}.{field.name}" if head else field.name)
+    ]

@@ -1,0 +1,302 @@
+"""The page of a search: its front, and the shells of its members."""
+
+from __future__ import annotations
+
+import base64
+import json
+import threading
+import warnings
+import zlib
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any, TypedDict
+
+import numpy as np
+
+from orishell.conventions.formatting import rounded
+from orishell.conventions.progress import Progress
+from orishell.design_file.search import Limit
+from orishell.errors import OrishellError
+from orishell.io.program_page import place_of, program_page, read_program
+from orishell.io.view import dump_view
+from orishell.search.crew import Crew
+from orishell.search.evaluate import Job, job_of, shell_of
+from orishell.search.feasible import violation
+from orishell.search.front import beaten, costs, scores
+from orishell.search.problem import Problem
+from orishell.search.run import Found
+from orishell.search.space import Values
+from orishell.shell.parts import PARTS
+
+PROGRAM = place_of("front.js")
+"""The page's program, once it is built."""
+NOT_BUILT = "the page of a search has not been built"
+DRAWING = "drawing shells"
+STATES = 13
+"""States of a shell's motion; panels stay rigid between them."""
+MOST_SHELLS = 60
+"""Members that are drawn; a shelter's shell is 60 kB, packed."""
+MOST_DOTS = 4000
+"""Designs that others beat which are drawn; of more every k-th."""
+
+Drawn = tuple[int, bytes | None, str]
+"""Number of a member, the view of its shell, and why it has none."""
+
+
+class PageFigure(TypedDict):
+    """A figure that designs are compared by.
+
+    Parameters
+    ----------
+    name
+        Its name, with its unit if that is known.
+    note
+        The limits that were set to it; empty if none were.
+    minimised
+        Whether it was to be as small as can be. These come first.
+    """
+
+    name: str
+    note: str
+    minimised: bool
+
+
+class Step(TypedDict):
+    """What it gains and costs to take a neighbour on the front instead.
+
+    Parameters
+    ----------
+    to
+        Number of the neighbour.
+    words
+        What it gains and costs.
+    """
+
+    to: int
+    words: str
+
+
+class PageMember(TypedDict):
+    """A design that no other beats.
+
+    Parameters
+    ----------
+    file
+        Its design file.
+    values
+        Values of its variables.
+    figures
+        Its figures.
+    steps
+        To its neighbours, by the first objective.
+    view
+        The view of its shell, deflated, in base64; null if it is not drawn.
+    missing
+        Why it is not drawn.
+    """
+
+    file: str
+    values: list[object]
+    figures: list[float]
+    steps: list[Step]
+    view: str | None
+    missing: str
+
+
+class FrontPage(TypedDict):
+    """What the page of a search shows.
+
+    Parameters
+    ----------
+    title
+        The name of the design.
+    said
+        How many designs were made, and what became of them.
+    variables
+        Keys of the design file.
+    members
+        By their first objective.
+    knee
+        Number of the member at the knee.
+    beaten
+        Objectives of designs that keep all limits and are not on the front.
+    begun_with
+        Objectives of the design that the file has; null if it cannot be made.
+    """
+
+    title: str
+    said: str
+    variables: list[str]
+    figures: list[PageFigure]
+    members: list[PageMember]
+    knee: int
+    beaten: list[list[float]]
+    begun_with: list[float] | None
+
+
+def require_page() -> None:
+    """Refuse to begin what would end for want of the page.
+
+    Raises
+    ------
+    InputError
+        If it has not been built.
+    """
+    read_program(PROGRAM, NOT_BUILT)
+
+
+def write_page(
+    path: Path,
+    problem: Problem,
+    found: Found,
+    crew: Crew,
+    progress: Progress,
+    *,
+    stop: threading.Event | None = None,
+) -> None:
+    """Write ``front.html``: one file that needs no network and no other file.
+
+    Parameters
+    ----------
+    path
+        The file.
+    problem
+        What was searched.
+    found
+        What was found.
+    crew
+        Who makes the shells.
+    progress
+        Is told the share of them that is made.
+    stop
+        Set where no further ones are to be drawn.
+
+    Raises
+    ------
+    InputError
+        If the page has not been built.
+    """
+    program = read_program(PROGRAM, NOT_BUILT)
+    shown = _page(problem, found, _draw(problem, found, crew, progress, stop or threading.Event()))
+    page = program_page(
+        program,
+        title=f"{shown['title']}: the front of a search",
+        what="the front of a search",
+        name="orishell-front",
+        data=json.dumps(shown, ensure_ascii=False, allow_nan=False, separators=(",", ":")),
+    )
+    path.write_text(page, encoding="utf-8", newline="\n")
+
+
+def draw_shells(job: Job, numbered: Sequence[tuple[int, Values]]) -> list[Drawn]:
+    """The views of shells, as they were when they were evaluated.
+
+    Parameters
+    ----------
+    job
+        The design.
+    numbered
+        Numbers of members, and what keys of each have.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        return [_drawn(job, number, values) for number, values in numbered]
+
+
+def _drawn(job: Job, number: int, values: Values) -> Drawn:
+    try:
+        return number, dump_view(shell_of(job, values, STATES, PARTS).document), ""
+    except OrishellError as error:
+        return number, None, str(error)
+    except Exception as error:  # the front is worth more than one of its shells
+        return number, None, f"{type(error).__name__}: {error}"
+
+
+def _draw(
+    problem: Problem, found: Found, crew: Crew, progress: Progress, stop: threading.Event
+) -> dict[int, Drawn]:
+    """Members that are drawn, by number; a process that dies leaves its own out."""
+    members = found.front.members
+    chosen = _chosen(len(members), found.front.knee)
+    drawn: dict[int, Drawn] = {}
+    count = 0
+    progress(0.0, DRAWING)
+    work = crew.work(
+        partial(draw_shells, job_of(problem)),
+        [(number, members[number].values) for number in chosen],
+        stop,
+    )
+    for chunk, done in work:
+        drawn |= {each[0]: each for each in done or ()}
+        count += len(chunk)
+        progress(count / len(chosen), DRAWING)
+    missing = "it was stopped" if stop.is_set() else "the process that drew it died"
+    return {number: drawn.get(number, (number, None, missing)) for number in chosen}
+
+
+def _chosen(count: int, knee: int) -> list[int]:
+    """The ends, the knee, and as many others as are drawn, spread along the front."""
+    spread = np.rint(np.linspace(0, count - 1, min(count, MOST_SHELLS))).astype(int)
+    return sorted({*spread.tolist(), knee})
+
+
+def _page(problem: Problem, found: Found, drawn: dict[int, Drawn]) -> FrontPage:
+    front = found.front
+    others = beaten(problem, found.outcomes, front)
+    dots = [[rounded(each) for each in scores(problem, outcome)] for outcome in others]
+    distinct = [list(dot) for dot in dict.fromkeys(map(tuple, dots))]
+    begun_with = found.begun_with
+    return {
+        "title": problem.path.stem,
+        "said": _said(problem, found),
+        "variables": list(problem.space.axes),
+        "figures": [
+            {
+                "name": figure.label(problem.unit),
+                "note": _limits(problem.search.subject_to.get(name)),
+                "minimised": name in problem.search.minimise,
+            }
+            for name, figure in problem.figures.items()
+        ],
+        "members": [_member(problem, found, number, drawn) for number in range(len(front.members))],
+        "knee": front.knee,
+        "beaten": distinct[:: -(-len(distinct) // MOST_DOTS) or 1],
+        "begun_with": list(scores(problem, begun_with)) if begun_with.figures else None,
+    }
+
+
+def _member(problem: Problem, found: Found, number: int, drawn: dict[int, Drawn]) -> PageMember:
+    members = found.front.members
+    member, file = members[number], f"{found.front.name(number)}.toml"
+    _, view, why = drawn.get(number, (number, None, f"only {MOST_SHELLS} of the front are drawn"))
+    neighbours = [to for to in (number - 1, number + 1) if 0 <= to < len(members)]
+    values: list[Any] = [member.values[key] for key in problem.space.axes]
+    return {
+        "file": file,
+        "values": values,
+        "figures": [member.figures[name] for name in problem.figures],
+        "steps": [{"to": to, "words": costs(problem, member, members[to])} for to in neighbours],
+        "view": None if view is None else base64.b64encode(zlib.compress(view, 9)).decode("ascii"),
+        "missing": why
+        and f"{why[:1].upper()}{why[1:].rstrip('.')}. The shell is made by: "
+        f"orishell design {file} --out DIRECTORY",
+    }
+
+
+def _said(problem: Problem, found: Found) -> str:
+    made, front = len(found.outcomes), len(found.front.members)
+    feasible = sum(violation(problem, each) == 0.0 for each in found.outcomes)
+    stopped = "" if found.whole else " The search was stopped before its end."
+    designs = "design" if front == 1 else "designs"
+    return (
+        f"{front} {designs} that no other beats, of {made} that were made; {feasible} can be built "
+        f"and keep all limits.{stopped}"
+    )
+
+
+def _limits(limit: Limit | None) -> str:
+    if limit is None:
+        return ""
+    ends = ("at least", limit.least), ("at most", limit.most)
+    return ", ".join(f"{words} {end:g}" for words, end in ends if end is not None)

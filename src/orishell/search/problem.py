@@ -1,0 +1,270 @@
+"""What is searched: a design file, its variants, and the figures that they are compared by."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from orishell.conventions.arguments import path_of
+from orishell.conventions.formatting import in_one_line
+from orishell.conventions.toml_file import read_toml
+from orishell.design_file import check_design
+from orishell.design_file.search import Limit, Range, Search
+from orishell.errors import InputError
+from orishell.search.figures import Figure, figure
+from orishell.search.space import Choices, Interval, Space, stepped, with_values
+
+MOST_STEPS = 10_000
+"""Values of a range with steps, at most."""
+MOST_TRIED = 100
+"""So many values of a range are tried in the design file; of more the ends."""
+WITHOUT_MEANING = ("motion.frames", "shell.unit", "search")
+"""Keys that change nothing of a design, or the units of its figures."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Problem:
+    """A design, and what is searched for among its variants.
+
+    Parameters
+    ----------
+    path
+        The design file.
+    text
+        What stands in it; empty where the tables come from elsewhere.
+    tables
+        Its tables, without [search].
+    unit
+        Its unit of length.
+    search
+        What is searched for.
+    space
+        The variants.
+    objectives
+        What is to be as small as can be.
+    limits
+        What figures may be.
+    """
+
+    path: Path
+    text: str
+    tables: dict[str, Any]
+    unit: str
+    search: Search
+    space: Space
+    objectives: tuple[Figure, ...]
+    limits: tuple[tuple[Figure, Limit], ...]
+
+    __repr__ = in_one_line
+
+    @property
+    def figures(self) -> dict[str, Figure]:
+        """All figures that are asked for, by name."""
+        return {each.name: each for each in (*self.objectives, *(each for each, _ in self.limits))}
+
+    def files(self) -> list[Path]:
+        """The files that the design and its variants name."""
+        return [self.path.parent / name for name, _ in self._named()]
+
+    def _named(self) -> list[tuple[str, str]]:
+        chosen = [axis.values for axis in self.space.axes.values() if isinstance(axis, Choices)]
+        return sorted(_files_named([self.tables, *map(list, chosen)], self.path.parent))
+
+    def fingerprint(self) -> str:
+        """What tells the designs and their figures from others: tables, and the files named."""
+        content = json.dumps([self.tables, sorted(self.figures), self._named()], sort_keys=True)
+        return hashlib.sha256(content.encode()).hexdigest()
+
+
+def read_problem(path: str | Path) -> Problem:
+    """Read a design file and its table [search].
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Raises
+    ------
+    InputError
+        As :func:`~orishell.design_file.read_design_file` does, and if there is no table [search],
+        a variable is no key of the file or a value of it does not fit, or the report has no such
+        figure.
+    """
+    path = path_of(path, "design file")
+    tables = read_toml(path, "design file", "orishell new FAMILY writes one")
+    return pose(tables, path, text=path.read_text(encoding="utf-8-sig"))
+
+
+def pose(raw: dict[str, Any], path: Path, *, text: str = "", files: bool = True) -> Problem:
+    """Check the tables of a design file with a table [search].
+
+    Parameters
+    ----------
+    raw
+        The tables.
+    path
+        Where they were read from.
+    text
+        What stands there.
+    files
+        Whether curves may come from files.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_problem` does.
+    """
+    design = check_design(raw, path, files=files)
+    search = design.search
+    if search is None:
+        raise InputError(
+            "there is nothing to search for",
+            where=f"{path}: [search]",
+            remedy="add the table [search] with variables and minimise",
+        )
+    tables = {name: table for name, table in raw.items() if name != "search"}
+    _require_apart(search, path)
+    axes = {
+        key: _Checked(tables, path, key, files).axis(allowed)
+        for key, allowed in search.variables.items()
+    }
+    space = Space(axes)
+    _require_grid(search, space, path)
+    return Problem(
+        path,
+        text,
+        tables,
+        design.unit,
+        search,
+        space,
+        tuple(_figure(name, f"{path}: [search] minimise") for name in search.minimise),
+        tuple(
+            (_figure(name, f"{path}: [search] subject_to"), limit)
+            for name, limit in search.subject_to.items()
+        ),
+    )
+
+
+def _figure(name: str, where: str) -> Figure:
+    try:
+        return figure(name)
+    except InputError as error:
+        raise error.located(where) from None
+
+
+@dataclass(frozen=True, slots=True)
+class _Checked:
+    """Tries the values of one variable in the design file."""
+
+    tables: dict[str, Any]
+    path: Path
+    key: str
+    files: bool
+
+    def axis(self, allowed: Range | tuple[Any, ...]) -> Interval | Choices:
+        """What the variable may be; raises InputError if a value does not fit."""
+        if not isinstance(allowed, Range):
+            for value in allowed:
+                self._require(value)
+            return Choices(allowed)
+        steps = (allowed.high - allowed.low) / (allowed.step or 1.0)
+        whole = self._is_whole(allowed)
+        if (whole or allowed.step) and steps > MOST_STEPS:
+            raise InputError(
+                "this range has too many steps",
+                where=self._where,
+                got=f"{steps:.0f}",
+                expected=f"at most {MOST_STEPS}",
+                remedy="give a larger step",
+            )
+        axis = stepped(allowed, whole=whole)
+        ends = (axis.low, axis.high) if isinstance(axis, Interval) else axis.values
+        for value in ends if len(ends) <= MOST_TRIED else (ends[0], ends[-1]):
+            self._require(value)
+        return axis
+
+    def _is_whole(self, allowed: Range) -> bool:
+        numbers = (allowed.low, allowed.high, allowed.step or 1)
+        if not all(float(each).is_integer() for each in numbers):
+            return False
+        try:
+            self._try(float(allowed.low))
+        except InputError as error:
+            return "whole number" in error.expected
+        return False
+
+    def _require(self, value: Any) -> None:
+        try:
+            self._try(value)
+        except LookupError:
+            raise InputError(
+                "the design file has no such key",
+                where=self._where,
+                expected='a key with its tables in front of it, as "pattern.rows"',
+            ) from None
+        except InputError as error:
+            inner = error.where.removeprefix(f"{self.path}:").strip()
+            error.where = f"{self._where}: {inner}"
+            raise
+
+    def _try(self, value: Any) -> None:
+        changed = with_values(self.tables, {self.key: value})
+        check_design(changed, self.path, files=self.files)
+
+    @property
+    def _where(self) -> str:
+        return f'{self.path}: [search] variables "{self.key}"'
+
+
+def _require_apart(search: Search, path: Path) -> None:
+    """Refuse variables that change each other, or no figure."""
+    keys = list(search.variables)
+    for key in keys:
+        inside = [each for each in keys if each.startswith(f"{key}.")]
+        if inside:
+            raise InputError(
+                "a variable changes another one",
+                where=f'{path}: [search] variables "{key}"',
+                got=f'"{inside[0]}" beside it',
+                remedy="keep one of them",
+            )
+        if any(f"{key}.".startswith(f"{each}.") for each in WITHOUT_MEANING):
+            raise InputError(
+                "designs cannot be compared by this key",
+                where=f'{path}: [search] variables "{key}"',
+                expected="a key that changes the shell, in the unit that it has",
+                remedy="remove it",
+            )
+
+
+def _require_grid(search: Search, space: Space, path: Path) -> None:
+    if search.method != "grid":
+        return
+    if space.continuous:
+        raise InputError(
+            "a grid needs steps",
+            where=f'{path}: [search] variables "{space.continuous[0]}"',
+            remedy="add step to the range, or give a list of values",
+        )
+    if space.count > search.evaluations:
+        raise InputError(
+            "the grid has more designs than may be made",
+            where=f"{path}: [search] evaluations",
+            got=f"{search.evaluations}, for {space.count:.0f} designs",
+            remedy=f"evaluations = {space.count:.0f}, larger steps, or another method",
+        )
+
+
+def _files_named(value: Any, directory: Path) -> Iterator[tuple[str, str]]:
+    """Files that a table names, and the hashes of what is in them."""
+    if isinstance(value, dict | list):
+        for inner in value.values() if isinstance(value, dict) else value:
+            yield from _files_named(inner, directory)
+    elif isinstance(value, str) and value and os.path.isfile(directory / value):
+        yield value, hashlib.sha256((directory / value).read_bytes()).hexdigest()

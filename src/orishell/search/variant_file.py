@@ -1,0 +1,66 @@
+"""The design file of a variant: that of the design with other values, its comments kept."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from orishell.search.problem import Problem
+from orishell.search.space import Values, with_values
+
+_FILES = (
+    *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),
+    "workshop.palette",
+)
+"""Keys that may name a file beside the design file."""
+
+
+def variant_text(problem: Problem, values: Values, directory: Path) -> str:
+    """The design file of a variant, without the table [search].
+
+    Parameters
+    ----------
+    problem
+        The design.
+    values
+        What keys of the variant have.
+    directory
+        Where the file will be: from there it names the files of curves.
+    """
+    import tomlkit
+
+    values = {**values, **_moved(problem, values, directory)}
+    tables = with_values(problem.tables, values)
+    try:
+        document = tomlkit.parse(problem.text)
+        document.pop("search", None)
+        for key, value in values.items():
+            _set(document, key.split("."), value)
+        text = tomlkit.dumps(document)
+    except tomlkit.exceptions.TOMLKitError:  # its comments cannot be kept
+        text = ""
+    return text if text and tomllib.loads(text) == tables else tomlkit.dumps(tables)
+
+
+def _set(document: Any, keys: list[str], value: Any) -> None:
+    *outer, last = keys
+    for key in outer:
+        document = (
+            document[int(key)] if isinstance(document, list) else document.setdefault(key, {})
+        )
+    document[int(last) if isinstance(document, list) else last] = value
+
+
+def _moved(problem: Problem, values: Values, directory: Path) -> Values:
+    """The files that a variant names, as seen from a directory."""
+    named = {}
+    for key in _FILES:
+        value: Any = with_values(problem.tables, values)
+        for part in key.split("."):
+            value = value.get(part) if isinstance(value, dict) else None
+        path = problem.path.parent / value if isinstance(value, str) else None
+        if path is not None and not Path(value).is_absolute() and os.path.isfile(path):
+            named[key] = Path(os.path.relpath(path, directory)).as_posix()
+    return named

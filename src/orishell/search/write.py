@@ -1,0 +1,158 @@
+"""What a search found, as files: a table, design files, a picture and a page."""
+
+from __future__ import annotations
+
+import csv
+import json
+import threading
+from fnmatch import fnmatch
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from orishell.conventions.progress import Progress, unwatched
+from orishell.errors import InputError
+from orishell.io.output import OutputDirectory
+from orishell.plot.front import plot_front
+from orishell.search.crew import Crew
+from orishell.search.evaluate import Outcome
+from orishell.search.front import Front, beaten, scores
+from orishell.search.page import require_page, write_page
+from orishell.search.problem import Problem
+from orishell.search.run import Found
+from orishell.search.variant_file import variant_text
+
+MANIFEST = ".orishell-search.json"
+"""The list of the files of a search."""
+
+
+def require_installed() -> None:
+    """Refuse to begin what would end for want of a library or of the page.
+
+    Raises
+    ------
+    InputError
+        If a library is not installed, or the page has not been built.
+    """
+    missing = [name for name in ("pymoo", "tomlkit") if find_spec(name) is None]
+    if missing:
+        raise InputError(
+            f"{' and '.join(missing)} must be installed to search",
+            remedy="pip install orishell[search]",
+        )
+    require_page()
+
+
+def require_apart(problem: Problem, directory: Path) -> None:
+    """Refuse to search where the design or its curves would be written over.
+
+    Parameters
+    ----------
+    problem
+        The design.
+    directory
+        Where files are to be written.
+
+    Raises
+    ------
+    InputError
+        If one of them is in the directory and is called as a file of a search is.
+    """
+    for path in (problem.path, *problem.files()):
+        beside = path.resolve().parent == directory.resolve()
+        if beside and fnmatch(path.name, "front[.-]*"):
+            raise InputError(
+                "the search would write over this file",
+                where=str(path),
+                remedy="choose another directory, or another name for the file",
+            )
+
+
+def write_found(
+    problem: Problem,
+    found: Found,
+    directory: Path,
+    crew: Crew,
+    progress: Progress = unwatched,
+    *,
+    stop: threading.Event | None = None,
+) -> list[Path]:
+    """Write ``front.csv``, the design files of its members, ``front.png`` and ``front.html``.
+
+    Parameters
+    ----------
+    problem
+        What was searched.
+    found
+        What was found.
+    directory
+        Where to; made if needed. Files of an earlier run that this one does not write are removed,
+        unless somebody changed them; all others stay.
+    crew
+        Who makes the shells of the page.
+    stop
+        Set where the page is to be written with what it has.
+
+    Raises
+    ------
+    InputError
+        If the directory cannot be written to, or the page has not been built.
+    """
+    with OutputDirectory(directory, MANIFEST).replacing() as draft:
+        _write_table(draft / "front.csv", problem, found.front)
+        for number, member in enumerate(found.front.members):
+            text = variant_text(problem, member.values, directory.resolve())
+            (draft / f"{found.front.name(number)}.toml").write_text(
+                text, encoding="utf-8", newline="\n"
+            )
+        draw_front(draft / "front.png", problem, found)
+        write_page(draft / "front.html", problem, found, crew, progress, stop=stop)
+        names = sorted(file.name for file in draft.iterdir())
+    return [directory / name for name in names]
+
+
+def _write_table(path: Path, problem: Problem, front: Front) -> None:
+    keys, figures = list(problem.space.axes), list(problem.figures)
+    with path.open("w", encoding="utf-8", newline="") as stream:
+        table = csv.writer(stream, lineterminator="\n")
+        table.writerow(["file", "knee", *keys, *figures])
+        for number, member in enumerate(front.members):
+            values = [_cell(member.values[key]) for key in keys]
+            measured = [member.figures[name] for name in figures]
+            knee = "knee" if number == front.knee else ""
+            table.writerow([f"{front.name(number)}.toml", knee, *values, *measured])
+
+
+def _cell(value: Any) -> Any:
+    """A value as a design file has it, but texts without their quotes."""
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+
+
+def draw_front(path: Path, problem: Problem, found: Found) -> None:
+    """Write the picture of the front: each pair of objectives.
+
+    Parameters
+    ----------
+    path
+        The PNG file.
+    problem
+        What was searched.
+    found
+        What was found.
+    """
+
+    def points(outcomes: list[Outcome]) -> np.ndarray:
+        rows = [scores(problem, each) for each in outcomes]
+        return np.array(rows, np.float64).reshape(-1, len(problem.objectives))
+
+    begun_with = [found.begun_with] if found.begun_with.figures else []
+    plot_front(
+        path,
+        points([*found.front.members]),
+        points(beaten(problem, found.outcomes, found.front)),
+        points(begun_with),
+        knee=found.front.knee,
+        labels=[each.label(problem.unit) for each in problem.objectives],
+    )

@@ -1,0 +1,56 @@
+"""Parts of what is found out of a shell that may be left out, where nobody asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Literal, get_args
+
+from orishell.errors import InputError
+
+Part = Literal["remedies", "verification", "deviation", "pack", "weight", "stock", "structure"]
+"""What would mend a design that is refused, or that packs badly; whether panels stay rigid; the
+distance from the surface; the smallest box and the largest thickness; own weight; the layout on
+the stock; the structure, where the file asks for it."""
+
+PARTS: tuple[Part, ...] = get_args(Part)
+"""All of them: what is left is the design, how its motion ends, and its sizes."""
+
+MEASURES: tuple[Part, ...] = ("deviation", "pack", "weight")
+"""What is measured of a shell, and changes nothing of it."""
+
+_NOT_CHECKED: dict[Part | Literal["clash"], str] = {
+    "verification": "whether panels stay rigid",
+    "clash": "contact between panels on the way",
+    "deviation": "distance from the surface",
+    "stock": "the layout on the stock",
+    "structure": "the structure",
+}
+
+
+def require_parts(leave_out: Collection[str]) -> None:
+    """Refuse a part that there is not, which would be found out all the same.
+
+    Raises
+    ------
+    InputError
+        If there is one.
+    """
+    unknown = [leave_out] if isinstance(leave_out, str) else sorted({*leave_out} - {*PARTS})
+    if unknown:
+        raise InputError(
+            "there is no such part to leave out",
+            where="leave_out",
+            got=", ".join(map(repr, unknown)),
+            expected=f"some of {', '.join(PARTS)}",
+        )
+
+
+def not_checked(found_out: Mapping[Part | Literal["clash"], bool]) -> tuple[str, ...]:
+    """What nobody has looked at, in words.
+
+    Parameters
+    ----------
+    found_out
+        Whether a part was found out, or is not asked for by the file.
+    """
+    return tuple(words for part, words in _NOT_CHECKED.items() if not found_out[part])
