@@ -1,5 +1,6 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
+# make thorough  the same, with all random examples (make test: a quarter)
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
 # make test-pages  their own tests
@@ -18,17 +19,18 @@ PARALLEL := --numprocesses logical --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test docs paper pages test-pages studio cad node quick bench lint types contracts check format clean
+.PHONY: demo test thorough docs paper pages test-pages studio cad node quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
 	$(BIN)/orishell design examples/figure1.toml --out build/demo
 
 # As many tests at a time as there are cores; so each keeps its arithmetic on one.
-test quick: export OPENBLAS_NUM_THREADS := 1
-test quick: export IGL_NUM_THREADS := 1
+test thorough quick: export OPENBLAS_NUM_THREADS := 1
+test thorough quick: export IGL_NUM_THREADS := 1
+thorough: export ORISHELL_THOROUGH := 1
 
-test: $(VENV)/.test
+test thorough: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip $(PARALLEL) --durations=15
 
 pages: $(PAGES)

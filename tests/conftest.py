@@ -1,4 +1,7 @@
-"""Hypothesis: no time limits, the same examples in every run. What tests measured is printed."""
+"""Hypothesis: no time limits, the same examples in every run. What tests measured is printed.
+
+A test that fails is named at once: who waits need not wait for the last one.
+"""
 
 from __future__ import annotations
 
@@ -8,12 +11,15 @@ from typing import TYPE_CHECKING
 import pytest
 from hypothesis import HealthCheck, settings
 
+from samples import examples
+
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 settings.register_profile(
     "orishell",
     deadline=None,
+    max_examples=examples(100),
     derandomize=True,
     print_blob=True,
     suppress_health_check=[HealthCheck.too_slow],
@@ -42,6 +48,15 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         return 2 if "site" in getattr(item, "fixturenames", ()) else 1
 
     items.sort(key=place)
+
+
+def pytest_report_teststatus(report: pytest.TestReport) -> tuple[str, str, str] | None:
+    """In place of an F, the name of what failed and why."""
+    if not report.failed or report.when != "call":
+        return None
+    crash = getattr(report.longrepr, "reprcrash", None)
+    why = crash.message if crash else report.longreprtext
+    return "failed", f"\nFAILED {report.nodeid}\n{why}\n", "FAILED"
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -22,6 +22,7 @@ from orishell.motion import diagonal, panel_normals
 from orishell.numerics.arrays import Array
 from orishell.sheet.quads import grid_corners
 from orishell.solids import build_panels
+from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, parallel_repeating, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -44,7 +45,7 @@ def meet(first: Array, second: Array) -> bool:
     return bool(found.status == 0)
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(st.one_of(requests(), orthodiagonal_requests()), st.integers(0, 7))
 def test_normals_accelerate_no_more_than_their_bounds(request: Request, part: int) -> None:
     """Second differences in the middle of an eighth of the path; a bound within ten times them."""

@@ -15,6 +15,7 @@ from orishell.errors import DesignError
 from orishell.locking import find_lock
 from orishell.motion import diagonal
 from planted import PLANTED, clear
+from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 STEPS = 400
@@ -50,13 +51,13 @@ def test_a_sheet_that_meets_nothing_is_proved_clear() -> None:
     assert first_crossing(clear().mechanism, np.pi * SHORT, 100) is None
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(requests())
 def test_parallel_repeating_against_brute_force(request: Request) -> None:
     compare(request)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(orthodiagonal_requests())
 def test_orthodiagonal_against_brute_force(request: Request) -> None:
     compare(request)

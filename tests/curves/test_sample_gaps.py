@@ -16,6 +16,7 @@ from orishell.curves.pieces import Arc, Bezier, Piece, bezier, circular_arc
 from orishell.curves.sample_gaps import NEAR
 from orishell.curves.trace import FIRST_CELLS, MAX_TURN
 from orishell.errors import CurveError
+from samples import examples
 from strategies import curves, graph, pair
 
 Array = np.ndarray
@@ -168,7 +169,7 @@ REFUSED = {"gap", "pole"}
 
 
 @pytest.mark.parametrize("feature", FEATURES)
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(
     base=st.sampled_from(["0*x", "x**2/3", "cosh(x)", "0.3*sin(2*x)"]),
     place=st.floats(0.02, 0.98),

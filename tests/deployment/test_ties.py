@@ -17,6 +17,7 @@ from orishell.errors import InputError
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import diagonal
+from samples import examples
 from strategies import Request, graph, orthodiagonal, orthodiagonal_requests, pair, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -92,7 +93,7 @@ def require_truth(mechanism: Sheet, shares: list[float]) -> None:
 SHARES = st.lists(st.floats(0, 0.999), min_size=12, max_size=12)
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(100))
 @given(requests(), SHARES)
 def test_any_parallel_repeating_design(request: Request, shares: list[float]) -> None:
     mechanism = bare(request.feasible())
@@ -103,13 +104,13 @@ def test_any_parallel_repeating_design(request: Request, shares: list[float]) ->
         assert tie.grows == (second - first > 1)
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(100))
 @given(orthodiagonal_requests(), SHARES)
 def test_any_orthodiagonal_design(request: Request, shares: list[float]) -> None:
     require_truth(bare(request.feasible()), shares)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(
     st.one_of(requests(), orthodiagonal_requests()),
     SHARES,

@@ -21,6 +21,7 @@ from orishell.families.parallel_repeating import ParallelRepeating, design_paral
 from orishell.motion import Mechanism
 from orishell.sheet.grid import Grid
 from orishell.shell.standing import find_feet
+from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -99,7 +100,7 @@ def energy_and_span(mechanism: Mechanism, drive: float) -> tuple[float, float]:
     return energy, float(np.linalg.norm(inner[-1] - inner[0], axis=-1).mean())
 
 
-@settings(max_examples=50)
+@settings(max_examples=examples(50))
 @given(st.one_of(requests(), orthodiagonal_requests()), st.floats(0.2, 0.95))
 def test_thrust_is_the_slope_of_energies(request: Request, share: float) -> None:
     mechanism = request.feasible().mechanism

@@ -13,6 +13,7 @@ from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,
 )
+from samples import examples
 from strategies import (
     Request,
     graph,
@@ -172,13 +173,13 @@ def meets_targets(design: Design) -> None:
         np.testing.assert_allclose(g, targets, atol=1e-9 * size)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(requests())
 def test_it_passes_through_the_targets(request: Request) -> None:
     meets_targets(request.feasible())
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(orthodiagonal_requests())
 def test_it_passes_through_the_targets_orthodiagonal(request: Request) -> None:
     meets_targets(request.feasible())

@@ -31,6 +31,7 @@ from orishell.families.longitudinal_linear_repeating import (
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.shell.deviation_report import ApproachReport, describe_deviation
+from samples import examples
 from strategies import (
     Request,
     graph,
@@ -294,14 +295,14 @@ def agrees_with_dense_samples(design: Design) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(requests())
 def test_random_designs_against_dense_samples(request: Request) -> None:
     agrees_with_dense_samples(request.feasible())
 
 
 @pytest.mark.slow
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(orthodiagonal_requests())
 def test_random_orthodiagonal_designs_against_dense_samples(
     request: Request,

@@ -36,6 +36,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.program import
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import Mechanism, diagonal
+from samples import examples
 from strategies import (
     Request,
     graph,
@@ -126,13 +127,13 @@ def test_long_ranges_are_bounded_too(number: int) -> None:
         shares_of_bounds(example(number), count=7, ranges=ranges)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(requests(), st.sampled_from([20, RANGES]))
 def test_any_parallel_repeating_design(request: Request, ranges: int) -> None:
     shares_of_bounds(request.feasible().mechanism, 9, ranges)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
 def test_any_orthodiagonal_design(request: Request, ranges: int) -> None:
     shares_of_bounds(request.feasible().mechanism, 9, ranges)
@@ -148,19 +149,19 @@ def shares_up_to_the_pack(
     return shares_of_bounds(bare, count, ranges, bare.end_drive * (1 - 1e-3))
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(requests(), st.sampled_from([20, RANGES]))
 def test_any_parallel_repeating_design_up_to_its_pack(request: Request, ranges: int) -> None:
     shares_up_to_the_pack(request.feasible().mechanism, 12, ranges)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(orthodiagonal_requests(), st.sampled_from([20, RANGES]))
 def test_any_orthodiagonal_design_up_to_its_pack(request: Request, ranges: int) -> None:
     shares_up_to_the_pack(request.feasible().mechanism, 12, ranges)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(
     st.one_of(requests(), orthodiagonal_requests()),
     st.floats(1e-3, 0.95),
@@ -204,7 +205,7 @@ def test_examples_up_to_their_packs(number: int) -> None:
     assert columns.min() > 0.5
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(
     st.lists(st.floats(70, 110).map(lambda x: round(x, 3)), min_size=4, max_size=4),
     st.sampled_from(["F", "S"]),

@@ -15,6 +15,7 @@ from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.motion import diagonal, measure_fold_angles
 from orishell.sheet.grid import crease_signs
+from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, pair, requests
 
 Sheet = ParallelRepeating | Orthodiagonal
@@ -53,7 +54,7 @@ def panel_distances(positions: np.ndarray) -> np.ndarray:
     return np.stack(pairs, axis=-1)
 
 
-@settings(max_examples=120)
+@settings(max_examples=examples(120))
 @given(
     st.one_of(requests(), orthodiagonal_requests()),
     st.floats(1e-6, 0.99),

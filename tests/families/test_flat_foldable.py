@@ -28,6 +28,7 @@ from orishell.families.parallel_repeating.profile import fit_profile
 from orishell.families.pattern import Pattern, Tolerance
 from orishell.motion import diagonal
 from orishell.polylines import measure_closeness, place_chords
+from samples import examples
 from strategies import (
     Request,
     graph,
@@ -57,7 +58,7 @@ def bisected() -> st.SearchStrategy[Request]:
     return requests().map(lambda each: without(each, "plane", planes="bisector"))
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(bisected())
 def test_planes_that_bisect_make_any_g_flat_foldable(request: Request) -> None:
     request = request.mended()

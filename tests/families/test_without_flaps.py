@@ -16,6 +16,7 @@ from orishell.locking import find_lock
 from orishell.motion import FoldingMotion, diagonal
 from orishell.sheet.grid import Grid
 from orishell.verification.residuals import AssignmentCheck, measure_residuals
+from samples import examples
 from strategies import (
     Request,
     graph,
@@ -96,7 +97,7 @@ def require_inner_columns(bare: Sheet, flapped: Sheet, drives: tuple[float, ...]
     assert np.abs(at_target).max() < 1e-13 * size
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(requests(), st.floats(0.0, np.pi))
 def test_parallel_columns_are_as_they_are_with_flaps(request: Request, drive: float) -> None:
     mechanism = request.feasible().mechanism
@@ -104,7 +105,7 @@ def test_parallel_columns_are_as_they_are_with_flaps(request: Request, drive: fl
     require_inner_columns(mechanism.with_flaps(0), mechanism.with_flaps(0.3), (0.0, drive, np.pi))
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(orthodiagonal_requests(), st.floats(0.0, np.pi))
 def test_orthodiagonal_columns_are_as_they_are_with_flaps(request: Request, drive: float) -> None:
     mechanism = request.feasible().mechanism

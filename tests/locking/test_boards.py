@@ -20,6 +20,7 @@ from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.boards import Boards
 from orishell.solids import largest_folds, largest_height
+from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -107,7 +108,7 @@ def check(design: Design) -> Lock:
     return lock
 
 
-generated = settings(max_examples=34, phases=[Phase.generate])
+generated = settings(max_examples=examples(34), phases=[Phase.generate])
 
 
 @generated

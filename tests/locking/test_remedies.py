@@ -9,6 +9,7 @@ import pytest
 
 from design_tables import Tables, formula, made, mended, refused, tables
 from orishell.errors import DesignError
+from samples import examples
 
 UNIT_ARC = formula(["cos(t)", "sin(t)"], 0.3, 2.8416)
 PARABOLA = formula("-x**2", -1, 1)
@@ -124,14 +125,15 @@ def random_design(rng: np.random.Generator) -> Tables:
 
 
 SHARES = 6
+REFUSALS = examples(300) // SHARES
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(SHARES))
-def test_every_offer_of_300_random_refusals_works(seed: int) -> None:
+def test_every_offer_of_random_refusals_works(seed: int) -> None:
     rng = np.random.default_rng(seed)
     refusals: list[DesignError] = []
-    while len(refusals) < 300 / SHARES:
+    while len(refusals) < REFUSALS:
         design = random_design(rng)
         error = refused(design)
         if error is None:

@@ -26,3 +26,4 @@ def test_the_largest_below_may_be_small_but_not_too_small() -> None:
     assert found is not None
     assert 0.003 * (1 - 1e-3) <= found <= 0.003
     assert largest_below(lambda value: value <= 0.003, 1.0, smallest=1e-2) is None
+    assert largest_below(lambda _: False, 0.0, smallest=1e-3) is None

@@ -11,6 +11,7 @@ from scipy.optimize import NonlinearConstraint, brentq, minimize
 
 from orishell.curves import Curve, Trace, curve_from_points, trace_curve
 from orishell.polylines import Chords, Placement, Spacing, measure_closeness, place_chords
+from samples import examples
 from strategies import curves, graph, pair
 
 Array = NDArray[np.float64]
@@ -153,7 +154,7 @@ def test_many_inflections(count: int) -> None:
     assert 0.499 < distance(trace, balanced) / distance(trace, inscribed) < 0.6
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(curves(), st.integers(2, 40), spacings)
 def test_balanced_is_never_farther_than_inscribed(
     curve: Curve, count: int, spacing: Spacing
@@ -246,7 +247,7 @@ def test_balanced_offsets_fade_towards_an_inflection() -> None:
     assert np.abs(np.diff(offsets, axis=0)).max() < 0.2 * np.abs(offsets).max()
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(st.integers(5, 40), st.sampled_from(["inscribed", "balanced"]))
 def test_every_corner_of_a_polyline_gets_a_vertex(count: int, placement: Placement) -> None:
     corners = np.array([[0, 0], [1, 2], [4, 2.5], [5, 0], [9, 1]])
@@ -288,7 +289,7 @@ def test_straight_parts_keep_a_fifth_of_the_mean_density() -> None:
     assert pieces.max() < 5.01 * pieces.mean()
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(curves(), st.integers(3, 15), st.sampled_from(["inscribed", "balanced"]))
 def test_measured_distance_is_the_true_one_both_ways(
     curve: Curve, count: int, placement: Placement

@@ -20,6 +20,7 @@ from orishell.polylines.batches import Search, batched, rotated_search, run_sear
 from orishell.polylines.closeness import distances_to_polyline
 from orishell.polylines.staircase import search_staircase
 from orishell.polylines.staircase_angles import MIN_EVENNESS, WIDEST_XI
+from samples import examples
 from strategies import curves, graph, numbers, points
 
 PARABOLA_LIMIT = 2 * np.arctan(0.5)
@@ -44,7 +45,7 @@ def brute_hausdorff(trace: Trace, vertices: np.ndarray) -> float:
     )
 
 
-@settings(max_examples=80)
+@settings(max_examples=examples(80))
 @given(curves(), numbers(0.05, 0.97), st.integers(2, 40))
 def test_staircase_of_any_curve(curve: Curve, share: float, count: int) -> None:
     trace = along_axis(curve)
@@ -68,7 +69,7 @@ def test_staircase_of_any_curve(curve: Curve, share: float, count: int) -> None:
     assert staircase.distance == pytest.approx(brute, abs=1e-5 * size + 1e-2 * spacing)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(st.one_of(curves(), points(smooth=False)), numbers(0.2, 0.9), st.integers(2, 8), st.data())
 def test_no_other_staircase_is_closer(
     curve: Curve, share: float, half: int, data: st.DataObject
@@ -126,7 +127,7 @@ def test_theta_interval_is_where_xi_is_below_the_limit(low: float, high: float, 
         )
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(curves(), st.integers(2, 12))
 def test_auto_xi_is_the_widest_even_one(curve: Curve, half: int) -> None:
     trace = along_axis(curve)

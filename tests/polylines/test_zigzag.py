@@ -9,12 +9,13 @@ from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.curves.nearest import Nearest
 from orishell.polylines import choose_depth, place_zigzag, place_zigzags, smallest_radius
 from orishell.polylines.zigzag import KEPT
+from samples import examples
 from strategies import arcs, curves, cycloids, graph, graphs, numbers, pair, points
 
 PARABOLA = trace_curve(graph("-x**2", -1, 1))
 
 
-@settings(max_examples=80)
+@settings(max_examples=examples(80))
 @given(curves(), numbers(0.05, 1.0), st.integers(0, 20))
 def test_alternates_and_keeps_the_ends(curve: Curve, share: float, half: int) -> None:
     trace = trace_curve(curve)
@@ -29,7 +30,7 @@ def test_alternates_and_keeps_the_ends(curve: Curve, share: float, half: int) ->
         np.testing.assert_allclose(away[1:-1], zigzag.depth, rtol=1e-9)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(st.one_of(graphs(), arcs(), points(smooth=True), cycloids()), numbers(0.05, 0.99))
 def test_vertices_lie_on_the_offsets(curve: Curve, share: float) -> None:
     # Within the radius of curvature the foot is the locally nearest point: square to the tangent.

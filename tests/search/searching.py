@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 import time
@@ -36,12 +37,17 @@ def design(directory: Path) -> Path:
 def searching(file: Path, out: Path, *options: str) -> subprocess.Popen[str]:
     """A search that runs; it would not begin without its page."""
     require_viewer()
-    return subprocess.Popen(
-        [sys.executable, "-m", "orishell", "search", str(file), "--out", str(out), *options],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    # As in a terminal: what is started in the background is not told of Ctrl-C.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        return subprocess.Popen(
+            [sys.executable, "-m", "orishell", "search", str(file), "--out", str(out), *options],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def searched(file: Path, out: Path, *options: str) -> str:

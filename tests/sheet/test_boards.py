@@ -13,6 +13,7 @@ from orishell.design import Construction, PanelBuild
 from orishell.sheet.boards import Boards
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids import build_boards
+from samples import examples
 
 
 def volumes(boards: Boards, corners: np.ndarray) -> np.ndarray:
@@ -46,7 +47,7 @@ def test_boards_of_a_shell(family: str, construction: Construction) -> None:
         np.testing.assert_allclose(found, piece.boards.volumes(), rtol=1e-12)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(
     st.sampled_from(["sandwich", "bevel"]),
     st.floats(0.02, 0.5),

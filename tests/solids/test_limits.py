@@ -16,6 +16,7 @@ from orishell.sheet.grid import CreaseValues, Grid
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import drive_for_height, find_room, largest_folds, largest_height
 from orishell.solids.limits import bare_faces
+from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
@@ -54,7 +55,7 @@ def test_a_strip_of_squares_by_hand() -> None:
     assert largest_height(flat, grid, still) == np.inf
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(st.one_of(requests(), orthodiagonal_requests()), st.floats(0.2, 0.9))
 def test_the_drive_for_a_height_is_the_last_that_leaves_enough(
     request: Request, share: float

@@ -15,6 +15,7 @@ from orishell.numerics.bisection import bisect
 from orishell.sheet.boards import Boards
 from orishell.solids import build_boards, find_meetings, find_stop, largest_folds
 from orishell.solids.meeting import Meetings
+from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -58,7 +59,7 @@ def distances(edges: np.ndarray) -> np.ndarray:
     return np.asarray(np.linalg.norm(across, axis=-1))
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(
     st.one_of(requests(), orthodiagonal_requests()),
     st.sampled_from(["sandwich", "bevel"]),

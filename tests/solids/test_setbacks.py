@@ -11,6 +11,7 @@ from orishell.motion import Mechanism
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids import build_boards, find_set_backs, largest_folds
 from orishell.solids.outlines import inset_panels
+from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 
@@ -25,7 +26,7 @@ def folds_of(mechanism: Mechanism, drives: np.ndarray) -> tuple[np.ndarray, np.n
     return angles.row, angles.column
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(st.one_of(requests(), orthodiagonal_requests()), st.floats(0.3, 0.95))
 def test_no_fold_on_the_way_is_larger(request: Request, share: float) -> None:
     """Against 2000 states; with the sign that the crease keeps."""
@@ -99,7 +100,7 @@ def test_bevelled_squares_are_frusta() -> None:
     assert boards.volumes()[1] == pytest.approx(0.2 * full)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(st.integers(0, 2**32 - 1), st.booleans())
 def test_outlines_agree_with_half_planes_of_shapely(seed: int, cut: bool) -> None:
     """A panel cut along a line inside each edge, by polygon clipping of another program."""

@@ -9,14 +9,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.curves import curve_from_formulas, curve_from_points, parse_formula
 from orishell.deployment import Deployment
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
 from orishell.errors import DesignError
+from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import Mechanism
 from orishell.sheet.quads import lengths
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import find_room, find_stop
+from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -55,7 +58,7 @@ def width(panel: np.ndarray) -> float:
     return min(ways)
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(
     st.one_of(requests(), orthodiagonal_requests()),
     st.floats(1e-4, 0.02),
@@ -97,6 +100,27 @@ def test_sheets_without_flaps_need_no_stop() -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
     mechanism = file.pattern.design(file.f, file.g).mechanism
     assert find_stop(mechanism.without_flaps(), PanelBuild(0.01, membrane=1e-3)) == 0
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-4])
+def test_flaps_beside_a_column_that_all_but_folds_flat_have_no_room(gap: float) -> None:
+    # g's end is within 0.05 degrees of f's plane: flaps may stop by half of 0.004 degrees.
+    f = curve_from_formulas(None, parse_formula("x"), 0, 1)
+    end = np.deg2rad(-79.95)
+    points = np.array([[0, 0], [1, 0], [1 + np.cos(end), np.sin(end)]])
+    design = design_parallel_repeating(
+        f,
+        curve_from_points(points, smooth=False),
+        rows=1,
+        columns=2,
+        xi=np.deg2rad(10),
+        plane=np.deg2rad(40),
+        theta=0.3,
+        flap=0.1,
+    )
+    with pytest.raises(DesignError, match="no thickness is small enough") as refused:
+        find_stop(design.mechanism, PanelBuild(1e-3, membrane=1e-4, gap=gap))
+    assert refused.value.excess is None
 
 
 def shell(figure: int, panel: PanelBuild, *, clipped: bool = False) -> Shell:

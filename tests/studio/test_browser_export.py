@@ -130,7 +130,7 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     page.keyboard.press("Escape")
     # The window opens all the same: that is where it is mended.
     page.get_by_test_id("export").click()
-    assert page.get_by_test_id("export-dxf").is_disabled()
+    wait_until(page, "document.querySelector('[data-testid=export-dxf]').disabled")
     say(page, "stock-height", "2.5")
     await_sheets(page)
     page.get_by_test_id("export-close").click()

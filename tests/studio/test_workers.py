@@ -3,11 +3,11 @@
 import asyncio
 import contextlib
 import json
+import os
 import subprocess
 import sys
 import tempfile
 import tomllib
-from multiprocessing import forkserver
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +15,19 @@ import pytest
 
 from apart import run_apart
 from orishell.design_file import starter_file
-from orishell.studio.processes import Worker, prepared_copies
+from orishell.studio.processes import Worker
 from orishell.studio.refusals import RefusalError
 from orishell.studio.tasks import answer
 from orishell.studio.workers import BusyError, FaultError, OutOfTimeError, Pool
-from warmth import notes_warmth
+
+
+def said_by(program: str, *arguments: str) -> str:
+    """What a program prints that finds the tests' modules."""
+    call = [sys.executable, "-c", program, *arguments]
+    found = os.pathsep.join(sys.path)
+    environment = {**os.environ, "PYTHONPATH": found}
+    done = subprocess.run(call, check=True, capture_output=True, text=True, env=environment)
+    return done.stdout.strip()
 
 
 def payload(rows: int = 9, columns: int = 11) -> dict[str, Any]:
@@ -83,20 +91,26 @@ def test_refusals_and_lines_that_are_too_long() -> None:
 
 
 def test_what_comes_after_a_stopped_task_waits_for_no_imports() -> None:
-    async def scene() -> None:
-        pool = Pool(notes_warmth, 1, seconds=60.0)
-        stream = pool.stream("stay", {})
-        kind, (stopped, warm) = await anext(stream)
-        assert (kind, warm) == ("progress", "warm")
-        await stream.aclose()
-        process, warm = await pool.run("who", {})
-        assert process != stopped
-        assert warm
-        pool.close()
+    # In a program of its own: what this one has started before may have imported all.
+    program = """
+import asyncio
+from orishell.studio.processes import prepared_copies
+from orishell.studio.workers import Pool
+from warmth import notes_warmth
 
-    vars(forkserver)["_forkserver"]._stop()  # one that has imported what other tests need
-    with prepared_copies():
-        run_apart(scene())
+async def scene():
+    pool = Pool(notes_warmth, 1, seconds=60.0)
+    stream = pool.stream("stay", {})
+    kind, (stopped, warm) = await anext(stream)
+    await stream.aclose()
+    process, after = await pool.run("who", {})
+    pool.close()
+    print(kind, warm, process != stopped, after)
+
+with prepared_copies():
+    asyncio.run(scene())
+"""
+    assert said_by(program) == "progress warm True True"
 
 
 def test_a_process_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,9 +143,7 @@ for name in ("design", "verify", "ranges"):
     answer(name, payload, unwatched)
 print(sorted(set(sys.modules) - before))
 """
-    call = [sys.executable, "-c", program, json.dumps(payload())]
-    said = subprocess.run(call, check=True, capture_output=True, text=True).stdout
-    assert said.strip() == "[]"
+    assert said_by(program, json.dumps(payload())) == "[]"
 
 
 def test_what_is_stopped_leaves_no_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

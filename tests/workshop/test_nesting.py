@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from orishell.errors import InputError
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
+from samples import examples
 
 Outline = np.ndarray
 
@@ -51,7 +52,7 @@ def assert_nested(
     assert {p.sheet for p in places} == set(range(1 + max(p.sheet for p in places)))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(
     seeds=st.lists(st.integers(0, 10**6), min_size=1, max_size=12),
     spacing=st.sampled_from([0.0, 0.05, 0.4]),

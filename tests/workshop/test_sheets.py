@@ -21,6 +21,7 @@ from orishell.workshop import Drawing, Workshop
 from orishell.workshop.layout import lay_out
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.sheets import draw_sheets, measure_waste
+from samples import examples
 
 TESTS = Path(__file__).parent.parent
 
@@ -114,7 +115,7 @@ def test_what_is_cut_out_is_the_sheet_and_its_joints(family: str) -> None:
     assert waste.crease_length == pytest.approx(scored, rel=1e-9)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=examples(8), deadline=None)
 @given(
     family=st.sampled_from(list(FAMILIES)),
     share=st.floats(0.25, 1.1),

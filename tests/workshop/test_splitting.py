@@ -16,6 +16,7 @@ from orishell.errors import InputError
 from orishell.sheet.mesh import build_mesh
 from orishell.workshop.fitting import CutSheet, find_turns
 from orishell.workshop.splitting import split_sheet
+from samples import examples
 
 families = pytest.mark.parametrize("family", list(FAMILIES))
 
@@ -57,7 +58,7 @@ def test_every_panel_in_one_part_that_fits(family: str, as_listed: bool) -> None
     assert_split(document, split_sheet(document, stock[0], stock[1], 0.0), stock)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(
     family=st.sampled_from(list(FAMILIES)),
     shares=st.tuples(st.floats(0.1, 0.9), st.floats(0.1, 0.9)),

@@ -57,7 +57,7 @@ def largest_below(
     works
         Whether a value works.
     bad
-        A positive value that does not.
+        A value that does not; not negative.
     smallest
         The smallest share of it that is tried.
     relative
@@ -66,6 +66,6 @@ def largest_below(
     least, good = smallest * bad, 0.5 * bad
     while not works(good):
         good, bad = 0.5 * good, good
-        if good < least:
+        if good <= least:
             return None
     return bisect(works, good, bad, relative=relative)

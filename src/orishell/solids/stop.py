@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -50,21 +51,28 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
         # What is doubled may jump over what works.
         good = _last(mechanism)
         if not works(good):
-            most = largest_thickness(mechanism, build)
-            if not most:
-                raise wide_gap(
-                    build, "at a flap", lambda other: largest_thickness(mechanism, other)
-                )
-            raise DesignError(
-                "boards on flaps would stand back too far from their creases, however early flaps "
-                "stop",
-                place="at the target",
-                keys=("panel.thickness",),
-                size=f"panels may be {most:.4g} thick, and are {build.thickness:.4g}",
-                candidates=_candidates(build, most),
-                excess=build.thickness / most - 1,
-            )
+            raise _no_room(mechanism, build)
     return _angle(bisect_integers(works, good, 0))
+
+
+def _no_room(mechanism: Mechanism, build: PanelBuild) -> DesignError:
+    """The refusal of boards on flaps that have no room for them, whatever their stop is."""
+
+    def room(other: PanelBuild) -> float:
+        return largest_thickness(mechanism, other)
+
+    most = room(build)
+    if not most and room(replace(build, gap=0.0)):
+        return wide_gap(build, "at a flap", room)
+    allowed = f"panels may be {most:.4g} thick, and are {build.thickness:.4g}"
+    return DesignError(
+        "boards on flaps would stand back too far from their creases, however early flaps stop",
+        place="at the target",
+        keys=("panel.thickness",),
+        size=allowed if most else "no thickness is small enough",
+        candidates=_candidates(build, most),
+        excess=build.thickness / most - 1 if most else None,
+    )
 
 
 def largest_thickness(mechanism: Mechanism, build: PanelBuild) -> float:

@@ -25,6 +25,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.motion import FoldedState, FoldingMotion, find_assignment
 from orishell.verification.residuals import measure_residuals
+from samples import examples
 
 PAPER = (85.0, 80.0, 95.0, 100.0)
 NEAR = (89.95, 89.9, 90.05, 90.1)
@@ -68,7 +69,7 @@ def test_rigid_over_the_whole_motion(rows: int, columns: int, first_row: RowKind
     require_rigid(sheet(rows=rows, columns=columns, first_row=first_row))
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(
     st.lists(st.floats(75, 105).map(lambda x: round(x, 3)), min_size=4, max_size=4),
     st.sampled_from(["F", "S"]),

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from orishell.errors import DesignError, InputError, Remedy
 from orishell.families.longitudinal_linear_repeating import Sectors, Solution, find_solutions
 from orishell.families.longitudinal_linear_repeating.equation.choice import choose_solution
+from samples import examples
 
 PAPER = Sectors.from_degrees([85, 80, 95, 100])
 
@@ -44,7 +45,7 @@ def test_the_papers_angles() -> None:
     assert sine.second.degrees == pytest.approx([179.9118, 174.9118, 14.9118, 164.9118], abs=1e-4)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(st.one_of(angles(10, 170), angles(80, 100)))
 def test_solutions_satisfy_the_equation_as_printed(degrees: list[float]) -> None:
     for solution in find_solutions(Sectors.from_degrees(degrees)):
@@ -65,7 +66,7 @@ def test_close_to_the_degenerate_solution_and_yet_another() -> None:
     assert sine.c == pytest.approx(-0.00915871, abs=6e-9)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(angles(20, 160))
 def test_merged_with_the_degenerate_solution(degrees: list[float]) -> None:
     # The cosine version's solution is the degenerate one exactly where alpha + beta = 2 delta:

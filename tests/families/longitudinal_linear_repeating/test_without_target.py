@@ -21,6 +21,7 @@ from orishell.locking import end_motion, find_lock
 from orishell.motion import FoldingMotion
 from orishell.shell.overlay import lay_surface
 from orishell.verification.residuals import measure_residuals
+from samples import examples
 from strategies import graph
 
 PAPER = Sectors.from_degrees([85, 80, 95, 100])
@@ -126,7 +127,7 @@ def test_the_sine_version_of_the_papers_angles(first_row: str, size: tuple[int, 
     require_rigid(ended)
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(
     st.lists(st.floats(75, 105).map(lambda x: round(x, 2)), min_size=4, max_size=4),
     st.sampled_from(["F", "S"]),

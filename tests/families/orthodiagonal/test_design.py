@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
 from orishell.errors import CurveError, DesignError
+from samples import examples
 from strategies import Request, graph, orthodiagonal, orthodiagonal_requests, pair
 
 PARABOLA = graph("-x**2", -1, 1)
@@ -20,7 +21,7 @@ def request(f: Curve = PARABOLA, g: Curve = WAVE, **options: Any) -> Request:
     return orthodiagonal(f, g, **{"rows": 9, "columns": 13, "depth": 0.12, **options})
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(100))
 @given(orthodiagonal_requests())
 def test_candidates_mend_what_they_are_named_for(asked: Request) -> None:
     try:

@@ -9,6 +9,7 @@ from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.orthodiagonal.design import headings_of
 from orishell.families.orthodiagonal.headings import HeadingConditions, SideChoice, holds
 from orishell.polylines import Zigzag
+from samples import examples
 from strategies import numbers
 
 
@@ -61,7 +62,7 @@ points = st.lists(st.tuples(numbers(0.05, 1), numbers(-0.5, 0.5)), min_size=1, m
 )
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(
     points,
     numbers(-3, 3),

@@ -17,6 +17,7 @@ from orishell.motion import (
     measure_fold_angles,
 )
 from orishell.verification.residuals import measure_residuals
+from samples import examples
 from strategies import Request, graph, orthodiagonal_requests
 
 PARABOLA, WAVE = graph("-x**2", -1, 1), graph("0.25*sin(pi*x/2)", 0, 4)
@@ -46,7 +47,7 @@ def column_directions(mechanism: Orthodiagonal) -> tuple[complex, complex]:
     return t, 1j * t
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(orthodiagonal_requests(), st.floats(0.01, 0.999))
 def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     request: Request, share: float
@@ -74,7 +75,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     assert residuals.sector_sum_rad < tolerance
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(orthodiagonal_requests())
 def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     mechanism = mechanism_of(request.feasible())
@@ -105,7 +106,7 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
         np.testing.assert_allclose(np.abs(measured[:, [0, -1]]), np.pi, atol=1e-6)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(orthodiagonal_requests())
 def test_column_lengths_are_those_of_the_flat_sheet(request: Request) -> None:
     mechanism = mechanism_of(request.feasible())

@@ -17,6 +17,7 @@ from orishell.motion import (
 )
 from orishell.polylines import fit_staircase
 from orishell.verification.residuals import measure_residuals
+from samples import examples
 from strategies import Request, graph, requests
 
 
@@ -34,7 +35,7 @@ def demo(rows: int = 9, columns: int = 11, **options: object) -> ParallelRepeati
     )
 
 
-@settings(max_examples=150)
+@settings(max_examples=examples(150))
 @given(requests(), st.floats(0.01, 0.999))
 def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     request: Request, share: float
@@ -60,7 +61,7 @@ def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
     assert residuals.sector_sum_rad < tolerance
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(requests())
 def test_locked_state_lies_on_the_polylines(request: Request) -> None:
     mechanism = mechanism_of(request.feasible())
@@ -89,7 +90,7 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
         np.testing.assert_allclose(np.abs(measured[:, [0, -1]]), np.pi, atol=1e-6)
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(requests())
 def test_row_lengths_are_those_of_the_flat_sheet(request: Request) -> None:
     mechanism = mechanism_of(request.feasible())
