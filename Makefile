@@ -8,6 +8,7 @@
 # make docs    the documentation, with the viewer in it (builds the pages first), into build/docs/
 # make paper   the paper's figures and numbers beside ours, into build/paper/
 # make cad     build123d for STEP and the tests that ask it, 0.7 GB
+# make everything  what all of these need, at once
 # make node    other people's software for the tests that ask it, into build/node (node, npm)
 
 PYTHON ?= python3
@@ -19,7 +20,7 @@ PARALLEL := --numprocesses logical --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test thorough docs paper pages test-pages studio cad node quick bench lint types contracts check format clean
+.PHONY: demo test thorough docs paper pages test-pages studio cad node everything quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -82,6 +83,11 @@ $(VENV)/bin/python:
 	  rm -rf $(VENV); \
 	  echo "A virtual environment is needed: on Debian, apt-get install python3-venv." >&2; \
 	  exit 1; }
+
+everything: $(VENV)/bin/python
+	@echo "installing into $(VENV) ..."
+	@$(PIP) --editable ".[test,quality,cad,docs]"
+	@touch $(VENV)/.run $(VENV)/.test $(VENV)/.quality $(VENV)/.cad $(VENV)/.studio $(VENV)/.docs
 
 $(VENV)/.run: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "installing into $(VENV) ..."

@@ -30,7 +30,7 @@ GRIDS: dict[str, dict[str, Any]] = {
     },
     "longitudinal-linear-repeating": {
         "variables": {
-            "pattern.rows": {"low": 3, "high": 8},
+            "pattern.rows": {"low": 3, "high": 6},
             "pattern.columns": [3, 5, 7],
             "target.f.scale": [0.9, 1.0, 1.1],
         },

@@ -27,9 +27,9 @@ MODES = 6
 """Natural frequencies that are asked for."""
 RIGID = 1e-6
 """A motion of the shell as a whole that moves its supports by less of its size is free."""
-BUCKLING = "1,1e-4,20,1000"
-"""Buckling factors, accuracy, Lanczos vectors, rounds: as they are by default CalculiX may miss the
-lowest."""
+BUCKLING = "5,1e-4,40,1000"
+"""Buckling factors, accuracy, Lanczos vectors, rounds. Asked for one factor CalculiX may miss the
+lowest: with 20 vectors, of the shelter in 8 cells, by 5 %."""
 STIFF = 1e3
 """A tie that does not stretch is this many times as stiff as a square of panel."""
 
