@@ -37,11 +37,12 @@ SEARCHES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
         {"pattern": {"rows": 3, "columns": 5, "flap": 0.05}},
         {
             "variables": {
-                "pattern.depth": {"low": 0.04, "high": 0.3},
-                "pattern.heading_deg": {"low": 60.0, "high": 120.0},
-                "target.g.scale": {"low": 0.8, "high": 1.2},
+                "pattern.depth": {"low": 0.04, "high": 0.2},
+                "target.f.scale": {"low": 0.8, "high": 1.2},
+                "target.g.scale": {"low": 0.5, "high": 1.2},
             },
-            "minimise": ["deviation.f.max", "deviation.g.max"],
+            "minimise": ["sheet.height", "deployed.width"],
+            "subject_to": {"sheet_area": {"least": 10.0}},
         },
     ),
     "longitudinal-linear-repeating": (
