@@ -1,6 +1,6 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
-# make thorough  the same, with all random examples (make test: a quarter)
+# make thorough  the same, with four times as many random examples
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
 # make test-pages  their own tests

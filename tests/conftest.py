@@ -50,13 +50,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=place)
 
 
-def pytest_report_teststatus(report: pytest.TestReport) -> tuple[str, str, str] | None:
-    """In place of an F, the name of what failed and why."""
-    if not report.failed or report.when != "call":
+def pytest_report_teststatus(
+    report: pytest.TestReport | pytest.CollectReport,
+) -> tuple[str, str, str] | None:
+    """In place of an F or E, the name of what failed and why."""
+    if not report.failed:
         return None
     crash = getattr(report.longrepr, "reprcrash", None)
     why = crash.message if crash else report.longreprtext
-    return "failed", f"\nFAILED {report.nodeid}\n{why}\n", "FAILED"
+    category = "failed" if report.when == "call" else "error"
+    word = category.upper()
+    return category, f"\n{word} {report.nodeid}\n{why}\n", word
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

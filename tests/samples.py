@@ -1,6 +1,7 @@
 """How many random examples: a quarter in ``make test``, all in ``make thorough``.
 
-Examples are the same in every run, and the quarter is the first of all.
+Hypothesis draws fewer examples, not the first ones of all: a quarter that passes says nothing of
+the rest, so ``make thorough`` before a release, and after a change of the core.
 """
 
 from __future__ import annotations
