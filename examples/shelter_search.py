@@ -13,6 +13,7 @@ from tempfile import TemporaryDirectory
 
 from orishell import Shell
 from orishell.design_file import check_design
+from orishell.design_file.values import with_values
 from orishell.search import (
     Crew,
     Found,
@@ -23,7 +24,6 @@ from orishell.search import (
     read_problem,
     search_designs,
 )
-from orishell.search.space import with_values
 from orishell.shell.make import make_shell
 from orishell.shell.parts import PARTS
 

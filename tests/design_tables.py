@@ -2,31 +2,16 @@
 
 from __future__ import annotations
 
-import copy
 from pathlib import Path
 from typing import Any
 
 from orishell.design_file import check_design
+from orishell.design_file.values import with_values
 from orishell.errors import DesignError, Remedy
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.parts import MEASURES
 
 Tables = dict[str, Any]
-
-DRAWN = (
-    "points",
-    "path",
-    "smooth",
-    "svg",
-    "id",
-    "dxf",
-    "layer",
-    "handle",
-    "unit",
-    "part",
-    "reverse",
-)
-"""Keys of a curve that is no formula."""
 
 
 def tables(family: str, f: Tables, g: Tables, **pattern: Any) -> Tables:
@@ -58,17 +43,5 @@ def refused(design: Tables) -> DesignError | None:
 
 def mended(design: Tables, remedy: Remedy) -> Tables:
     """The tables with what a remedy says typed in."""
-    changed = copy.deepcopy(design)
-    for key, value in remedy.changes.items():
-        *path, name = key.split(".")
-        table = changed
-        for part in path:
-            table = table.setdefault(part, {})
-        if name == "formula":
-            for other in DRAWN:
-                table.pop(other, None)
-        if value is None:
-            table.pop(name, None)
-        else:
-            table[name] = value
+    changed: Tables = with_values(design, remedy.changes)
     return changed

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from design_tables import Tables, formula, tables
-from orishell.design_file import check_design
+from orishell.design import Design
+from orishell.design_file import DesignFile, check_design
+from orishell.design_file.values import with_values
 from orishell.errors import DesignError
-from orishell.locking import end_motion, require_pack
+from orishell.locking import Lock, require_pack
 from orishell.motion import largest_fold
-from orishell.shell.tolerance import request_of
+from orishell.shell.designed import designed, ended
 
 LONG, ORTHO = "longitudinal-linear-repeating", "orthodiagonal"
 FIGURE_1 = tables(
@@ -70,7 +70,7 @@ LADDERS: dict[str, Ladder] = {
     "plane": (FIGURE_1, "pattern.plane_deg", [170, 175, 178], None, "does not cross the chord"),
     "flap": (FIGURE_1, "pattern.flap", [20, 50, 200], None, "too narrow or too wide"),
     "hinges": (FIGURE_1, "deployment.largest_fold_deg", [179, 150, 90, 30], 180, "do not close"),
-    "boards": (BOARDS, "panel.thickness", [0.3, 0.4, 0.8], 0.2, "panels may be"),
+    "boards": (BOARDS, "panel.thickness", [0.3, 0.4, 0.8], 0.2, "room for"),
     "gap": (BOARDS, "panel.gap", [0.3, 0.6, 1.0], 0.1, "the gap between panels"),
     "stop": (BOARDS, "panel.stop_deg", [26, 30, 40], 24, "so far short of folding flat"),
     "depth": (WAVE, "pattern.depth", [0.51, 0.6, 0.8, 1.2], 0.45, "cusps"),
@@ -91,26 +91,16 @@ CLASHES: dict[str, Ladder] = {
 }
 
 
-def asked(design: Tables, key: str, value: float) -> Any:
-    """The request with another value at a key."""
-    changed = copy.deepcopy(design)
-    table, _, name = key.rpartition(".")
-    place = changed
-    for part in table.split("."):
-        place = place.setdefault(part, {})
-    place[name] = value
-    return request_of(check_design(changed, Path("shell.toml")))
+def asked(design: Tables, key: str, value: float) -> DesignFile:
+    """The design with another value at a key."""
+    return check_design(with_values(design, {key: value}), Path("shell.toml"))
 
 
-def designed(request: Any) -> None:
-    request.designed()
+def proved(file: DesignFile) -> tuple[Design, Lock]:
+    return ended(file, designed(file))
 
 
-def proved(request: Any) -> None:
-    end_motion(request.designed(), request)
-
-
-def check(ladder: Ladder, make: Callable[[Any], None], steps: int, nearly: float) -> None:
+def check(ladder: Ladder, make: Callable[[DesignFile], object], steps: int, nearly: float) -> None:
     design, key, values, good, said = ladder
 
     def excess(value: float) -> float:
@@ -151,12 +141,11 @@ def test_more_the_earlier_panels_meet(ladder: Ladder) -> None:
 def test_a_shell_that_is_to_be_opened_from_a_pack() -> None:
     """1 where it does not close beyond its target at all; hinges that close so far are enough."""
     pack = WAVE | {"deployment": {"from": "pack"}, "motion": {"frames": 3}}
-    mechanism = request_of(check_design(pack, Path("shell.toml"))).designed().mechanism
+    mechanism = designed(check_design(pack, Path("shell.toml"))).mechanism
     needed = np.rad2deg(float(largest_fold(mechanism, np.array([mechanism.target_drive]))[0]))
 
     def close(more: float) -> None:
-        request = asked(pack, "deployment.largest_fold_deg", needed + more)
-        require_pack(*end_motion(request.designed(), request))
+        require_pack(*proved(asked(pack, "deployment.largest_fold_deg", needed + more)))
 
     found = []
     for more in (1e-9, 0.005, 0.01, 0.02, 0.0378):

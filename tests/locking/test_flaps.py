@@ -2,52 +2,59 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from brute_force import crosses, not_designed
-from orishell.curves import Curve
-from orishell.errors import ClashError, Remedy
-from orishell.families.parallel_repeating.pattern import ParallelRepeatingPattern
-from orishell.locking import Request, end_motion, find_lock, reaches_target, with_remedies
-from strategies import graph, pair
+from design_tables import Tables, formula, tables
+from orishell.design_file import DesignFile, check_design
+from orishell.errors import ClashError, Remedy, Value
+from orishell.locking import find_lock, reaches_target
+from orishell.shell.designed import designed, ended
+from orishell.shell.make import make_shell
 
 
-def request(f: Curve, g: Curve, flap: Any, **keys: Any) -> Request:
-    return Request(ParallelRepeatingPattern(flap=flap, **keys), (f, g))
+def asked_for(f: Tables, g: Tables, flap: Any, **keys: Any) -> DesignFile:
+    design = tables("parallel-repeating", f, g, flap=flap, **keys)
+    return check_design(design, Path("shell.toml"))
 
 
-def bend(flap: Any) -> Request:
+def bend(flap: Any) -> DesignFile:
     """Flaps across an almost closed bend."""
-    f, g = graph("-x**2", -1, 1), pair("2.2*cos(t)", "2.2*sin(t)", 0, 5.5)
-    return request(f, g, flap, rows=9, columns=24, xi_deg=50, flap_side="start")
+    f, g = formula("-x**2", -1, 1), formula(["2.2*cos(t)", "2.2*sin(t)"], 0, 5.5)
+    return asked_for(f, g, flap, rows=9, columns=24, xi_deg=50, flap_side="start")
 
 
-def refusal(asked: Request) -> ClashError:
+def refusal(asked: DesignFile) -> ClashError:
     with pytest.raises(ClashError) as caught:
-        end_motion(asked.designed(), asked)
+        make_shell(asked)
     return caught.value
 
 
-def mended(asked: Request) -> Remedy:
-    (remedy,) = with_remedies(asked, refusal(asked)).remedies
+def mended(asked: DesignFile) -> Remedy:
+    (remedy,) = refusal(asked).remedies
     return remedy
+
+
+def works(asked: DesignFile) -> bool:
+    return reaches_target(designed(asked), asked.contact_tolerance)
 
 
 def test_too_wide_a_flap_is_told_the_widest_that_works() -> None:
     assert "opposite flaps" in str(refusal(bend(4.0)))
     widest = float(str(mended(bend(4.0)).changes["pattern.flap"]))
     asked = bend(widest)
-    _, lock = end_motion(asked.designed(), asked)
+    _, lock = ended(asked, designed(asked))
     assert lock.cause == "flaps"
-    assert not reaches_target(bend(1.01 * widest))
+    assert not works(bend(1.01 * widest))
 
 
 def test_brute_force_agrees_that_the_widest_flaps_meet_nothing() -> None:
     widest = float(str(mended(bend(4.0)).changes["pattern.flap"]))
-    narrow, wide = (bend(share * widest).designed().mechanism for share in (1, 1.02))
+    narrow, wide = (designed(bend(share * widest)).mechanism for share in (1, 1.02))
     counts = not_designed(narrow.grid)
     drives = np.linspace(0, 0.9999 * np.pi, 300)
     assert not any(crosses(narrow, float(drive), counts) for drive in drives)
@@ -57,58 +64,60 @@ def test_brute_force_agrees_that_the_widest_flaps_meet_nothing() -> None:
 def test_flaps_of_no_given_width_are_as_wide_as_is_useful() -> None:
     # The mean crease of column 1, unless it meets something.
     asked = bend("auto")
-    design, lock = end_motion(asked.designed(), asked)
+    design, lock = ended(asked, designed(asked))
     assert lock.cause == "flaps"
-    assert design.parameters["flap"] == asked.designed().parameters["flap"]
+    assert design.parameters["flap"] == designed(asked).parameters["flap"]
 
 
 def test_flaps_of_no_given_width_are_narrowed_until_they_meet_nothing() -> None:
     # Ends of a bend so near that flaps of useful width would meet.
-    asked = request(
-        graph("-0.3*x**2", -0.7, 0.7),
-        pair("1.6*cos(t)", "1.6*sin(t)", 0, 5.5),
+    asked = asked_for(
+        formula("-0.3*x**2", -0.7, 0.7),
+        formula(["1.6*cos(t)", "1.6*sin(t)"], 0, 5.5),
         "auto",
         rows=3,
         columns=24,
         xi_deg=100,
         flap_side="start",
     )
-    useful = asked.designed()
+    useful = designed(asked)
     assert find_lock(useful).early
-    design, lock = end_motion(useful, asked)
+    design, lock = ended(asked, useful)
     assert lock.cause == "flaps"
     width, most = design.parameters["flap"], useful.parameters["flap"]
     assert isinstance(width, float)
     assert isinstance(most, float)
     assert 0 < width < most
-    assert not reaches_target(asked.changed(Remedy({"pattern.flap": 1.01 * width})))
+    assert not works(asked.changed({"pattern.flap": 1.01 * width}))
 
 
 @pytest.mark.parametrize(
     ("g", "key"),
     [
-        (pair("(2+0.25*t)*cos(t)", "(2+0.25*t)*sin(t)", 0, 9), "target.f.scale"),
-        (pair("4*cos(t)", "4*sin(t)", 0, 2 * np.pi), "target.g.range"),
+        (formula(["(2+0.25*t)*cos(t)", "(2+0.25*t)*sin(t)"], 0, 9), "target.f.scale"),
+        (formula(["4*cos(t)", "4*sin(t)"], 0, 2 * np.pi), "target.g.range"),
     ],
 )
-def test_other_remedies_work_too(g: Curve, key: str) -> None:
-    asked = request(graph("-0.9*x**2", -1, 1), g, 0.3, rows=9, columns=40, xi_deg=50)
+def test_other_remedies_work_too(g: Tables, key: str) -> None:
+    asked = asked_for(formula("-0.9*x**2", -1, 1), g, 0.3, rows=9, columns=40, xi_deg=50)
     assert "degrees" in refusal(asked).place
     remedy = mended(asked)
     assert list(remedy.changes) == [key]
-    changed = asked.changed(remedy)
-    _, lock = end_motion(changed.designed(), changed)
+    changed = asked.changed(remedy.changes)
+    _, lock = ended(changed, designed(changed))
     assert lock.cause == "flaps"
     value = remedy.changes[key]
     assert isinstance(value, float | list)
     farther = (
-        1.05 * value if isinstance(value, float) else [0.0, min(1.05 * float(value[1]), g.stop)]
+        1.05 * value
+        if isinstance(value, float)
+        else [0.0, min(1.05 * float(value[1]), asked.g.stop)]
     )
-    assert not reaches_target(asked.changed(Remedy({key: farther})))
+    assert not works(asked.changed({key: farther}))
 
 
 def test_a_clash_can_be_allowed() -> None:
     asked = bend(4.0)
-    design, lock = end_motion(asked.designed(), asked, allow_clash=True)
+    design, lock = ended(asked, designed(asked), allow_clash=True)
     assert lock.early
     assert design.parameters["flap"] == 4.0

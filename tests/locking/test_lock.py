@@ -15,9 +15,10 @@ from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,
 )
-from orishell.locking import Request, find_lock, lock_without_clash
+from orishell.locking import find_lock, lock_without_clash
 from orishell.motion import corrugation_depth
 from orishell.shell.caveats import warn_of_lock
+from orishell.shell.designed import designed
 from planted import PLANTED, ring
 from strategies import graph
 
@@ -161,7 +162,7 @@ def test_panels_that_meet_at_the_target_unasked_are_named() -> None:
 def test_no_crease_is_folded_flat_before_the_end(figure: str) -> None:
     # The proof of the path leaves panels that share a vertex to this (theory/locking-and-clash).
     file = read_design_file(EXAMPLES / f"{figure}.toml")
-    design = Request(file.pattern, file.target).designed()
+    design = designed(file)
     mechanism = design.mechanism
     drives = np.append(np.linspace(0, 0.999, 200), 1 - 1e-6) * mechanism.end_drive
     angles = mechanism.fold_angles(drives)

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from orishell.design_file import check_design
+from orishell.design_file.values import with_values
 from orishell.errors import InputError
 from orishell.search import Crew, Found, Problem, alone, journal_in_memory, local_processes
 from orishell.search import page as pages
@@ -24,7 +25,6 @@ from orishell.search.front import Front, costs
 from orishell.search.page import FrontPage, draw_shells, write_page
 from orishell.search.problem import read_problem
 from orishell.search.run import search_designs
-from orishell.search.space import with_values
 from orishell.search.write import require_installed
 from orishell.shell.make import make_shell
 from typescript import fits

@@ -11,10 +11,9 @@ import pytest
 from command_line import orishell
 from design_tables import formula, made, mended, refused, tables
 from orishell.design_file import read_design_file
-from orishell.locking.motion_end import end_motion
 from orishell.motion import largest_fold
+from orishell.shell.designed import designed, ended
 from orishell.shell.make import Shell, design_shell
-from orishell.shell.tolerance import request_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CARD = EXAMPLES / "figure1_card.toml"
@@ -123,7 +122,7 @@ def test_too_thick_names_the_crease_and_the_largest_that_works() -> None:
     error = refused(design)
     assert error is not None
     assert "at the target, at the crease of row " in error.place
-    most = float(error.size.split()[3])
+    most = float(error.size.split()[4])
     offered = error.remedies[0].changes["panel.thickness"]
     assert offered == pytest.approx(0.99 * most, rel=1e-3)
     design["panel"]["thickness"] = offered
@@ -171,15 +170,15 @@ def test_a_motion_that_is_cut_short_keeps_its_panels_and_hinges(tmp_path: Path) 
     path = tmp_path / "sheet.toml"
     thin = "\n[panel]\nthickness = 0.01\nmembrane = 0.001\n"
     path.write_text(SECTORS + thin + "\n[deployment]\nlargest_fold_deg = 179\n")
-    request = request_of(read_design_file(path))
-    design = request.designed()
-    ended, lock = end_motion(design, request)
+    file = read_design_file(path)
+    design = designed(file)
+    sheet, lock = ended(file, design)
     assert lock.cause == "boards"
     assert lock.first_contact is not None
     assert lock.target == lock.first_contact.clear_until
-    assert ended.mechanism.target_drive == lock.target
-    assert ended.panel == design.panel
-    assert ended.largest_fold == design.largest_fold == np.deg2rad(179)
+    assert sheet.mechanism.target_drive == lock.target
+    assert sheet.panel == design.panel
+    assert sheet.largest_fold == design.largest_fold == np.deg2rad(179)
     assert lock.built is not None
 
 

@@ -80,6 +80,20 @@ def as_typed(value: float, works: Callable[[float], bool], fewest: int = 4) -> f
     return next((each for each in typed if works(each)), value)
 
 
+def rounded_down(value: float, digits: int = 4) -> float:
+    """A positive number rounded down to as many digits as are worth typing.
+
+    Parameters
+    ----------
+    value
+        The number.
+    digits
+        Significant digits.
+    """
+    unit = 10.0 ** (np.floor(np.log10(value)) + 1 - digits)
+    return rounded(float(np.floor(value / unit) * unit), digits)
+
+
 def inside(limit: float, start: float, share: float = ROUNDING) -> float:
     """A value a little nearer to ``start`` than the limit, so that it still works when quoted.
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,8 @@ from orishell.design_file.limits import require_memory
 from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.structure import structure_of
 from orishell.design_file.tables import FileTable, Ground, keys_of
-from orishell.errors import InputError
+from orishell.design_file.values import value_at, with_values
+from orishell.errors import InputError, Value
 from orishell.families.pattern import Pattern, Tolerance
 from orishell.families.registry import FAMILIES, require_family
 from orishell.structure.settings import Structure
@@ -28,6 +30,8 @@ from orishell.workshop import Workshop
 FROM_PACK = 3
 """Fewest states of a motion from the pack: it, the target and the flat sheet."""
 
+CURVES = ("shell.unit", "target")
+"""Where it is said what the target curves are."""
 ANY_SIZE = {"rows": 1, "columns": 2}
 """Rows and columns of a pattern whose size is still to be chosen."""
 
@@ -66,6 +70,10 @@ class DesignFile:
         How it is analysed as a structure; None if that was not asked for.
     search
         What is searched for among its variants; None if nothing is.
+    tables
+        What the file says, table by table.
+    files
+        Whether its curves may come from files.
     """
 
     path: Path
@@ -82,8 +90,44 @@ class DesignFile:
     panel: PanelBuild | None = None
     structure: Structure | None = None
     search: Search | None = None
+    tables: dict[str, Any] = field(default_factory=dict, repr=False)
+    files: bool = True
 
     __repr__ = in_one_line
+
+    @property
+    def panel_count(self) -> int:
+        """Number of panels, the flaps included."""
+        return (self.pattern.rows + 1) * (self.pattern.columns + 1)
+
+    def changed(self, values: Mapping[str, Value | None]) -> DesignFile:
+        """The design file with other values at some keys, as if they had been typed in.
+
+        Parameters
+        ----------
+        values
+            Values by key, the tables in front of it: "pattern.rows". None removes a key.
+
+        Raises
+        ------
+        InputError
+            As when the file is read.
+        """
+        tables = with_values(self.tables, values)
+        same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
+        return _checked(tables, self.path, files=self.files, known=self.target if same else None)
+
+    def sized(self, pattern: Pattern) -> DesignFile:
+        """The design file with a pattern that meets its tolerance: what is changed then keeps it.
+
+        Parameters
+        ----------
+        pattern
+            The pattern, its rows and columns chosen.
+        """
+        table = pattern.model_dump(exclude_unset=True)
+        tables = with_values(self.tables, {"tolerance": None, "pattern": table})
+        return replace(self, pattern=pattern, tables=tables)
 
     @property
     def f(self) -> Curve:
@@ -147,7 +191,13 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     InputError
         Naming the file, the key, what was found and what is expected.
     """
-    raw = with_joined_keys(raw)
+    return _checked(with_joined_keys(raw), path, files=files)
+
+
+def _checked(
+    raw: dict[str, Any], path: Path, *, files: bool, known: tuple[Curve, Curve] | None = None
+) -> DesignFile:
+    """A checked design file; target curves that are known are not read again."""
     try:
         file = FileTable.model_validate(raw)
     except ValidationError as error:
@@ -181,24 +231,28 @@ def check_design(raw: dict[str, Any], path: Path, *, files: bool = True) -> Desi
     try:
         structure = structure_of(file.structure, file.load_case, panel)
         workshop = file.workshop.settings(directory)
-        target = None if file.target is None else file.target.curves(directory, file.shell.unit)
+        target = known
+        if target is None and file.target is not None:
+            target = file.target.curves(directory, file.shell.unit)
     except InputError as error:
         raise error.located(f"{path}:") from None
     return DesignFile(
-        path,
-        file.shell.family,
-        file.shell.unit,
-        target,
-        pattern,
-        None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
-        file.motion.frames,
-        file.motion.contact_tolerance,
-        workshop,
-        file.shell.ground,
-        file.deployment.settings(),
-        panel,
-        structure,
-        None if file.search is None else file.search.settings(),
+        path=path,
+        family=file.shell.family,
+        unit=file.shell.unit,
+        target=target,
+        pattern=pattern,
+        tolerance=None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
+        frames=file.motion.frames,
+        contact_tolerance=file.motion.contact_tolerance,
+        workshop=workshop,
+        ground=file.shell.ground,
+        deployment=file.deployment.settings(),
+        panel=panel,
+        structure=structure,
+        search=None if file.search is None else file.search.settings(),
+        tables=raw,
+        files=files,
     )
 
 

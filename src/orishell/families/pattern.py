@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 import numpy as np
-from pydantic import ValidationError
 
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.errors import InputError, Remedy, Value
+from orishell.errors import Remedy
 from orishell.families.parameters import (
     COLUMNS,
     FLAP,
@@ -95,29 +93,6 @@ class Pattern(Table):
     def variants(self, tolerance: Tolerance) -> list[Self]:
         """Patterns that fill in what the file leaves open so as to need few panels."""
         return [self]
-
-    def changed(self, values: Mapping[str, Value | None], model: type[Pattern]) -> Pattern:
-        """The same pattern with other values of its keys.
-
-        Parameters
-        ----------
-        values
-            By key; None for a key that is removed.
-        model
-            The table of the family that it is to be of.
-
-        Raises
-        ------
-        InputError
-            If a value does not fit.
-        """
-        table = {**self.model_dump(exclude_unset=True), **values}
-        kept = {key: value for key, value in table.items() if value is not None}
-        try:
-            return model.model_validate(kept)
-        except ValidationError as error:
-            first = error.errors()[0]
-            raise InputError(first["msg"], where=".".join(map(str, first["loc"]))) from None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,10 +1,8 @@
 """Where the motion ends, the proof, and the widest flaps that meet nothing."""
 
-from orishell.locking.flap_widths import reaches_target
+from orishell.locking.flap_widths import largest_quotable, reaches_target, widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock, lock_without_clash
 from orishell.locking.motion_end import end_motion, require_pack
-from orishell.locking.remedies import with_remedies
-from orishell.locking.request import Request
 from orishell.locking.result import Cause, Contact, Kind, Lock
 
 __all__ = [
@@ -13,11 +11,11 @@ __all__ = [
     "Contact",
     "Kind",
     "Lock",
-    "Request",
     "end_motion",
     "find_lock",
+    "largest_quotable",
     "lock_without_clash",
     "reaches_target",
     "require_pack",
-    "with_remedies",
+    "widest_flap",
 ]

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
-
-from orishell.conventions.formatting import rounded
+from orishell.conventions.formatting import rounded_down
 from orishell.design import Design
-from orishell.errors import DesignError, Remedy
+from orishell.errors import DesignError
 from orishell.locking.lock import find_lock
-from orishell.locking.request import Request
 from orishell.numerics.bisection import largest_below
 
 NARROWEST = 1e-3
@@ -19,30 +16,30 @@ FINE = 1e-3
 """Accuracy of the widest flaps, relative to their width."""
 
 
-def reaches_target(request: Request, *, flaps_only: bool = False) -> bool:
-    """Return whether a shell can be designed and no panels meet before its target state.
+def reaches_target(design: Design, tolerance: float, *, flaps_only: bool = False) -> bool:
+    """Return whether no panels of a design meet before its target state.
 
     Parameters
     ----------
+    tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
     flaps_only
         Look for contacts of the flaps only.
     """
-    try:
-        design = request.designed()
-    except DesignError:
-        return False
-    return not find_lock(
-        design, tolerance=request.tolerance, flaps_only=flaps_only, beyond=False
-    ).early
+    return not find_lock(design, tolerance=tolerance, flaps_only=flaps_only, beyond=False).early
 
 
-def widest_flap(request: Request, design: Design, *, boards: bool = False) -> float | None:
+def widest_flap(
+    design: Design, narrower: Callable[[float], Design], tolerance: float, *, boards: bool = False
+) -> float | None:
     """Return the largest width, below that of a design's flaps, at which no flap meets anything.
 
     Parameters
     ----------
-    request, design
-        What is asked for, and what was made of it.
+    narrower
+        Makes the design with flaps of another width (length); raises DesignError where it cannot.
+    tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
     boards
         Look for contacts of all boards and panels, not of panels of the flaps only.
     """
@@ -51,8 +48,11 @@ def widest_flap(request: Request, design: Design, *, boards: bool = False) -> fl
         return None
 
     def works(width: float) -> bool:
-        narrower = request.changed(Remedy({"pattern.flap": width}))
-        return reaches_target(narrower, flaps_only=not boards)
+        try:
+            made = narrower(width)
+        except DesignError:
+            return False
+        return reaches_target(made, tolerance, flaps_only=not boards)
 
     return largest_quotable(works, asked, NARROWEST, FINE)
 
@@ -78,8 +78,7 @@ def largest_quotable(
     good = largest_below(works, most, smallest=smallest, relative=accuracy)
     if good is None:
         return None
-    unit = 10.0 ** (np.floor(np.log10(good)) - 3)
-    tidy = rounded(np.floor(good / unit) * unit)
+    tidy = rounded_down(good)
     return tidy if works(tidy) else good
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,6 @@ from orishell.design import Design
 from orishell.errors import ClashError, DesignError, Remedy
 from orishell.locking.flap_widths import flap_width, widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
-from orishell.locking.request import Request
 from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth
 from orishell.solids import build_panels
@@ -25,8 +25,9 @@ DIGITS = 6
 
 def end_motion(
     design: Design,
-    request: Request | None = None,
     *,
+    tolerance: float = CONTACT_TOLERANCE,
+    narrower: Callable[[float], Design] | None = None,
     allow_clash: bool = False,
     progress: Progress = unwatched,
 ) -> tuple[Design, Lock]:
@@ -38,8 +39,10 @@ def end_motion(
 
     Parameters
     ----------
-    request
-        What the design was made from: says when panels touch, and whether flaps may be narrowed.
+    tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
+    narrower
+        Makes the design with flaps of another width (length); None where their width is given.
     allow_clash
         Return the design even if panels meet before its target state.
 
@@ -48,7 +51,6 @@ def end_motion(
     ClashError
         If panels of the flat sheet touch, or panels meet before the target state.
     """
-    tolerance = CONTACT_TOLERANCE if request is None else request.tolerance
     lock = find_lock(design, tolerance=tolerance, progress=progress)
     contact = lock.first_contact
     if not lock.early or contact is None:
@@ -57,14 +59,16 @@ def end_motion(
         design = design.ended_at(contact.clear_until)
         if design.panel is not None and lock.built is None:
             # Panels meet there, boards perhaps before.
-            return end_motion(design, request, allow_clash=allow_clash, progress=progress)
+            return end_motion(
+                design, tolerance=tolerance, allow_clash=allow_clash, progress=progress
+            )
         end = design.mechanism.target_drive
         depth = corrugation_depth(design.mechanism.positions(end))
         return design, replace(lock, target=end, depth=depth)
-    if request is not None and request.target is not None and request.pattern.flap == "auto":
-        width = widest_flap(request, design, boards=contact.sides is not None)
+    if narrower is not None:
+        width = widest_flap(design, narrower, tolerance, boards=contact.sides is not None)
         if width is not None:
-            design = request.changed(Remedy({"pattern.flap": width})).designed()
+            design = narrower(width)
             lock = find_lock(design, tolerance=tolerance, progress=progress)
     if lock.early and not allow_clash:
         raise _clash(design, lock)

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.design_file.values import Values
 from orishell.numerics.arrays import Array
 from orishell.search.evaluate import Outcome
 from orishell.search.feasible import violation
 from orishell.search.problem import Problem
-from orishell.search.space import Space, Values, key_of
+from orishell.search.space import Space, key_of
 
 if TYPE_CHECKING:
     from pymoo.core.algorithm import Algorithm

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from orishell.design_file import DesignFile, check_design
+from orishell.design_file.values import Values, with_values
 from orishell.errors import DesignError, InputError
 from orishell.search.figures import figure
 from orishell.search.problem import Problem
-from orishell.search.space import Values, with_values
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.parts import PARTS, Part
 from orishell.shell.report import Report

@@ -18,9 +18,10 @@ from pathlib import Path
 from typing import Any
 
 from orishell.conventions.version import __version__
+from orishell.design_file.values import Values
 from orishell.errors import InputError
 from orishell.search.evaluate import FAULT, Outcome
-from orishell.search.space import Values, key_of
+from orishell.search.space import key_of
 
 NAME = "journal.jsonl"
 _ABSENT: tuple[object, ...] = (None, "", {})

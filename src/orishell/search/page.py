@@ -17,6 +17,7 @@ import numpy as np
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.design_file.search import Limit
+from orishell.design_file.values import Values
 from orishell.errors import OrishellError
 from orishell.io.program_page import place_of, program_page, read_program
 from orishell.io.view import dump_view
@@ -26,7 +27,6 @@ from orishell.search.feasible import violation
 from orishell.search.front import beaten, costs, scores
 from orishell.search.problem import Problem
 from orishell.search.run import Found
-from orishell.search.space import Values
 from orishell.shell.parts import PARTS
 
 PROGRAM = place_of("front.js")

@@ -15,9 +15,10 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file import check_design
 from orishell.design_file.search import Limit, Range, Search
+from orishell.design_file.values import with_values
 from orishell.errors import InputError
 from orishell.search.figures import Figure, figure
-from orishell.search.space import Choices, Interval, Space, stepped, with_values
+from orishell.search.space import Choices, Interval, Space, stepped
 
 MOST_STEPS = 10_000
 """Values of a range with steps, at most."""

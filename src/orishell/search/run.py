@@ -9,6 +9,7 @@ from functools import partial
 
 from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, unwatched
+from orishell.design_file.values import Values
 from orishell.errors import DesignError, InputError
 from orishell.search.choose import chooser
 from orishell.search.crew import Crew
@@ -17,7 +18,6 @@ from orishell.search.feasible import nearest, reasons, said_of, violation
 from orishell.search.front import Front, front_of
 from orishell.search.journal import Journal
 from orishell.search.problem import Problem
-from orishell.search.space import Values
 
 SEARCHING = "searching"
 COMMONEST = 3

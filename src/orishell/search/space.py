@@ -13,10 +13,9 @@ import numpy as np
 
 from orishell.conventions.formatting import in_one_line, rounded
 from orishell.design_file.search import Range
+from orishell.design_file.values import Values, value_at
 from orishell.numerics.arrays import Array
 
-Values = dict[str, Any]
-"""What keys of the design file have in a variant, by key, the tables in front of it."""
 DIGITS = 6
 """Digits of numbers that are chosen, from the first one of their range on."""
 LONGEST = 15
@@ -169,50 +168,3 @@ def stepped(range_: Range, *, whole: bool) -> Interval | Choices:
 def key_of(values: Values) -> str:
     """What tells a variant from others."""
     return json.dumps(values, sort_keys=True)
-
-
-def value_at(tables: Any, key: str) -> Any:
-    """What tables have at a dotted key; None if they have nothing there."""
-    for part in key.split("."):
-        if isinstance(tables, list) and part.isdecimal() and int(part) < len(tables):
-            tables = tables[int(part)]
-        elif isinstance(tables, dict):
-            tables = tables.get(part)
-        else:
-            return None
-    return tables
-
-
-def with_values(tables: Any, values: Values) -> Any:
-    """Tables of a design file with other values at some keys; what they name need not exist.
-
-    Parameters
-    ----------
-    tables
-        The tables.
-    values
-        Values by dotted key; in lists a number, from 0, is the key.
-
-    Raises
-    ------
-    LookupError
-        If a key names an entry that a list does not have, or stands in what is no table.
-    """
-    for key, value in values.items():
-        tables = _with_value(tables, key.split("."), value)
-    return tables
-
-
-def _with_value(tables: Any, keys: list[str], value: Any) -> Any:
-    if not keys:
-        return value
-    first, *rest = keys
-    match tables:
-        case list():
-            if not (first.isascii() and first.isdecimal() and int(first) < len(tables)):
-                raise LookupError(first)
-            inner = _with_value(tables[int(first)], rest, value)
-            return [*tables[: int(first)], inner, *tables[int(first) + 1 :]]
-        case dict():
-            return {**tables, first: _with_value(tables.get(first, {}), rest, value)}
-    raise LookupError(first)

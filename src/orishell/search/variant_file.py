@@ -7,8 +7,8 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from orishell.design_file.values import Values, with_values
 from orishell.search.problem import Problem
-from orishell.search.space import Values, with_values
 
 _FILES = (
     *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import replace
 
 import numpy as np
 
@@ -12,10 +11,10 @@ from orishell.deployment import find_pack
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.errors import DesignError, InputError, Remedy
-from orishell.locking import Lock, Request, find_lock
+from orishell.locking import Lock, find_lock
 from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
+from orishell.shell.designed import designed
 from orishell.shell.parts import Part
-from orishell.shell.tolerance import request_of
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""
@@ -60,22 +59,21 @@ def _of_pack(
         why = f"boards {design.panel.thickness:g} {file.unit} thick close no further than that"
     elif lock.cause == "hinges":
         why = f"its hinges close no further than {in_degrees(design.largest_fold)} degrees"
-    request = request_of(replace(file, tolerance=None))
-    better = _closes_better(request, packed) if mended else None
+    better = _closes_better(file, packed) if mended else None
     remedy = f"; with {better} it does" if better is not None else ""
     yield f"the pack, {box}, is no flat bundle: {why}{remedy}"
 
 
-def _closes_better(request: Request, packed: PackedReport) -> Remedy | None:
+def _closes_better(file: DesignFile, packed: PackedReport) -> Remedy | None:
     """A change with which the shell is tried and found to close into a flat bundle."""
-    remedy = request.pattern.closing
-    if remedy is None or request.largest_fold < np.pi or request.panel:
+    remedy = file.pattern.closing
+    if remedy is None or file.deployment.largest_fold < np.pi or file.panel:
         return None
     try:
-        design = request.changed(remedy).designed()
+        design = designed(file.changed(remedy.changes))
     except (DesignError, InputError):
         return None
-    lock = find_lock(design, tolerance=request.tolerance)
+    lock = find_lock(design, tolerance=file.contact_tolerance)
     if lock.early or lock.pack <= lock.target:
         return None
     box = find_pack(design.mechanism, lock.pack, 1).box

@@ -21,21 +21,21 @@ from orishell.document.from_design import document_of_motion
 from orishell.errors import DesignError, InputError, printable
 from orishell.locking import (
     Lock,
-    end_motion,
     lock_without_clash,
     require_pack,
-    with_remedies,
 )
 from orishell.motion import FoldingMotion, extents, sheet_area
 from orishell.shell.caveats import find_caveats, warn_of_lock
 from orishell.shell.choice import Choice
 from orishell.shell.clock import Clock
 from orishell.shell.deployment_report import describe_deployment
+from orishell.shell.designed import designed, ended
 from orishell.shell.deviation_report import describe_deviation
 from orishell.shell.holding import warn_of_deployment
 from orishell.shell.lock_report import describe_lock
 from orishell.shell.panel_report import describe_panels
 from orishell.shell.parts import Part, not_checked, require_parts
+from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
     Report,
@@ -46,7 +46,7 @@ from orishell.shell.report import (
 )
 from orishell.shell.standing import find_feet, stand
 from orishell.shell.structure import load_shell
-from orishell.shell.tolerance import meet_tolerance, request_of
+from orishell.shell.tolerance import meet_tolerance
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import measure_residuals, require_verified
 from orishell.workshop.quantities import measure_quantities
@@ -143,8 +143,25 @@ def make_shell(
         If the result is not rigid: a fault of the program.
     """
     require_parts(leave_out)
+    try:
+        return _made(file, progress, clash, leave_out)
+    except DesignError as error:
+        if clash == "unexamined" or "remedies" in leave_out:
+            raise
+        raise with_remedies(file, error, _tried, progress) from None
+
+
+def _tried(file: DesignFile, progress: Progress) -> Shell:
+    """The shell of a file that is tried: what cannot refuse it is left out."""
+    return _made(file, progress, "refused", ("remedies", "deviation"))
+
+
+def _made(
+    file: DesignFile, progress: Progress, clash: ClashPolicy, leave_out: Collection[Part]
+) -> Shell:
+    """The shell of a file, which is refused without remedies."""
     clock = Clock()
-    file, design, lock, choice = _designed(file, progress, clash, clock, leave_out)
+    file, design, lock, choice = _designed(file, progress, clash, clock)
     feet = find_feet(design)
     if file.ground == "z0":
         design = stand(design, feet)
@@ -226,32 +243,23 @@ def _designed(
     progress: Progress,
     clash: ClashPolicy,
     clock: Clock,
-    leave_out: Collection[Part],
 ) -> tuple[DesignFile, Design, Lock, Choice | None]:
     """The file with rows and columns, its design, how its motion ends, and the choice made."""
     choice: Choice | None = None
-    asked = request_of(file)
     try:
         if file.tolerance is not None:
             pattern, choice = meet_tolerance(file, file.tolerance, progress)
-            file = replace(file, pattern=pattern)
+            file = file.sized(pattern)
             clock.lap("choose")
-        request = request_of(replace(file, tolerance=None))
-        design = request.designed()
+        design = designed(file)
         clock.lap("design")
         if clash == "unexamined":
             lock = lock_without_clash(design)
         else:
-            design, lock = end_motion(
-                design, request, allow_clash=clash == "allowed", progress=progress
-            )
+            design, lock = ended(file, design, allow_clash=clash == "allowed", progress=progress)
             clock.lap("clash")
         if file.deployment.start == "pack":
             require_pack(design, lock)
-    except DesignError as error:
-        if clash == "unexamined" or "remedies" in leave_out:
-            raise
-        raise with_remedies(asked, error, progress) from None
     except InputError as error:
         raise error.located(f"{file.path}:") from None
     return file, design, lock, choice

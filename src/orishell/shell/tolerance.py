@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from typing import Self
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, stretch, unwatched
 from orishell.design import Design
 from orishell.design_file import DesignFile, require_memory
 from orishell.deviation import SAMPLES as CAREFUL
 from orishell.deviation import find_excess, measure_deviation
-from orishell.errors import DesignError, Remedy
+from orishell.errors import DesignError
 from orishell.families.pattern import Pattern as FamilyPattern
 from orishell.families.pattern import Tolerance
-from orishell.locking import Request
 from orishell.sheet.quads import lengths
 from orishell.shell.choice import Choice, Measured
 from orishell.shell.size_search import choose
@@ -66,69 +61,6 @@ def meet_tolerance(
     pattern, choice = min(found, key=lambda each: each[1].trial.panels)
     require_memory(file.path, pattern, file.frames)
     return pattern, choice
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class SearchRequest(Request):
-    """A request whose rows and columns are to be chosen.
-
-    Parameters
-    ----------
-    pattern, target, tolerance, clipped, largest_fold, from_pack, panel
-        As for any request.
-    file
-        The design file.
-    limits
-        How near the shell is to be to its surface.
-    """
-
-    file: DesignFile = field(kw_only=True)
-    limits: Tolerance = field(kw_only=True)
-
-    __repr__ = in_one_line
-
-    @property
-    def quick(self) -> bool:
-        """Whether rows and columns are known without a search: they are not."""
-        return False
-
-    def changed(self, remedy: Remedy) -> Self:
-        """The request with other values at keys of the design file."""
-        surface = remedy.changes.get("tolerance.surface", self.limits.surface)
-        assert isinstance(surface, float)
-        others = {key: value for key, value in remedy.changes.items() if key != "tolerance.surface"}
-        changed = super(SearchRequest, self).changed(Remedy(others))
-        return replace(changed, limits=replace(self.limits, surface=surface))
-
-    def sized(self) -> Request:
-        """The request with the fewest rows and columns that meet the tolerance."""
-        assert isinstance(self.pattern, FamilyPattern)
-        file = replace(self.file, pattern=self.pattern, target=self.target)
-        pattern, _ = meet_tolerance(file, self.limits)
-        return Request(
-            pattern,
-            self.target,
-            self.tolerance,
-            self.clipped,
-            self.largest_fold,
-            self.from_pack,
-            self.panel,
-        )
-
-
-def request_of(file: DesignFile) -> Request:
-    """The request of a design file, with a search for rows and columns if it has a tolerance."""
-    limits, deployment = file.tolerance, file.deployment
-    values = (
-        file.pattern,
-        file.target,
-        file.contact_tolerance,
-        deployment.flap_attachment == "clipped",
-        deployment.largest_fold,
-        deployment.start == "pack",
-        file.panel,
-    )
-    return Request(*values) if limits is None else SearchRequest(*values, file=file, limits=limits)
 
 
 def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Measured:

@@ -7,7 +7,7 @@ from orishell.solids.boards import build_boards
 from orishell.solids.built import Built, build_panels
 from orishell.solids.limits import drive_for_height, largest_height
 from orishell.solids.meeting import Meetings, find_meetings
-from orishell.solids.room import Room, find_room, thinner, wide_gap
+from orishell.solids.room import Room, find_room, room_for, thinner, wide_gap
 from orishell.solids.setbacks import SetBacks, find_set_backs, largest_folds
 from orishell.solids.stop import find_stop, largest_thickness
 
@@ -26,6 +26,7 @@ __all__ = [
     "largest_folds",
     "largest_height",
     "largest_thickness",
+    "room_for",
     "thinner",
     "wide_gap",
 ]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from orishell.conventions.formatting import rounded
+from orishell.conventions.formatting import rounded, rounded_down
 from orishell.design import PanelBuild
 from orishell.errors import DesignError, Remedy, Value
 from orishell.motion import Mechanism
@@ -67,6 +67,18 @@ def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
     if not np.isfinite(most):
         return Room(most, "", on_flap=False)
     return Room(most, _crease(panel, way, np.abs(folds.on_edges()), grid), bool(of_flaps[panel]))
+
+
+def room_for(build: PanelBuild, most: float) -> str:
+    """How thick panels may be at most, rounded down, and how thick they are, in words.
+
+    Parameters
+    ----------
+    most
+        The largest thickness with which set-backs take no more than they may (length).
+    """
+    limit = rounded_down(most) if most else 0.0
+    return f"set-backs leave room for {limit:g} at most, and panels are {build.thickness:.4g} thick"
 
 
 def thinner(build: PanelBuild, most: float) -> list[Remedy]:

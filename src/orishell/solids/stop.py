@@ -13,7 +13,7 @@ from orishell.motion import Mechanism
 from orishell.numerics.bisection import bisect_integers
 from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids.limits import largest_height
-from orishell.solids.room import find_room, thinner, wide_gap
+from orishell.solids.room import find_room, room_for, thinner, wide_gap
 
 STEPS = 100
 """Steps in a degree: a stop that is found is a whole number of them."""
@@ -64,12 +64,11 @@ def _no_room(mechanism: Mechanism, build: PanelBuild) -> DesignError:
     most = room(build)
     if not most and room(replace(build, gap=0.0)):
         return wide_gap(build, "at a flap", room)
-    allowed = f"panels may be {most:.4g} thick, and are {build.thickness:.4g}"
     return DesignError(
         "boards on flaps would stand back too far from their creases, however early flaps stop",
         place="at the target",
         keys=("panel.thickness",),
-        size=allowed if most else "no thickness is small enough",
+        size=room_for(build, most) if most else "no thickness is small enough",
         candidates=_candidates(build, most),
         excess=build.thickness / most - 1 if most else None,
     )

@@ -193,8 +193,8 @@ class Task:
         size = self.payload.get("size")
         if isinstance(size, dict):
             # Where sizes are to be chosen, those of the shell on the screen.
-            shown = {"rows": size.get("rows"), "columns": size.get("columns")}
-            file = replace(file, pattern=file.pattern.changed(shown, type(file.pattern)))
+            shown = {f"pattern.{key}": size.get(key) for key in ("rows", "columns")}
+            file = replace(file.changed({"tolerance": None, **shown}), tolerance=file.tolerance)
             require_small(file)
         return find_tradeoff(file, self.progress)
 

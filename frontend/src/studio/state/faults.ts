@@ -58,7 +58,6 @@ export function mended(design: Design, remedy: Remedy): Design {
     const key = path.pop()!;
     let table = changed as unknown as Record<string, unknown>;
     for (const name of path) table = (table[name] ??= {}) as Record<string, unknown>;
-    if (key === "formula") for (const other of SOURCES) delete table[other];
     if (value === null) delete table[key];
     else table[key] = value;
   }
@@ -71,6 +70,3 @@ export function wordsOfRemedies(fault: Fault, words: (remedy: Remedy) => string)
   if (fault.limit) return `none: ${fault.limit}`;
   return fault.remedies.map(words).join(", or ");
 }
-
-/** Keys of a curve that is no formula. */
-const SOURCES = ["points", "path", "smooth", "svg", "id", "dxf", "layer", "handle", "unit", "part", "reverse"];

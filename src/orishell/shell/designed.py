@@ -1,0 +1,149 @@
+"""The design that a file asks for, before its path is examined for contact."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+
+from orishell.conventions.formatting import in_degrees, rounded
+from orishell.conventions.progress import Progress, unwatched
+from orishell.design import Design, PanelBuild
+from orishell.design_file import DesignFile
+from orishell.errors import DesignError, Remedy
+from orishell.locking import Lock, end_motion
+from orishell.motion import drive_at_fold, largest_fold
+from orishell.solids import drive_for_height, find_room, find_stop, room_for, thinner, wide_gap
+
+ROUNDING = 1e-9
+"""By so much a fold angle at the target may exceed what hinges allow (radians)."""
+LEAST = 1e-3
+"""A sheet without a target is folded this share of the way at least, or refused."""
+UP = 5e-4
+"""A fold angle that is offered is so much above what is needed (degrees)."""
+
+
+def designed(file: DesignFile) -> Design:
+    """The design that a file asks for, whose rows and columns are known.
+
+    Raises
+    ------
+    DesignError
+        If the family cannot make it, or hinges or boards do not close as far as its target
+        asks, also where flaps with boards stop short of folding flat.
+    """
+    opening = file.deployment.start == "pack"
+    design = (
+        file.pattern.design_without_target()
+        if file.target is None
+        else file.pattern.design(*file.target)
+    )
+    design = replace(design, largest_fold=file.deployment.largest_fold)
+    if file.panel is not None:
+        reach: Literal["target", "pack"] = "pack" if opening else "target"
+        design = _with_panels(design, replace(file.panel, reach=reach))
+    if file.deployment.flap_attachment == "clipped":
+        design = design.with_clipped_flaps()
+    design = _as_far_as_it_goes(design)
+    _require_hinges(design, opening)
+    _require_room(design)
+    return design
+
+
+def ended(
+    file: DesignFile, design: Design, *, allow_clash: bool = False, progress: Progress = unwatched
+) -> tuple[Design, Lock]:
+    """A file's design as it can be folded, and how its motion ends: see :func:`end_motion`.
+
+    Parameters
+    ----------
+    design
+        What :func:`designed` made of it.
+    allow_clash
+        Return the design even if panels meet before its target state.
+
+    Raises
+    ------
+    ClashError
+        If panels of the flat sheet touch, or panels meet before the target state.
+    """
+
+    def narrower(width: float) -> Design:
+        return designed(file.changed({"pattern.flap": width}))
+
+    open_width = file.target is not None and file.pattern.flap == "auto"
+    return end_motion(
+        design,
+        tolerance=file.contact_tolerance,
+        narrower=narrower if open_width else None,
+        allow_clash=allow_clash,
+        progress=progress,
+    )
+
+
+def _as_far_as_it_goes(design: Design) -> Design:
+    """The design, ended where hinges or boards let it go no further, if nothing else ends it."""
+    if design.ending_at is None:
+        return design
+    mechanism, build = design.mechanism, design.panel
+    end = drive_at_fold(mechanism, design.largest_fold)
+    if build is not None:
+        end = drive_for_height(
+            mechanism, build.height, end, build.share, build.setback, gap=build.gap
+        )
+    target = mechanism.target_drive
+    return design if end >= target else design.ended_at(max(end, LEAST * target))
+
+
+def _require_hinges(design: Design, from_pack: bool) -> None:
+    """Refuse hinges that do not close as far as the target asks; a pack asks for more."""
+    mechanism, limit = design.mechanism, design.largest_fold
+    if limit >= np.pi:
+        return
+    needed = float(largest_fold(mechanism, np.array([mechanism.target_drive]))[0])
+    if needed <= limit + ROUNDING:
+        return
+    clipped = [Remedy({"deployment.flap_attachment": "clipped"})] if mechanism.flap_columns else []
+    asked = 180.0 if from_pack else rounded(float(np.rad2deg(needed)) + UP, 6)
+    raise DesignError(
+        "hinges do not close as far as the target asks",
+        keys=("deployment.largest_fold_deg",),
+        size=f"a crease folds by {in_degrees(needed)} degrees there, hinges by at most "
+        f"{in_degrees(limit)}",
+        candidates=[*clipped, Remedy({"deployment.largest_fold_deg": min(asked, 180.0)})],
+        excess=(needed - limit) / np.pi,
+    )
+
+
+def _with_panels(design: Design, panel: PanelBuild) -> Design:
+    """The design with panels of a thickness: its flaps stop where their boards meet."""
+    flaps = design.mechanism.flap_columns
+    stop = 0.0 if not flaps else panel.stop
+    if stop is None:
+        stop = find_stop(design.mechanism, panel)
+    return replace(design.with_stop(stop), panel=replace(panel, stop=stop))
+
+
+def _require_room(design: Design) -> None:
+    """Refuse boards so thick that they take too much of a panel at the target."""
+    build = design.panel
+    if build is None:
+        return
+
+    sheet = design.clipped or design.mechanism
+    room = find_room(sheet, build)
+    if build.thickness <= room.thickness:
+        return
+    place = f"at the target, {room.crease}"
+    if not room.thickness and find_room(sheet, replace(build, gap=0.0)).thickness:
+        raise wide_gap(build, place, lambda other: find_room(sheet, other).thickness)
+    earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
+    raise DesignError(
+        "boards would take more of a panel than set-backs may",
+        place=place,
+        keys=("panel.thickness",),
+        size=room_for(build, room.thickness),
+        candidates=[*earlier, *thinner(build, room.thickness)],
+        excess=build.thickness / room.thickness - 1 if room.thickness else None,
+    )
