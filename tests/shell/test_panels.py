@@ -82,7 +82,7 @@ def test_bad_values_are_one_message_and_nothing_is_written(
     [
         ("thickness = 30\nmembrane = 0.2", "boards on flaps would stand", ["panel.thickness"]),
         # The membrane is thicker than panels may be: it is made thinner with them.
-        ("thickness = 30\nmembrane = 25", "may be", ["panel.thickness", "panel.membrane"]),
+        ("thickness = 30\nmembrane = 25", "leave room for", ["panel.thickness", "panel.membrane"]),
         (SANDWICH + "gap = 40", "the gap between panels takes more", ["panel.gap"]),
         (BEVEL.replace("0.4", "40"), "the gap between panels takes more", ["panel.gap"]),
         (SANDWICH + "stop_deg = 45", "stop", ["panel.stop_deg"]),

@@ -104,7 +104,9 @@ def test_thicker_boards_pack_larger() -> None:
 
 
 def test_boards_too_thick_for_the_target() -> None:
-    with pytest.raises(DesignError, match=r"panels may be 0\.2101 thick, and are 0\.5") as refused:
+    with pytest.raises(
+        DesignError, match=r"room for 0\.2101 at most, and panels are 0\.5 thick"
+    ) as refused:
         shelter(0.5)
     (remedy,) = refused.value.remedies
     thickness = remedy.changes["panel.thickness"]
