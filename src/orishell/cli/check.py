@@ -33,7 +33,10 @@ def check(
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
 ) -> None:
-    """Check a FOLD file of quadrilateral panels: flat sheet, rigidity, creases and contact."""
+    """Check a FOLD file: flat sheet, rigidity, creases, contact.
+
+    All its panels must be quadrilaterals.
+    """
     from orishell.io import read_fold
     from orishell.io.all_formats import FOLD
     from orishell.io.manifest import require_one_run
