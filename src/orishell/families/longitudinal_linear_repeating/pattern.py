@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design
+from orishell.families.degrees import made_in_degrees
 from orishell.families.longitudinal_linear_repeating.design import (
     STAGE,
     SolutionNumber,
@@ -81,11 +82,15 @@ class LongitudinalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return design_longitudinal_linear_repeating(f, g, **self.arguments())
+        return made_in_degrees(
+            self, lambda: design_longitudinal_linear_repeating(f, g, **self.arguments())
+        )
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
-        return design_longitudinal_linear_repeating(**self.arguments())
+        return made_in_degrees(
+            self, lambda: design_longitudinal_linear_repeating(**self.arguments())
+        )
 
 
 FAMILY = Family(

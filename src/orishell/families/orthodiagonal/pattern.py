@@ -11,6 +11,7 @@ from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
 from orishell.errors import Remedy
+from orishell.families.degrees import made_in_degrees
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
 from orishell.families.orthodiagonal.row import RowKind, require_one_kind
 from orishell.families.parameters import (
@@ -87,7 +88,7 @@ class OrthodiagonalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return design_orthodiagonal(f, g, **self.arguments())
+        return made_in_degrees(self, lambda: design_orthodiagonal(f, g, **self.arguments()))
 
 
 FAMILY = Family(

@@ -12,6 +12,7 @@ from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
 from orishell.errors import Remedy
+from orishell.families.degrees import made_in_degrees
 from orishell.families.parallel_repeating.design import (
     PLANE,
     THETA,
@@ -87,7 +88,7 @@ class ParallelRepeatingPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return design_parallel_repeating(f, g, **self.arguments())
+        return made_in_degrees(self, lambda: design_parallel_repeating(f, g, **self.arguments()))
 
 
 FAMILY = Family(
