@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.conventions.quantities import plain
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
@@ -193,9 +194,9 @@ def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> 
         raise CurveError(
             "the curve has gaps",
             where=f"between {place(where[a])} and {place(where[b])}",
-            got=f"{len(free) // 2} separate parts, the nearest ends {distance:.3g} apart",
+            got=f"{len(free) // 2} separate parts, the nearest ends {plain(distance, 3)} apart",
             expected="one curve",
-            remedy=f"make ends meet to {tolerance:.1g}, or choose its pieces",
+            remedy=f"make ends meet to {plain(tolerance, 1)}, or choose its pieces",
         )
     a, b = (int(each) for each in free)
     across = where[b] - where[a]

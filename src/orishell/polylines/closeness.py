@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.curves import Trace, remembered
 from orishell.curves.nearest import Nearest
 from orishell.curves.radians import look_like_degrees
@@ -127,8 +128,8 @@ def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str
     curve = trace.curve
     degrees = curve.key == "range" and look_like_degrees(curve.start, curve.stop)
     return (
-        f"the polyline of g with {columns} columns leaves g by {distance:.4g}, "
-        f"{distance / size:.0%} of g's rise of {size:.4g} (more than {COARSE_SHARE:.0%}): "
+        f"the polyline of g with {columns} columns leaves g by {plain(distance)}, "
+        f"{distance / size:.0%} of g's rise of {plain(size)} (more than {COARSE_SHARE:.0%}): "
         "the shell will not show g's shape; take more columns"
         + (", or give radians: its range looks like degrees" if degrees else ""),
     )
