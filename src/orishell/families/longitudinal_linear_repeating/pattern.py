@@ -10,7 +10,6 @@ from pydantic import Field, model_validator
 from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.families.degrees import made_in_degrees
 from orishell.families.longitudinal_linear_repeating.design import (
     STAGE,
     SolutionNumber,
@@ -21,6 +20,7 @@ from orishell.families.longitudinal_linear_repeating.equation.sectors import Sec
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
 from orishell.families.parameters import Auto, Knob, Length
 from orishell.families.pattern import Family, Pattern
+from orishell.families.slips import forgiving
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
 
@@ -82,15 +82,13 @@ class LongitudinalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return made_in_degrees(
-            self, lambda: design_longitudinal_linear_repeating(f, g, **self.arguments())
+        return forgiving(
+            self, lambda: design_longitudinal_linear_repeating(f, g, **self.arguments()), (f, g)
         )
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
-        return made_in_degrees(
-            self, lambda: design_longitudinal_linear_repeating(**self.arguments())
-        )
+        return forgiving(self, lambda: design_longitudinal_linear_repeating(**self.arguments()))
 
 
 FAMILY = Family(

@@ -11,7 +11,6 @@ from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
 from orishell.errors import Remedy
-from orishell.families.degrees import made_in_degrees
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
 from orishell.families.orthodiagonal.row import RowKind, require_one_kind
 from orishell.families.parameters import (
@@ -25,6 +24,7 @@ from orishell.families.parameters import (
     OddRowCount,
 )
 from orishell.families.pattern import Family, Pattern, Tolerance, placement_variants
+from orishell.families.slips import forgiving
 from orishell.polylines import Placement, Spacing
 
 
@@ -88,7 +88,7 @@ class OrthodiagonalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return made_in_degrees(self, lambda: design_orthodiagonal(f, g, **self.arguments()))
+        return forgiving(self, lambda: design_orthodiagonal(f, g, **self.arguments()), (f, g))
 
 
 FAMILY = Family(

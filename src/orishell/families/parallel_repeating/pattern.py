@@ -12,7 +12,6 @@ from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
 from orishell.errors import Remedy
-from orishell.families.degrees import made_in_degrees
 from orishell.families.parallel_repeating.design import (
     PLANE,
     THETA,
@@ -31,6 +30,7 @@ from orishell.families.parameters import (
     OddRowCount,
 )
 from orishell.families.pattern import Family, Pattern, Tolerance, placement_variants
+from orishell.families.slips import forgiving
 from orishell.polylines import Placement, Spacing
 
 
@@ -88,7 +88,7 @@ class ParallelRepeatingPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return made_in_degrees(self, lambda: design_parallel_repeating(f, g, **self.arguments()))
+        return forgiving(self, lambda: design_parallel_repeating(f, g, **self.arguments()), (f, g))
 
 
 FAMILY = Family(
