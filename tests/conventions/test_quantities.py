@@ -6,9 +6,35 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from orishell.conventions.quantities import Quantities, figure, quantity
+from orishell.conventions.quantities import Quantities, figure, plain, quantity
 
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+@given(st.floats(-1e30, 1e30), st.integers(1, 6))
+def test_a_plain_number_is_read_as_it_was_rounded(value: float, digits: int) -> None:
+    text = plain(value, digits)
+    assert math.isclose(float(text), float(f"{value:.{digits}g}"), rel_tol=1e-12)
+    assert "e+" not in text
+    assert ("e" in text) == (value != 0 and not 1e-4 <= abs(float(text)) < 1e7)
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [
+        (1537.2, 3, "1540"),
+        (139_219.4, 4, "139200"),
+        (124.0, 2, "120"),
+        (-0.25, 4, "-0.25"),
+        (-1e-300 * 1e-300, 4, "0"),
+        (2.7e8, 4, "2.7e8"),
+        (5e-16, 3, "5e-16"),
+        (math.inf, 4, "inf"),
+        (math.nan, 4, "nan"),
+    ],
+)
+def test_how_plain_numbers_look(value: float, digits: int, text: str) -> None:
+    assert plain(value, digits) == text
 
 
 def read(text: str) -> float:

@@ -33,6 +33,27 @@ def test_what_stands_in_texts_and_comments_does_not_nest(quote: str) -> None:
     assert parse_toml(text) == {"a": escaped.replace("\\", ""), "b": 1}
 
 
+@pytest.mark.parametrize(
+    ("text", "remedy", "shown"),
+    [
+        ("a = 1\nb = 2,5", "numbers have a decimal point: write 2.5", "b = 2,5"),
+        ("b = -2,5 # half", "numbers have a decimal point: write -2.5", "b = -2,5 # half"),
+        ("unit = mm", 'put texts in quotes: "mm"', "unit = mm"),
+        ("a = [1, 2", "", None),
+        ("a b = 1", "", "a b = 1"),
+        ("x = \x07" + " " * 10**6, "", None),
+    ],
+)
+def test_what_is_no_toml_is_shown(text: str, remedy: str, shown: str | None) -> None:
+    with pytest.raises(InputError, match="this is not TOML") as caught:
+        parse_toml(text)
+    assert caught.value.remedy == remedy
+    assert caught.value.detail.isprintable() or caught.value.detail.count("\n") == 1
+    assert len(caught.value.detail) < 250
+    if shown is not None:
+        assert caught.value.detail.splitlines()[0].strip() == shown
+
+
 def test_a_design_nests_as_deep_as_it_needs_to() -> None:
     text = "x = " + "[" * (DEEPEST - 1) + "1.5, 2.5, 1979-05-27T07:32:00.5" + "]" * (DEEPEST - 1)
     assert list(parse_toml(text)) == ["x"]

@@ -242,6 +242,39 @@ def test_errors(tmp_path: Path, name: str) -> None:
     assert caught.value.exit_status == 2
 
 
+def _beside_a_frame(space: Any) -> None:
+    space.add_lwpolyline([(0, 0), (9, 0), (9, 9)], close=True, dxfattribs={"layer": "FRAME"})
+    space.add_arc((4, 4), 2, 0, 180, dxfattribs={"layer": "PROFILE"})
+
+
+def test_what_else_is_drawn_is_named_and_what_to_choose_works(tmp_path: Path) -> None:
+    path = write(tmp_path, _beside_a_frame, 4)
+    frame, arc = (each.dxf.handle for each in readfile(path).modelspace())
+    with pytest.raises(InputError, match="is closed") as caught:
+        read_dxf(path, into="mm")
+    assert caught.value.got == (
+        f"LWPOLYLINE {frame} on layer 'FRAME' (closed), ARC {arc} on layer 'PROFILE' "
+        "(a curve with two ends)"
+    )
+    assert caught.value.remedy == 'choose the curve with layer = "PROFILE"'
+    assert len(read_dxf(path, into="mm", layer="PROFILE").pieces) == 1
+
+
+def test_two_curves_on_a_layer_are_chosen_by_their_handles(tmp_path: Path) -> None:
+    def draw(space: Any) -> None:
+        line(space)
+        space.add_line((0, 50), (100, 50))
+
+    path = write(tmp_path, draw, 4)
+    handles = [each.dxf.handle for each in readfile(path).modelspace()]
+    with pytest.raises(InputError, match="make ends meet") as caught:
+        read_dxf(path, into="mm")
+    chosen = " or ".join(f'handle = "{each}"' for each in handles)
+    assert caught.value.remedy.endswith(f", or choose the curve with {chosen}")
+    for each in handles:
+        assert len(read_dxf(path, into="mm", handle=each).pieces) == 1
+
+
 def test_entities_of_unknown_types_are_passed_over(tmp_path: Path) -> None:
     """As programs built on CAD programs write them."""
     path = write(tmp_path, line, 4)

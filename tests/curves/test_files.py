@@ -93,6 +93,20 @@ def test_headers_that_make_no_sense(tmp_path: Path, header: str, says: str) -> N
     assert read_points(path, into="m", unit="cm")[1] == pytest.approx([0.01, 0.02])
 
 
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("0,5 1,2\n1,5 1,7\n", r"line 1: this line is not a point.*semicolons"),
+        ("x,y\n0,5,1,2\n1,5,1,7\n", r"line 2: .* twice as many columns .*semicolons"),
+    ],
+)
+def test_decimal_commas_between_commas(tmp_path: Path, text: str, says: str) -> None:
+    path = tmp_path / "points.csv"
+    path.write_text(text)
+    with pytest.raises(InputError, match=says):
+        read_points(path)
+
+
 def test_missing_and_unreadable_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         read_points(tmp_path / "none.csv")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -255,6 +256,56 @@ def test_what_is_drawn(tmp_path: Path) -> None:
     assert joints(tmp_path, used, id="u")[:, 0] == pytest.approx([10, 14])
 
 
+FRAME = '<rect id="frame" width="400" height="280"/>'
+PROFILE = '<path id="profile" d="M50 200A150 150 0 0 1 350 200"/>'
+BESIDE: dict[str, tuple[str, list[str], list[str]]] = {
+    "a frame": (
+        FRAME + PROFILE,
+        ["is closed", '<rect id="frame"> (closed)', '<path id="profile"> (a curve with two ends)'],
+        ["profile"],
+    ),
+    "an axis": (
+        f'<path id="axis" d="M0 250H400"/>{PROFILE}',
+        ["has gaps", "drawn by", "make ends meet"],
+        ["profile", "axis"],
+    ),
+    "a mark at its end": (
+        f'<path id="mark" d="M350 200L400 250M350 200V280"/>{PROFILE}',
+        ["branches", "3 ends that meet, drawn by", "remove what does not belong"],
+        ["profile", "mark"],
+    ),
+    "a frame beside a group": (
+        f'{FRAME}<g id="parts"><path d="M50 50H90"/><path d="M90 50V90"/></g>',
+        ["is closed", "<path> (a curve with two ends)"],
+        ["parts"],
+    ),
+    "a frame, and the curve in a group": (f'{FRAME}<g id="a">{PROFILE}</g>', [], ["profile"]),
+    "nothing with an id": (
+        '<rect width="9" height="9"/><path d="M0 5H9"/>',
+        ["<rect> (closed)", "give the element that is meant an id"],
+        [],
+    ),
+    "many": ("".join(f'<path d="M0 {k}H9"/>' for k in range(9)), ["and 3 more"], []),
+}
+
+
+@pytest.mark.parametrize("name", BESIDE)
+def test_what_else_is_drawn_is_named_and_the_ids_to_choose_work(tmp_path: Path, name: str) -> None:
+    body, says, ids = BESIDE[name]
+    path = write(tmp_path, body)
+    with pytest.raises(InputError) as caught:
+        read_svg(path, into="mm")
+    assert all(text in str(caught.value) for text in says)
+    assert re.findall(r'id = "(\w+)"', caught.value.remedy) == ids
+    for each in ids:
+        assert len(read_svg(path, into="mm", id=each).pieces) > 0
+
+
+def test_one_element_alone_is_named_where_it_makes_no_curve(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r'<path id="a"> from .*: the curve is closed'):
+        read_svg(write(tmp_path, '<path id="a" d="M0 0H9V9Z"/>'), into="mm")
+
+
 ERRORS = {
     "an id that is unknown": ('<path id="profile"/>', {"id": "profil"}, ["profile", "'profil'"]),
     "no ids at all": ("<path/>", {"id": "x"}, ["leave id out"]),
@@ -273,8 +324,16 @@ ERRORS = {
     ),
     "no first M": ('<path d="L 1 1"/>', {}, ["first one M"]),
     "an unknown command": ('<path d="M0 0 X 5"/>', {}, ["a command", "character 5"]),
-    "a bad flag": ('<path d="M0 0 A 5 5 0 2 1 9 9"/>', {}, ["a flag"]),
-    "a number that is none": ('<path d="M0 0 L nan 1"/>', {}, ["a number"]),
+    "a bad flag": (
+        '<path d="M0 0 A 5 5 0 2 1 9 9"/>',
+        {},
+        ["the flag large of the command A at character 6"],
+    ),
+    "a number that is none": (
+        '<path d="M0 0 L nan 1"/>',
+        {},
+        ["x of the command L at character 6 is no number"],
+    ),
     "numbers too large": ('<path d="M0 0 L1e999 1"/>', {}, ["not finite"]),
     "a scale too large": ('<path transform="scale(1e200)" d="M0 0L1 1"/>', {}, ["too large"]),
     "half a point": ('<polyline points="1 2 3"/>', {}, ["points", "3 numbers"]),

@@ -92,6 +92,25 @@ FAULTS = {
     "attack": (("-x**2", "__import__('os')"), "[target.f] formula", "character 12"),
     "fault in a formula": (("-x**2", "-x^2"), "[target.f] formula", "write **"),
     "one frame": (("[pattern]", "[motion]\nframes = 1\n[pattern]"), "[motion] frames", "least 2"),
+    "a decimal comma in a text": (
+        ("flap = 0.3", 'flap = "0,3"'),
+        "[pattern] flap",
+        "write 0.3 with",
+    ),
+    "a number in quotes": (("rows = 9", 'rows = "9"'), "[pattern] rows", "write 9 without quotes"),
+    "decimal commas in a list": (
+        ("[0, 20]", "[0,5, 20]"),
+        "[target.g] range",
+        "Remedy: numbers have a decimal point",
+    ),
+    "a decimal comma in a formula": (("-x**2", "-0,5*x**2"), "[target.f] formula", "write 0.5"),
+    "a decimal comma in a range": (("[0, 20]", '["0,5", 20]'), "range[0]", "write 0.5"),
+    "a decimal comma": (("flap = 0.3", "flap = 0,3"), "    flap = 0,3\n            ^", "write 0.3"),
+    "a text without quotes": (
+        ('family = "parallel-repeating"', "family = parallel-repeating"),
+        "    family = parallel-repeating\n             ^",
+        'put texts in quotes: "parallel-repeating"',
+    ),
     "not TOML": (("[pattern]", "[pattern"), "shell.toml", "not TOML"),
     "missing points": (
         ('formula = "-x**2"\nrange = [-1, 1]', 'points = "none.csv"'),

@@ -11,6 +11,7 @@ import typer
 
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
+from orishell.conventions.quantities import plain
 from orishell.errors import InputError
 
 if TYPE_CHECKING:
@@ -33,7 +34,10 @@ def check(
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
 ) -> None:
-    """Check a FOLD file of quadrilateral panels: flat sheet, rigidity, creases and contact."""
+    """Check a FOLD file: flat sheet, rigidity, creases, contact.
+
+    All its panels must be quadrilaterals.
+    """
     from orishell.io import read_fold
     from orishell.io.all_formats import FOLD
     from orishell.io.manifest import require_one_run
@@ -68,7 +72,7 @@ def _print_summary(inspection: Inspection) -> None:
     say(
         f"frames    {frames}, "
         + ("none of them flat" if flat is None else f"flat sheet in frame {flat}")
-        + f", diagonal {report['diagonal']:.4g} {report['unit']}"
+        + f", diagonal {plain(report['diagonal'])} {report['unit']}"
     )
     if report["turned_panels"]:
         say(f"turned    {report['turned_panels']} panels listed the other way round")

@@ -19,14 +19,14 @@ def convert(
     state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
     workshop: Annotated[
         Path | None,
-        typer.Option(help=r"A TOML file with a table \[workshop], for instance a design file."),
+        typer.Option(help="A TOML file with a table [workshop], for instance a design file."),
     ] = None,
     unit: Annotated[
         str | None,
         typer.Option(help="Unit of length, where the FOLD file names none: mm, cm, m, in, ft."),
     ] = None,
 ) -> None:
-    """Write a crease pattern and its folded states in another format."""
+    """Write a FOLD file in another format."""
     from orishell.design_file import read_workshop
     from orishell.io import Settings
     from orishell.shell.export import convert_fold

@@ -40,7 +40,10 @@ def design(
     write: Annotated[str, typer.Option(help=WRITE_HELP)] = "",
     state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
 ) -> None:
-    """Design a shell, verify its motion, write shell.fold, report.json and pictures."""
+    """Design a shell, verify its motion and write its files.
+
+    They are shell.fold, report.json and pictures, and what --write names.
+    """
     from orishell.io import OutputDirectory, Settings
     from orishell.io.all_formats import formats_for
     from orishell.shell.export import write_shell

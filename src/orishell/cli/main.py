@@ -26,6 +26,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,  # it takes [workshop] for markup, and leaves it out
 )
 app.command()(new)
 app.command()(design)

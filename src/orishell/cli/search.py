@@ -35,7 +35,10 @@ def search(
         typer.Option(help="Address of a Dask scheduler whose workers are to make the designs."),
     ] = None,
 ) -> None:
-    """Search a design's variants for those that no other beats; go on where a search ended."""
+    """Search a design's variants for those that no other beats.
+
+    It goes on where a search into the same directory ended.
+    """
     with _crew(processes, cluster) as crew:  # at once: it imports what this process does meanwhile
         _search(file, out, crew)
 

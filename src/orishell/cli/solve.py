@@ -21,7 +21,10 @@ def solve(
         bool, typer.Option("--json", help="Print the solutions as JSON.")
     ] = False,
 ) -> None:
-    """List all solutions of equation (4) for the sector angles of column 1."""
+    """List all solutions of equation (4) for four sector angles.
+
+    They are those of column 1, alpha, beta, gamma and delta.
+    """
     from orishell.families.longitudinal_linear_repeating import SEARCHED, describe_solutions
 
     found = describe_solutions([alpha, beta, gamma, delta])

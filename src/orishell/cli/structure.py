@@ -30,7 +30,10 @@ def structure(
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
 ) -> None:
-    """Analyse a shell as a structure: loads, displacements, forces, buckling and frequencies."""
+    """Analyse a shell as a structure.
+
+    What it finds are displacements, forces, buckling and frequencies under its loads.
+    """
     from orishell.design_file import read_design_file
     from orishell.io import OutputDirectory
     from orishell.shell.export import write_structure

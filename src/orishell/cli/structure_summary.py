@@ -7,16 +7,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.cli.files import shortened
+from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
     from orishell.shell.case_report import CaseReport, StandingReport, Vector
     from orishell.shell.structure_report import ModelReport, StructureReport
 
 GOVERNING = {
-    "panels": "the stress in panels, {percent:.3g} % of what they bear",
-    "creases": "the moment of creases, {percent:.3g} % of what they bear",
-    "ties": "the force in ties, {percent:.3g} % of what they bear",
-    "buckling": "buckling, under {factor:.3g} times the loads",
+    "panels": "the stress in panels, {percent} % of what they bear",
+    "creases": "the moment of creases, {percent} % of what they bear",
+    "ties": "the force in ties, {percent} % of what they bear",
+    "buckling": "buckling, under {factor} times the loads",
 }
 """Words for what governs."""
 ROUNDING = 1e-6
@@ -50,12 +51,13 @@ def brief_structure(report: StructureReport, unit: str) -> Iterator[str]:
 
 def _model(model: ModelReport, unit: str) -> Iterator[str]:
     yield (
-        f"model     {model.triangles} triangles, {model.freedoms} freedoms; {model.mass:.4g} kg; "
-        f"panels {model.thickness:.4g} {unit} thick, E = {model.modulus:.4g} N/{unit}2"
+        f"model     {model.triangles} triangles, {model.freedoms} freedoms; "
+        f"{plain(model.mass)} kg; "
+        f"panels {plain(model.thickness)} {unit} thick, E = {plain(model.modulus)} N/{unit}2"
     )
     low, high = model.crease_stiffness
     stiffness = f"{low}" if low == high else f"{low} to {high}"
-    stretch = "that do not stretch" if model.tie_stiffness is None else f"{model.tie_stiffness:.4g}"
+    stretch = "that do not stretch" if model.tie_stiffness is None else plain(model.tie_stiffness)
     yield f"stiffness of creases {stiffness} (N), of ties {stretch} (N)"
     for each in model.supports:
         at = each.at if isinstance(each.at, str) else ", ".join(str(list(v)) for v in each.at)
@@ -79,10 +81,10 @@ def _case(case: CaseReport, unit: str) -> Iterator[str]:
     yield f"  stands    {_displacement(found, unit)}"
     yield from _forces(found, unit)
     factor, frequencies = found.buckling, found.frequencies
-    buckling = "not" if factor is None else f"under {factor:.4g} times the loads"
+    buckling = "not" if factor is None else f"under {plain(factor)} times the loads"
     yield f"  buckles   {buckling}"
     if frequencies:
-        yield f"  frequency {', '.join(f'{each:.4g}' for each in frequencies)} Hz"
+        yield f"  frequency {', '.join(plain(each) for each in frequencies)} Hz"
     missing = f"{found.residual:.1g} of the loads"
     yield f"  balance   reactions {_vector(found.reaction)}, missing {missing}"
 
@@ -93,21 +95,22 @@ def _forces(found: StandingReport, unit: str) -> Iterator[str]:
         tie, pulling = found.ties[0], sum(each.force > 0 for each in found.ties)
         first, second = (list(end) for end in tie.ends)
         yield (
-            f"  ties      {pulling} of {len(found.ties)} pull, {tie.force:.4g} N at most, from "
+            f"  ties      {pulling} of {len(found.ties)} pull, {plain(tie.force)} N at most, from "
             f"{first} to {second}{_used(used.ties)}"
         )
     pressing = [each for each in found.flaps if each.force > 0]
     if pressing:
         pairs = f"{len(pressing)} of {len(found.flaps)} pairs"
-        yield f"  flaps     {pairs} press, {pressing[0].force:.4g} N at most"
+        yield f"  flaps     {pairs} press, {plain(pressing[0].force)} N at most"
     if found.crease is not None:
         first, second = (list(panel) for panel in found.crease.panels)
         yield (
-            f"  creases   {found.crease.moment:.4g} N {unit}/{unit} at most, between panels "
+            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, between panels "
             f"{first} and {second}{_used(used.creases)}"
         )
     yield (
-        f"  panels    {found.stress.size:.4g} N/{unit}2 at most, on the {found.stress.face} face "
+        f"  panels    {plain(found.stress.size)} N/{unit}2 at most, on the "
+        f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
 
@@ -116,8 +119,8 @@ def _displacement(found: StandingReport | None, unit: str) -> str:
     assert found is not None
     most = found.displacement
     return (
-        f"displaced by {most.size:.4g} {unit}, {100 * most.share:.3g} % of its height, at panel "
-        f"{list(most.panel)} along {_components(most.vector, 3)}"
+        f"displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, at "
+        f"panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
 
 
@@ -126,14 +129,16 @@ def _governing(report: StructureReport) -> Iterator[str]:
     if governs is None:
         return
     share = governs.utilisation
-    words = GOVERNING[governs.part].format(percent=100 * share, factor=1 / share)
+    words = GOVERNING[governs.part].format(
+        percent=plain(100 * share, 3), factor=plain(1 / share, 3)
+    )
     creases = governs.creases
     stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
     yield f"governs   {words}: {governs.case}, {stiffness}"
 
 
 def _used(share: float | None) -> str:
-    return "" if share is None else f": {100 * share:.3g} % of what they bear"
+    return "" if share is None else f": {plain(100 * share, 3)} % of what they bear"
 
 
 def _vector(force: Vector) -> str:
@@ -146,4 +151,4 @@ def _components(vector: Vector, digits: int) -> str:
     """Numbers to so many digits; 0 is what rounding leaves beside the largest."""
     least = ROUNDING * max(map(abs, vector))
     kept = (each if abs(each) > least else 0.0 for each in vector)
-    return "({})".format(", ".join(f"{each:.{digits}g}" for each in kept))
+    return "({})".format(", ".join(plain(each, digits) for each in kept))

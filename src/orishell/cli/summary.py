@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from orishell.cli.files import shortened
 from orishell.cli.structure_summary import brief_structure
+from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
     from orishell.shell.deployment_report import DeploymentReport
@@ -31,8 +32,14 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
             f"chosen    for {report.chosen.tolerance:g} {unit} from the surface, with the fewest "
             f"panels of {report.chosen.designs_tried} designs tried"
         )
-    yield f"sheet     {sheet.width:.4g} x {sheet.height:.4g} {unit}, area {sheet.area:.4g} {unit}2"
-    yield f"deployed  {deployed.width:.4g} x {deployed.depth:.4g} x {deployed.height:.4g} {unit}"
+    yield (
+        f"sheet     {plain(sheet.width)} x {plain(sheet.height)} {unit}, area "
+        f"{plain(sheet.area)} {unit}2"
+    )
+    yield (
+        f"deployed  {plain(deployed.width)} x {plain(deployed.depth)} x "
+        f"{plain(deployed.height)} {unit}"
+    )
     if report.deviation is None:
         yield "no target: nothing to compare the shell with"
     else:
@@ -58,22 +65,24 @@ def _standing(report: Report) -> str:
         )
     on = "rows {} and {}".format(*stands.rows)
     if stands.level:
-        return f"stands    level on z = {stands.z:.4g} on {on}"
+        return f"stands    level on z = {plain(stands.z)} on {on}"
     unit = report.unit
-    return f"stands    on {on}, from z = {stands.z:.4g} up to {stands.uneven:.4g} {unit} above"
+    return (
+        f"stands    on {on}, from z = {plain(stands.z)} up to {plain(stands.uneven)} {unit} above"
+    )
 
 
 def _deviation(deviation: DeviationReport, unit: str) -> Iterator[str]:
     surface, approached = deviation.surface, deviation.approached
-    yield f"deviation f {deviation.f.max:.4g} {unit}, g {deviation.g.max:.4g} {unit}"
+    yield f"deviation f {plain(deviation.f.max)} {unit}, g {plain(deviation.g.max)} {unit}"
     if surface is not None:
         yield (
-            f"surface   max {surface.max:.4g} {unit} (known to {surface.sample_spacing:.1g}), "
-            f"rms {surface.rms:.4g} {unit}"
+            f"surface   max {plain(surface.max)} {unit} (known to "
+            f"{plain(surface.sample_spacing, 1)}), rms {plain(surface.rms)} {unit}"
         )
     if approached is not None:
         size = approached.max
-        found = "" if size is None else f"; max {size:.4g} {unit} from that"
+        found = "" if size is None else f"; max {plain(size)} {unit} from that"
         yield f"approach  {approached.what}{found}"
 
 
@@ -118,8 +127,8 @@ def _panels(report: PanelReport, unit: str) -> Iterator[str]:
     corners = f", corners cut off at {cut} vertices" if cut else ""
     proved = "" if report.path is None else "; that none meet on the way is proved as for panels"
     yield (
-        f"boards    {report.boards}, {report.thickness:.4g} {unit} thick panels, set back by up to "
-        f"{report.largest_setback:.3g} {unit}{corners}{proved}"
+        f"boards    {report.boards}, {plain(report.thickness)} {unit} thick panels, set back "
+        f"by up to {plain(report.largest_setback, 3)} {unit}{corners}{proved}"
     )
 
 
@@ -127,15 +136,21 @@ def _deployment(report: DeploymentReport, unit: str) -> Iterator[str]:
     """How the shell travels, and what its own weight does."""
     packed, weight = report.packed, report.weight
     if packed is not None and report.start == "pack":
-        box = f"{packed.length:.4g} x {packed.width:.4g} x {packed.height:.2g} {unit}"
+        box = f"{plain(packed.length)} x {plain(packed.width)} x {plain(packed.height, 2)} {unit}"
         deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
         yield f"pack      {box} at {packed.drive_deg:.5g} deg{deep}"
     if weight is not None:
         does = "opens" if weight.at_feet > 0 else "closes"
         size, unit = abs(weight.at_feet), weight.force_unit
-        force = f"{size:.3g} N of {weight.total:.4g} N" if unit == "N" else f"{size:.3g} of it"
+        force = (
+            f"{plain(size, 3)} N of {plain(weight.total)} N"
+            if unit == "N"
+            else f"{plain(size, 3)} of it"
+        )
         raising = weight.raise_from_pack if report.start == "pack" else weight.raise_from_flat
-        work = f"{raising:.3g} J" if unit == "N" else f"its weight times {raising:.3g} m"
+        work = (
+            f"{plain(raising, 3)} J" if unit == "N" else f"its weight times {plain(raising, 3)} m"
+        )
         raises = f"raising it takes {work}" if raising > 0 else "it comes down to it by itself"
         yield f"weight    {does} it at the target, with {force} at the feet; {raises}"
     if report.ties:

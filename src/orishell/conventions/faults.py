@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Callable
 from itertools import islice
 from typing import Any
@@ -14,6 +15,8 @@ from orishell.errors import InputError
 
 MOST_FAULTS = 20
 """So many faults are said, the others counted."""
+NUMBER = re.compile(r"[+-]?\d{1,20}(?:[.,]\d{0,20})?")
+NUMBERS = ("int_type", "float_type")
 Location = tuple[str | int, ...]
 """Keys and indices from the outermost table to the value."""
 
@@ -102,7 +105,22 @@ def _fault(
         return InputError(details["msg"], where=where, got=str(context.get("found", "")))
     got = context.get("got", details["input"])
     expected = " or ".join(dict.fromkeys(_expected(each) for each in group))
-    return InputError("this value does not fit", where=where, got=_shown(got), expected=expected)
+    return InputError(
+        "this value does not fit",
+        where=where,
+        got=_shown(got),
+        expected=expected,
+        remedy=_remedy(kind, got),
+    )
+
+
+def _remedy(kind: str, got: Any) -> str:
+    """What to write, where a number is a text or has a decimal comma."""
+    if isinstance(got, str) and kind in NUMBERS and NUMBER.fullmatch(got):
+        return f"write {got.replace(',', '.')} without quotes"
+    if kind == "too_long" and isinstance(got, list) and all(type(each) is int for each in got):
+        return "numbers have a decimal point, as in 0.5: a comma separates entries"
+    return ""
 
 
 _EXPECTED = {

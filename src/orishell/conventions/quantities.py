@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 
 from orishell.conventions.units import MILLIMETRES, conversion
 
@@ -16,8 +17,8 @@ SPACE = "\N{NO-BREAK SPACE}"
 RAISED = str.maketrans("-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def figure(value: float, digits: int = DIGITS) -> str:
-    """A number in so many significant digits, thousands apart, zeros behind the point left out.
+def plain(value: float, digits: int = DIGITS) -> str:
+    """A number in so many significant digits as sentences and terminals have it: 1540, 2.7e8.
 
     Parameters
     ----------
@@ -26,17 +27,33 @@ def figure(value: float, digits: int = DIGITS) -> str:
     digits
         Significant digits.
     """
-    rounded = float(f"{value:.{digits}g}")
-    size = abs(rounded)
-    if size and not SMALL <= size < LARGE:
-        mantissa, power = f"{size:.{digits - 1}e}".split("e")
-        raised = str(int(power)).translate(RAISED)
-        text = f"{mantissa.rstrip('0').rstrip('.')}\u00b710{raised}"
-    else:
-        whole, _, part = f"{size:.{digits + 4}f}".partition(".")
-        grouped = f"{int(whole):,}".replace(",", NARROW) if size >= 1e4 else whole
-        text = f"{grouped}.{part}".rstrip("0").rstrip(".")
-    return f"\u2212{text}" if rounded < 0 else text
+    rounded = float(f"{value:.{digits}g}") + 0.0  # 0 has no sign
+    if rounded and isfinite(rounded) and not SMALL <= abs(rounded) < LARGE:
+        mantissa, _, power = f"{rounded:.{digits - 1}e}".partition("e")
+        return f"{_trimmed(mantissa)}e{int(power)}"
+    return _trimmed(f"{rounded:.{digits + 4}f}")
+
+
+def figure(value: float, digits: int = DIGITS) -> str:
+    """A number in so many significant digits as pages have it: thousands apart, 2.7·10⁸.
+
+    Parameters
+    ----------
+    value
+        The number.
+    digits
+        Significant digits.
+    """
+    text, _, power = plain(value, digits).partition("e")
+    whole, point, part = text.removeprefix("-").partition(".")
+    grouped = f"{int(whole):,}".replace(",", NARROW) if len(whole) > 4 else whole
+    raised = f"\u00b710{power.translate(RAISED)}" if power else ""
+    return ("\u2212" if text.startswith("-") else "") + grouped + point + part + raised
+
+
+def _trimmed(number: str) -> str:
+    """A number without the zeros that end its decimals."""
+    return number.rstrip("0").rstrip(".") if "." in number else number
 
 
 def quantity(value: float, unit: str, digits: int = DIGITS) -> str:

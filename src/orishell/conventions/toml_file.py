@@ -26,6 +26,16 @@ _TOKEN = re.compile(
 """Texts and comments, which do not count, and what nests, joins and separates."""
 
 
+_PLACE = re.compile(r"\(at line (\d+), column (\d+)\)")
+_VALUE = re.compile(r"\s*[\w.-]+\s*=\s*([^#]*?)\s*(?:#.*)?$")
+_DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+")
+_WORD = re.compile(r"[A-Za-z][\w./-]*")
+LONGEST = 500
+"""Characters of a line that is looked at for what was meant."""
+WIDTH = 80
+"""Characters of a line that a message shows."""
+
+
 def read_toml(path: Path, what: str = "design file", remedy: str = "") -> dict[str, Any]:
     """The tables of a TOML file.
 
@@ -80,11 +90,34 @@ def parse_toml(text: str) -> dict[str, Any]:
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError("this is not TOML", got=str(error)) from None
+        raise _no_toml(text, str(error)) from None
     except ValueError:  # Python reads no more digits than these
         raise _too_large("more than 4300 digits") from None
     _require_numbers(tables)
     return tables
+
+
+def _no_toml(text: str, said: str) -> InputError:
+    """The error about a text that is no TOML, with the line that it is about."""
+    place = _PLACE.search(said)
+    if place is None:
+        return InputError("this is not TOML", got=said)
+    line = text.split("\n")[int(place[1]) - 1].rstrip()
+    column = int(place[2]) - 1
+    value = _VALUE.match(line) if len(line) <= LONGEST else None
+    remedy = ""
+    if value is not None and _DECIMAL_COMMA.fullmatch(value[1]):
+        remedy = f"numbers have a decimal point: write {value[1].replace(',', '.')}"
+    elif value is not None and _WORD.fullmatch(value[1]):
+        remedy = f'put texts in quotes: "{value[1]}"'
+    begin = max(0, column - WIDTH // 2)
+    shown = "".join(each if each.isprintable() else " " for each in line[begin : begin + WIDTH])
+    return InputError(
+        "this is not TOML",
+        got=said,
+        remedy=remedy,
+        detail=f"    {shown}\n    {' ' * (column - begin)}^",
+    )
 
 
 def _require_depth(text: str) -> None:

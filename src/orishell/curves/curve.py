@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.formatting import rounded
 from orishell.curves.formula import Formula
+from orishell.curves.radians import require_radians
 from orishell.errors import CurveError
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array
@@ -240,7 +241,8 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
     Raises
     ------
     CurveError
-        If the range is empty, reversed or not finite, or the two formulas name different variables.
+        If the range is empty, reversed, not finite or in degrees, or the two formulas name
+        different variables.
     """
     names = {formula.variable for formula in (x, y) if formula is not None} - {None}
     if len(names) > 1:
@@ -261,4 +263,6 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
         across = Enclosure.variable(low, high) if x is None else x.enclosure(low, high)
         return across, y.enclosure(low, high)
 
-    return Curve(jet, enclosure, float(start), float(stop), key="range")
+    curve = Curve(jet, enclosure, float(start), float(stop), key="range")
+    require_radians(jet, curve.start, curve.stop)
+    return curve

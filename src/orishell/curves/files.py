@@ -21,7 +21,9 @@ UNIT_NAMES: Final = {
     "ft": ("ft", "foot", "feet"),
 }
 _NAMED: Final = {name: unit for unit, names in UNIT_NAMES.items() for name in names}
+SEMICOLONS: Final = "write decimals with a point, or separate columns by semicolons"
 _BRACKETS = re.compile(r"\[([^\]]*)\]$")
+_DECIMAL_COMMA = re.compile(r"\d,\d")
 _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
 
 
@@ -91,13 +93,21 @@ def read_points(path: Path, *, into: str | None = None, unit: str | None = None)
         pair = [_number(field, decimal_comma=decimal_comma) for field in fields]
         if len(pair) < 2 or pair[0] is None or pair[1] is None:
             if not points and header is None and all(value is None for value in pair):
-                header = number, fields[:2]
+                header = number, fields
                 continue
             raise InputError(
                 "this line is not a point",
                 where=f"{where} line {number}",
                 got=repr(content[:60]),
                 expected="two numbers, x and y",
+                remedy=SEMICOLONS if _DECIMAL_COMMA.search(content) else "",
+            )
+        if header is not None and "," in content and len(pair) == 2 * len(header[1]) > 2:
+            raise InputError(
+                "this line has twice as many columns as the header",
+                where=f"{where} line {number}",
+                got=repr(content[:60]),
+                remedy=SEMICOLONS,
             )
         if not np.isfinite([pair[0], pair[1]]).all():
             raise InputError(
@@ -114,7 +124,7 @@ def read_points(path: Path, *, into: str | None = None, unit: str | None = None)
     if into is None:
         return np.array(points)
     if unit is None and header is not None:
-        unit = _header_unit(header[1], f"{where} line {header[0]}")
+        unit = _header_unit(header[1][:2], f"{where} line {header[0]}")
     return np.array(points) * conversion(unit or into, into)
 
 

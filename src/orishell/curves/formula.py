@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import warnings
 from dataclasses import dataclass
 
@@ -29,6 +30,7 @@ MAX_DEPTH = 100
 MAX_EXPONENT = 100.0
 MAX_NUMBER = 1e300
 
+DECIMAL_COMMA = re.compile(r"\d+(,)\d+")
 CONSTANTS = {"pi": np.pi, "e": np.e}
 
 
@@ -217,6 +219,15 @@ def parse_formula(text: str) -> Formula:
     if not stripped:
         raise FormulaError("the formula is empty", text, 0)
     _check_characters(text)
+    comma = DECIMAL_COMMA.search(text)
+    if comma is not None:
+        raise FormulaError(
+            "numbers have a decimal point, not a comma",
+            text,
+            comma.start(1),
+            got=repr(comma[0]),
+            remedy=f"write {comma[0].replace(',', '.')}",
+        )
     compiler = _Compiler(text)
     lead = len(text) - len(text.lstrip())
     # Inside parentheses the parser minds neither leading blanks nor line ends.

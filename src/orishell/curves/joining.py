@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.conventions.quantities import plain
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
@@ -22,6 +23,8 @@ TOLERANCE = 1e-6
 """Ends that are nearer than this, relative to the diagonal of the drawing, are joined."""
 LARGEST = 1e50
 """Coordinates beyond this count as not finite."""
+CHOOSE = "choose its pieces"
+"""Part of a remedy, in place of which stands how, where that is known."""
 SMOOTH_TURN = 0.1
 """A spline through a drawing takes a point of each piece at least every so many radians."""
 MOST_BETWEEN = 64
@@ -175,7 +178,7 @@ def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> 
             where=f"at {place(where[at])}",
             got=f"{degree[at]} ends that meet",
             expected="at most 2",
-            remedy="choose its pieces, or remove what does not belong to it",
+            remedy=f"{CHOOSE}, or remove what does not belong to it",
         )
     chain = _components(node, len(where))
     free = np.flatnonzero(degree == 1)
@@ -193,9 +196,9 @@ def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> 
         raise CurveError(
             "the curve has gaps",
             where=f"between {place(where[a])} and {place(where[b])}",
-            got=f"{len(free) // 2} separate parts, the nearest ends {distance:.3g} apart",
+            got=f"{len(free) // 2} separate parts, the nearest ends {plain(distance, 3)} apart",
             expected="one curve",
-            remedy=f"make ends meet to {tolerance:.1g}, or choose its pieces",
+            remedy=f"make ends meet to {plain(tolerance, 1)}, or {CHOOSE}",
         )
     a, b = (int(each) for each in free)
     across = where[b] - where[a]

@@ -6,7 +6,8 @@ that both refuse the same values. Angles are in degrees in the tables, in radian
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import operator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Final, Literal, TypedDict, cast
 
@@ -98,10 +99,40 @@ class Limits(TypedDict, total=False):
     lt: float
 
 
-def radians(limits: Limits) -> Limits:
-    """Limits in radians: what is within those in degrees is within these, to the last bit."""
+LIMITED: Final[dict[str, tuple[Callable[[float, float], bool], str]]] = {
+    "ge": (operator.ge, "at least"),
+    "gt": (operator.gt, "greater than"),
+    "le": (operator.le, "at most"),
+    "lt": (operator.lt, "less than"),
+}
+
+
+def in_radians(limits: Limits) -> AfterValidator:
+    """The check of an angle in radians by limits in degrees: to the last bit the same.
+
+    Parameters
+    ----------
+    limits
+        The limits (degrees).
+    """
     degrees = cast("dict[str, float]", limits)
-    return cast("Limits", {key: float(np.deg2rad(angle)) for key, angle in degrees.items()})
+
+    def check(angle: float) -> float:
+        for key, end in degrees.items():
+            within, words = LIMITED[key]
+            limit = float(np.deg2rad(end))
+            if not within(angle, limit):
+                meant = ""
+                if all(LIMITED[each][0](angle, other) for each, other in degrees.items()):
+                    meant = f" ({angle:g} degrees are {np.deg2rad(angle):.4g})"
+                raise PydanticCustomError(
+                    "radians",
+                    "an angle in radians, {words} {limit}{meant}",
+                    {"words": words, "limit": f"{limit:g}", "meant": meant},
+                )
+        return angle
+
+    return AfterValidator(check)
 
 
 def _require_odd(rows: int) -> int:

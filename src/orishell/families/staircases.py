@@ -11,6 +11,7 @@ from itertools import chain
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import plain
 from orishell.curves import Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, part
@@ -120,7 +121,7 @@ class Followed:
         if staircase.balanced:
             return ()
         return (
-            f"a staircase closer to {self.name} than {staircase.distance:.4g} may exist; it was "
+            f"a staircase closer to {self.name} than {plain(staircase.distance)} may exist; it was "
             "not found",
         )
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.errors import DesignError, Remedy
 from orishell.motion.mechanism import Mechanism
 from orishell.sheet.quads import lengths
@@ -40,8 +41,9 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
         raise DesignError(
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",
-            size=f"an edge of {name} is {shortest:.4g} long, and must be at least {RESOLUTION:g} "
-            f"of the sheet's diagonal, which is {size:.4g}",
+            size=f"an edge of {name} is {plain(shortest)} long, and must be at least "
+            f"{RESOLUTION:g} "
+            f"of the sheet's diagonal, which is {plain(size)}",
             candidates=candidates,
             excess=1 - shortest / (RESOLUTION * size),
         )

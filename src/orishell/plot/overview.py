@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.colours import LIGHT, rgb
+from orishell.conventions.quantities import plain
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
 from orishell.numerics.arrays import Array
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
@@ -119,11 +120,11 @@ def plot_overview(
     pattern = add_part(figure, 0, foot, width / 2, above)
     thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), width / 2)
     size = np.ptp(sheet.reshape(-1, 2), axis=0)
-    set_title(pattern, f"Crease pattern, {size[0]:.3g} × {size[1]:.3g} {unit}{thinned}")
+    set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
     shell = add_part(figure, width / 2, foot, width / 2, above)
     _draw_shell(shell, locked, camera, width / 2)
     draw_targets(shell, targets, camera)
-    sizes = " × ".join(f"{extent:.3g}" for extent in np.ptp(locked.reshape(-1, 3), axis=0))
+    sizes = " × ".join(plain(extent, 3) for extent in np.ptp(locked.reshape(-1, 3), axis=0))
     shown = f"{last}, with f and g" if targets else last
     set_title(shell, f"{shown}, {sizes} {unit}")
     frames = [

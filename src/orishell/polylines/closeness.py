@@ -6,8 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.curves import Trace, remembered
 from orishell.curves.nearest import Nearest
+from orishell.curves.radians import look_like_degrees
 from orishell.numerics.arrays import Array
 from orishell.polylines.plane import extent_across
 
@@ -123,8 +125,11 @@ def warn_of_coarse_row(trace: Trace, distance: float, columns: int) -> tuple[str
     size = extent_across(trace.points)
     if distance <= COARSE_SHARE * size + 1e-9 * trace.length or size <= 1e-9 * trace.length:
         return ()  # a straight g has no shape to show
+    curve = trace.curve
+    degrees = curve.key == "range" and look_like_degrees(curve.start, curve.stop)
     return (
-        f"the polyline of g with {columns} columns leaves g by {distance:.4g}, "
-        f"{distance / size:.0%} of g's rise of {size:.4g} (more than {COARSE_SHARE:.0%}): "
-        "the shell will not show g's shape; take more columns",
+        f"the polyline of g with {columns} columns leaves g by {plain(distance)}, "
+        f"{distance / size:.0%} of g's rise of {plain(size)} (more than {COARSE_SHARE:.0%}): "
+        "the shell will not show g's shape; take more columns"
+        + (", or give radians: its range looks like degrees" if degrees else ""),
     )

@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 
+from orishell.conventions.quantities import plain
 from orishell.design_file.search import Limit
 from orishell.search.evaluate import Outcome
 from orishell.search.problem import Problem
@@ -57,7 +58,7 @@ def nearest(problem: Problem, outcomes: Sequence[Outcome]) -> Outcome:
 def said_of(problem: Problem, outcome: Outcome) -> str:
     """Why a design is not feasible."""
     return outcome.said or "; ".join(
-        f"{words}: {outcome.figures[name]:.4g}" for name, words in _broken(problem, outcome)
+        f"{words}: {plain(outcome.figures[name])}" for name, words in _broken(problem, outcome)
     )
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import plain
 from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.locking import Lock
@@ -78,19 +79,19 @@ def _of_flaps(design: Design, shell: Array, feet: Feet | None, unit: str) -> Ite
     if below > BELOW * size:
         what = "the feet" if feet else "the lowest point"
         yield (
-            f"the {name} reach {below:.3g} {unit} below {what} of a shell {size:.3g} {unit} high, "
-            f"which would rest on them: {remedy}"
+            f"the {name} reach {plain(below, 3)} {unit} below {what} of a shell {plain(size, 3)} "
+            f"{unit} high, which would rest on them: {remedy}"
         )
     if above > ABOVE * size:
         yield (
-            f"the {name} reach {above:.3g} {unit} above the top of a shell {size:.3g} {unit} high: "
-            f"{remedy}"
+            f"the {name} reach {plain(above, 3)} {unit} above the top of a shell {plain(size, 3)} "
+            f"{unit} high: {remedy}"
         )
     beyond, span = max(_beyond(shell[:, near], shell[:, flap]) for flap, near in ends)
     if beyond > BESIDE * span:
         yield (
-            f"the {name} reach {beyond:.3g} {unit} beyond the foot of a shell that spans "
-            f"{span:.3g} {unit}: {remedy}"
+            f"the {name} reach {plain(beyond, 3)} {unit} beyond the foot of a shell that spans "
+            f"{plain(span, 3)} {unit}: {remedy}"
         )
 
 
@@ -111,12 +112,12 @@ def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
     gap = float(np.ptp(ends))
     remedy = "trim the last panels at the ground, or build the ground up to them"
     if gap > 0.5 * feet.uneven:
-        remedy = f"f's ends differ by {gap:.3g} {unit} in height: level them, or build a step"
+        remedy = f"f's ends differ by {plain(gap, 3)} {unit} in height: level them, or build a step"
     elif "ends" in design.parameters:
         remedy = f"other rows, another depth or narrower flaps may level them; else {remedy}"
     yield (
         f"the feet are not level, rows {feet.rows[0]} and {feet.rows[1]} differ by "
-        f"{feet.uneven:.3g} {unit} in height: {remedy}"
+        f"{plain(feet.uneven, 3)} {unit} in height: {remedy}"
     )
 
 
@@ -133,7 +134,7 @@ def _of_size(design: Design, flat: Array) -> Iterator[str]:
         steep = f"an f with less steep ends (they keep xi_deg below {limit:.4g})"
         less = wider if xi < WIDEST_XI * limit else steep
     elif "depth" in parameters:
-        less = f"shallower folds, by a smaller depth (it is {parameters['depth']:.3g}),"
+        less = f"shallower folds, by a smaller depth (it is {plain(parameters['depth'], 3)}),"
     else:
         less = "sector angles nearer to 90 degrees"
     yield (
@@ -180,19 +181,19 @@ def _of_boards(flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
     long, short = (metres * side for side in (max(width, height), min(width, height)))
     if workshop.stock is not None or (long <= LARGEST_BOARD[0] and short <= LARGEST_BOARD[1]):
         return
-    board = " x ".join(f"{side / metres:.4g}" for side in LARGEST_BOARD)
+    board = " x ".join(plain(side / metres) for side in LARGEST_BOARD)
     yield (
-        f"the flat sheet, {width:.3g} x {height:.3g} {unit}, is larger than any board (the largest "
-        f"plywood commonly sold is {board} {unit}): name your board as stock in [workshop], and "
-        "the pattern is split into parts with joints"
+        f"the flat sheet, {plain(width, 3)} x {plain(height, 3)} {unit}, is larger than any board "
+        f"(the largest plywood commonly sold is {board} {unit}): name your board as stock in "
+        "[workshop], and the pattern is split into parts with joints"
     )
 
 
 def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
     if lock.depth > DEEP * height:
         yield (
-            f"the folds are {lock.depth:.3g} {unit} deep in a shell {height:.3g} {unit} high: one "
-            "sees them rather than the curve f; more rows make them shallower"
+            f"the folds are {plain(lock.depth, 3)} {unit} deep in a shell {plain(height, 3)} "
+            f"{unit} high: one sees them rather than the curve f; more rows make them shallower"
         )
 
 

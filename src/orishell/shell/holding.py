@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import plain
 from orishell.deployment import find_pack
 from orishell.design import Design
 from orishell.design_file import DesignFile
@@ -50,7 +51,10 @@ def _of_pack(
     packed = report.packed
     if report.start == "flat" or packed is None or packed.height < PLANE * packed.length:
         return
-    box = f"{packed.length:.3g} x {packed.width:.3g} x {packed.height:.3g} {file.unit}"
+    box = (
+        f"{plain(packed.length, 3)} x {plain(packed.width, 3)} x {plain(packed.height, 3)} "
+        f"{file.unit}"
+    )
     why = "its panel columns close one after another, not together"
     if lock.cause == "clash" and lock.first_contact is not None:
         first, second = (list(panel) for panel in lock.first_contact.panels)
@@ -97,7 +101,7 @@ def _of_ties(report: DeploymentReport) -> Iterator[str]:
 
 def _of_weight(report: DeploymentReport, weight: WeightReport) -> Iterator[str]:
     unit = "N" if weight.force_unit == "N" else "times its weight"
-    force = f"{abs(weight.at_feet):.3g} {unit} at each line of feet"
+    force = f"{plain(abs(weight.at_feet), 3)} {unit} at each line of feet"
     if weight.at_feet > 0 and report.opening is None:
         yield (
             f"the shell opens under its own weight with {force}, and nothing but its supports "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.quantities import plain
 from orishell.deployment import FROM_FLAT
 from orishell.design import Design
 from orishell.design_file import DesignFile
@@ -97,7 +98,7 @@ def _point(trial: Trial) -> tuple[int, float, str]:
 
 
 def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str) -> None:
-    largest, rms = f"{deviation.max:.3g} {unit}", f"{deviation.rms:.3g} {unit}"
+    largest, rms = f"{plain(deviation.max, 3)} {unit}", f"{plain(deviation.rms, 3)} {unit}"
     signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
     note = "Shell at its target, flaps left out, coloured by its distance from f swept along g"
     if signed.strides != (1, 1):

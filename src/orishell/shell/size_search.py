@@ -8,6 +8,7 @@ from itertools import product, repeat
 
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.quantities import plain
 from orishell.design import Design
 from orishell.errors import DesignError, Remedy
 from orishell.families.pattern import Tolerance
@@ -269,8 +270,9 @@ class _Search:
         return DesignError(
             f"no shell of this family comes within {limits.surface:g} of the surface",
             place=f"with {edges}at most {self.most} rows and columns",
-            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {nearest.error:.4g} "
-            f"away, with edges from {nearest.shortest:.4g} to {nearest.longest:.4g}",
+            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
+            f"{plain(nearest.error)} "
+            f"away, with edges from {plain(nearest.shortest)} to {plain(nearest.longest)}",
             candidates=[Remedy({"tolerance.surface": rounded(share * nearest.error)})]
             if allowed
             else (),

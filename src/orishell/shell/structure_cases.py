@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import plain
 from orishell.conventions.units import GRAVITY, conversion
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import VertexPair
@@ -181,8 +182,9 @@ def _origin(exposure: Exposure, load: Load) -> tuple[float | None, str]:
         rule = "mu_1 by the slope of each panel"
         if case.snow.shape == "cylinder":
             rule = (
-                f"mu_3 = {cylinder_coefficient(exposure):.4g} by a rise of {exposure.rise:.4g} and "
-                f"a span of {exposure.span:.4g} {exposure.unit}, to a slope of 60 degrees"
+                f"mu_3 = {plain(cylinder_coefficient(exposure))} by a rise of "
+                f"{plain(exposure.rise)} and "
+                f"a span of {plain(exposure.span)} {exposure.unit}, to a slope of 60 degrees"
             )
         return case.snow.ground, f"{rule}, on plan areas (EN 1991-1-3)"
     if load.kind == "wind" and case.wind is not None:
@@ -204,6 +206,7 @@ def _gusts(exposure: Exposure, wind: Wind) -> str:
         kind = "by rows of panels"
     return (
         f"{wind.speed:g} m/s towards {in_degrees(wind.direction)} degrees from x, terrain "
-        f"{wind.terrain}, {height:.4g} {exposure.unit} over the ground: mean wind {mean:.4g} m/s, "
-        f"turbulence {turbulence:.3g} (EN 1991-1-4); pressure coefficients {kind}"
+        f"{wind.terrain}, {plain(height)} {exposure.unit} over the ground: mean wind "
+        f"{plain(mean)} m/s, "
+        f"turbulence {plain(turbulence, 3)} (EN 1991-1-4); pressure coefficients {kind}"
     )

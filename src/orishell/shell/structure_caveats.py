@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from orishell.conventions.quantities import plain
 from orishell.shell.case_report import CaseReport, StandingReport
 from orishell.structure.results import FreeMotion, Hold
 from orishell.structure.settings import NO_CODE, LoadCase, Structure
@@ -83,7 +84,8 @@ def warn_of_structure(
     """
     if change > COARSE:
         yield (
-            f"displacements changed by {100 * change:.3g} % when cells were halved: finer ones "
+            f"displacements changed by {plain(100 * change, 3)} % when cells were halved: "
+            "finer ones "
             f"(cells, or refine, in [structure]) come nearer"
         )
     for case in cases:
@@ -101,17 +103,19 @@ def _of_standing(found: StandingReport) -> Iterator[str]:
     share, factor, used = found.displacement.share, found.buckling, found.utilisation
     if share > LARGE:
         yield (
-            f"the shell is displaced by {100 * share:.3g} % of its height, more than the "
+            f"the shell is displaced by {plain(100 * share, 3)} % of its height, more than the "
             f"{100 * LARGE:g} % to which linear theory holds: forces are wrong by about as much"
         )
     if factor is not None and factor < LEAST_BUCKLING:
         yield (
-            f"the shell buckles under {factor:.3g} times its loads by linear theory, and earlier "
+            f"the shell buckles under {plain(factor, 3)} times its loads by linear theory, "
+            "and earlier "
             f"with imperfections: less than {LEAST_BUCKLING:g} times is too little"
         )
     if found.friction is not None and found.friction > 1:
         yield (
-            f"a foot needs {found.friction:.3g} times the friction that it has: it slips until "
+            f"a foot needs {plain(found.friction, 3)} times the friction that it has: it "
+            "slips until "
             "others bear more, which is left out"
         )
     for name, limit, part in (
@@ -120,7 +124,7 @@ def _of_standing(found: StandingReport) -> Iterator[str]:
         ("ties", "force", used.ties),
     ):
         if part is not None and part > 1:
-            yield f"{name} bear {part:.3g} times the {limit} that they can"
+            yield f"{name} bear {plain(part, 3)} times the {limit} that they can"
 
 
 def _of_loads(parts: Sequence[LoadCase]) -> Iterator[str]:

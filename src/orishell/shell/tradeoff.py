@@ -9,6 +9,7 @@ from typing import Any
 
 from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, followed, stretch, unwatched
+from orishell.conventions.quantities import plain
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.errors import DesignError, OrishellError
@@ -129,7 +130,7 @@ def _no_such_edges(tried: list[Trial], limits: Tolerance) -> DesignError:
     return DesignError(
         f"no sheet has panel edges from {limits.panel_min:g} to {limits.panel_max:g}",
         place=f"in {len(tried)} sizes that were tried",
-        size=f"their edges are from {shortest:.4g} to {longest:.4g} long",
+        size=f"their edges are from {plain(shortest)} to {plain(longest)} long",
         keys=("tolerance.panel_min", "tolerance.panel_max"),
         excess=min(
             max(limits.panel_min / t.shortest, t.longest / limits.panel_max) - 1 for t in tried

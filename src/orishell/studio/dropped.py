@@ -8,6 +8,7 @@ import re
 import tempfile
 from pathlib import Path
 
+from orishell.conventions.quantities import plain
 from orishell.curves import (
     Chain,
     curve_data,
@@ -99,7 +100,7 @@ def _few(points: Array, name: str, unit: str) -> DroppedCurve | None:
     kind = "a spline through" if smooth else "straight lines between"
     note = (
         f"{kind} {len(few)} points along the {len(points)} of {name}; none of these "
-        f"is farther from it than {farthest:.2g} {unit}"
+        f"is farther from it than {plain(farthest, 2)} {unit}"
     )
     return {"table": {"points": few.tolist(), "smooth": smooth}, "note": note}
 
@@ -117,7 +118,7 @@ def _read_drawing(path: Path, ending: str, name: str, unit: str) -> DroppedCurve
     trace_curve(curve.curve(), "the drawing")
     many = len(curve.pieces)
     note = f"{many} piece{'s' * (many > 1)} of a path along {part}{name}, "
-    note += f"about {farthest:.2g} {unit} beside it at most" if farthest else "exactly"
+    note += f"about {plain(farthest, 2)} {unit} beside it at most" if farthest else "exactly"
     return {"table": {"path": data}, "note": note}
 
 

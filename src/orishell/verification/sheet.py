@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.conventions.quantities import plain
 from orishell.errors import InputError
 from orishell.io import FoldFile, FoldFrame
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -94,7 +95,7 @@ class Sheet:
             raise InputError(
                 "the sheet has no size",
                 where=f"{file.path}: frame {frame.number} vertices_coords",
-                got=f"a bounding box of diagonal {diagonal:.3g}",
+                got=f"a bounding box of diagonal {plain(diagonal, 3)}",
                 expected=f"at least {SMALLEST:g}",
             )
         small = sizes <= NOTHING * diagonal

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
+from orishell.conventions.quantities import plain
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.board_outlines import MIRRORED
@@ -147,6 +148,6 @@ def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> 
     thick = 0.5 * (build.thickness - build.membrane)
     below = parts[0].side < 0
     return (
-        f"{len(parts)} boards, {thick:.4g} {unit} thick, {size}",
+        f"{len(parts)} boards, {plain(thick)} {unit} thick, {size}",
         "Lower face, seen from below" if below else "Upper face, seen from above",
     )

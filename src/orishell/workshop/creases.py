@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.formatting import inside
+from orishell.conventions.quantities import plain
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -140,7 +141,7 @@ def _corner_gap(document: Document, creases: _Creases, workshop: Workshop) -> fl
             f"{_edge_name(document, creases.edges[shortest])}",
             where="[workshop] corner_gap",
             got=f"{gap:g} {document.unit}",
-            expected=f"at most {inside(largest, 0.0):.4g} {document.unit}",
+            expected=f"at most {plain(inside(largest, 0.0))} {document.unit}",
         )
     return gap
 
@@ -171,7 +172,7 @@ def _require_room(document: Document, part: Part, holed: Booleans, diameter: flo
             f"the holes leave too little of the creases and panels ({KEPT:.0%} must remain)",
             where="[workshop] relief_hole",
             got=f"{diameter:g} {document.unit}",
-            expected=f"at most {inside(largest, 0.0):.4g} {document.unit}",
+            expected=f"at most {plain(inside(largest, 0.0))} {document.unit}",
         )
 
 
@@ -200,7 +201,7 @@ def _cuts(
         raise InputError(
             "the dashes are too fine",
             where="[workshop] dash",
-            got=f"{dash:g} {document.unit}, {counts.sum():.3g} cuts",
+            got=f"{dash:g} {document.unit}, {plain(counts.sum(), 3)} cuts",
             expected=f"at most {MOST_CUTS:g} cuts",
         )
     counts = counts.astype(np.int64)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
@@ -178,4 +179,4 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
 def _above(length: float) -> str:
     """A length in four digits, rounded up."""
     unit = 10.0 ** (math.floor(math.log10(length)) - 3)
-    return f"{math.ceil(length / unit) * unit:.4g}"
+    return f"{plain(math.ceil(length / unit) * unit)}"

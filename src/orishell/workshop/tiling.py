@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.workshop.settings import Paper
@@ -122,7 +123,9 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     """
     size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
     if max(size) > LARGEST_MM:
-        raise InputError("the sheet is too large for a paper model", got=f"{max(size):.3g} mm")
+        raise InputError(
+            "the sheet is too large for a paper model", got=f"{plain(max(size), 3)} mm"
+        )
     upright = PAPERS_MM[paper]
     if scale == "auto":
         tried = (1 / (10.0**power * step) for power in range(12) for step in (1, 2, 2.5, 5))

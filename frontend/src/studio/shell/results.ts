@@ -6,6 +6,7 @@ import { Pattern2D } from "../../shared/pattern2d.ts";
 import { assignmentCounts } from "../../shared/view.ts";
 import { button } from "../parts/controls.ts";
 import { h, keepFocus } from "../parts/dom.ts";
+import { pretty } from "../parts/numbers.ts";
 import { wordsOfLock } from "./lock.ts";
 import { ProofCard } from "./proof-card.ts";
 import type { Store } from "../state/store.ts";
@@ -75,7 +76,7 @@ export class Results {
     if (!report) return "";
     const { rows, columns, sheet } = report;
     const unit = this.store.design.value.shell.unit;
-    return `${rows} rows, ${columns} columns; the flat sheet is ${sheet.width.toPrecision(3)} by ${sheet.height.toPrecision(3)} ${unit}.`;
+    return `${rows} rows, ${columns} columns; the flat sheet is ${pretty(sheet.width, 3)} by ${pretty(sheet.height, 3)} ${unit}.`;
   }
 
   private say(text: string): void {

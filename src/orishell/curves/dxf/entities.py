@@ -39,11 +39,14 @@ class Drawn:
         Heights of its points (k,).
     name
         What messages call it.
+    choices
+        What may be written in the design file to choose it, or all on its layer.
     """
 
     pieces: list[Piece]
     z: Array
     name: str
+    choices: tuple[str, ...] = ()
 
     @property
     def reach(self) -> float:

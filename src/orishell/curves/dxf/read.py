@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from orishell.conventions.units import MILLIMETRES
+from orishell.curves.candidates import name_parts
 from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
 from orishell.curves.files import read_source
 from orishell.curves.joining import Chain, join_pieces
-from orishell.curves.pieces import MAX_PIECES
-from orishell.errors import InputError
+from orishell.curves.pieces import MAX_PIECES, Piece
+from orishell.errors import CurveError, InputError
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -92,10 +94,28 @@ def read_dxf(
         name, size = (unit, MILLIMETRES[unit]) if unit else stated or (into, MILLIMETRES[into])
         _require_one_plane(drawn)
         pieces = [piece for each in drawn for piece in each.pieces]
-        chain = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
+        try:
+            chain = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
+        except CurveError as error:
+            raise _naming(error, drawn) from None
     except InputError as error:
         raise error.located(f"{path}{choice}:") from None
     return chain.scaled(1.0 if name == into else size / MILLIMETRES[into])
+
+
+def _naming(error: CurveError, drawn: list[Drawn]) -> CurveError:
+    """The error about all pieces, with the entities they are of and what there is to choose."""
+    together: dict[str, list[Piece]] = {}
+    for each in drawn:
+        for choice in each.choices:
+            together.setdefault(choice, []).extend(each.pieces)
+    return name_parts(
+        error,
+        [(each.name, each.pieces) for each in drawn],
+        sorted(together.items(), key=lambda item: item[0].startswith("handle")),
+        "put the entities that are meant on a layer of their own and choose it with layer, or "
+        "remove the others",
+    )
 
 
 def _require_end(content: bytes) -> None:
@@ -120,7 +140,9 @@ def _read(
         document = readfile(path)
         code = int(document.header.get("$INSUNITS", 0))
         entities = _chosen(document, layer, handle)
-        return UNITS.get(code), [draw_entity(each) for each in entities]
+        return UNITS.get(code), [
+            replace(draw_entity(each), choices=_choices(each, on)) for each, on in entities
+        ]
     except InputError:
         raise
     except Exception as error:  # in a damaged file ezdxf meets what it does not expect
@@ -132,7 +154,15 @@ def _read(
         ) from None
 
 
-def _chosen(document: Drawing, layer: str | None, handle: str | None) -> list[DXFEntity]:
+def _choices(entity: DXFEntity, on: str) -> tuple[str, ...]:
+    """How to choose an entity, or its layer; one in a block has no handle of its own."""
+    handle = _handle(entity)
+    return (f'layer = "{on}"', *([f'handle = "{handle}"'] if handle else []))
+
+
+def _chosen(
+    document: Drawing, layer: str | None, handle: str | None
+) -> list[tuple[DXFEntity, str]]:
     space = document.modelspace()
     if handle is not None:
         found = [each for each in space if _handle(each) == handle.upper().lstrip("0")]
@@ -147,14 +177,14 @@ def _chosen(document: Drawing, layer: str | None, handle: str | None) -> list[DX
                 got=name_of(found[0]),
                 expected="one of " + ", ".join(CURVE_TYPES),
             )
-        return [entity for entity, _ in curves]
+        return curves
     unseen = {
         each.dxf.name.casefold() for each in document.layers if each.is_off() or each.is_frozen()
     }
     curves = list(_exploded(space, None))
     if layer is None:
-        return [entity for entity, on in curves if on.casefold() not in unseen]
-    chosen = [entity for entity, on in curves if on.casefold() == layer.casefold()]
+        return [(entity, on) for entity, on in curves if on.casefold() not in unseen]
+    chosen = [(entity, on) for entity, on in curves if on.casefold() == layer.casefold()]
     if not chosen:
         raise _unknown("layer", layer, sorted({on for _, on in curves}))
     return chosen

@@ -16,7 +16,21 @@ from orishell.numerics.arrays import Array
 _COMMAND = re.compile(r"\s*([MmZzLlHhVvCcSsQqTtAa])")
 _FLAG = re.compile(r"\s*(?:,\s*)?([01])")
 
-COUNTS: Final = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+NUMBERS: Final = {
+    "M": "x y",
+    "L": "x y",
+    "H": "x",
+    "V": "y",
+    "C": "x1 y1 x2 y2 x y",
+    "S": "x2 y2 x y",
+    "Q": "x1 y1 x y",
+    "T": "x y",
+    "A": "rx ry turn large sweep x y",
+}
+"""What each command takes."""
+FLAGS: Final = ("large", "sweep")
+_TOKEN = re.compile(r"\s*(?:,\s*)?([^\s,]{1,30})")
+_DECIMAL_COMMA = re.compile(r"\d,\d")
 
 
 def parse_path(data: str) -> list[Piece]:
@@ -103,7 +117,8 @@ class _Pen:
         self.data = "" if data.strip() == "none" else data.rstrip()
         self.name = name
         self.single = single
-        self.place = 0
+        self.place = self.begun = 0
+        """Where it reads, and where the command begins that it draws."""
         self.pieces: list[Piece] = []
         self.ends: list[Array] = []
         """Where the pen stood first, and after each piece."""
@@ -117,10 +132,11 @@ class _Pen:
         while self.place < len(self.data):
             found = _COMMAND.match(self.data, self.place)
             if found is None or (first and found[1] not in "Mm"):
-                raise self.fault("a command, the first one M")
+                raise self.fault(f"a command, one of {' '.join(NUMBERS)}, the first one M")
             if self.single and found[1] in ("Zz" if first else "ZzMm"):
                 self.place = found.end() - 1
                 raise self.fault("one open curve, which begins with its only M and has no Z")
+            self.begun = found.start(1)
             self.place = found.end()
             self.command(found[1])
             first = False
@@ -185,14 +201,29 @@ class _Pen:
 
     def numbers(self, kind: str) -> list[float]:
         values = []
-        for k in range(COUNTS[kind]):
-            flag = kind == "A" and k in (3, 4)
+        for name in NUMBERS[kind].split():
+            flag = name in FLAGS
             found = (_FLAG if flag else VALUE).match(self.data, self.place)
             if found is None:
-                raise self.fault("a flag, 0 or 1" if flag else "a number")
+                raise self.wrong_number(kind, name, flag=flag)
             values.append(float(found[1]))
             self.place = found.end()
         return values
+
+    def wrong_number(self, kind: str, name: str, *, flag: bool) -> InputError:
+        letter = self.data[self.begun]
+        token = _TOKEN.match(self.data, self.place)
+        place = len(self.data) if token is None else token.start(1)
+        comma = _DECIMAL_COMMA.search(self.data, self.begun)
+        return InputError(
+            f"{f'the flag {name}' if flag else name} of the command {letter} at character "
+            f"{self.begun + 1} is {'neither 0 nor 1' if flag else 'no number'}",
+            where=f"character {place + 1} of {self.name}",
+            got=repr(token[1]) if token else "the end",
+            expected=f'numbers as in "{letter} {NUMBERS[kind]}"'
+            + (", where large and sweep are 0 or 1" if kind == "A" else ""),
+            remedy="a comma separates numbers, so write decimals with a point" if comma else "",
+        )
 
     def fault(self, expected: str) -> InputError:
         rest = self.data[self.place : self.place + 30]

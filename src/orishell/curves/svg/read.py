@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.units import conversion
+from orishell.curves.candidates import name_parts
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Affine, Piece
 from orishell.curves.svg.shapes import SHAPES, draw_shape, length_of
@@ -23,7 +24,7 @@ from orishell.curves.svg.values import (
     parse_transform,
     parse_view_box,
 )
-from orishell.errors import InputError
+from orishell.errors import CurveError, InputError
 from orishell.numerics.arrays import Array
 
 UPWARDS = Affine.of(1, 0, 0, -1, 0, 0)
@@ -84,8 +85,12 @@ def read_svg(path: Path, *, into: str, id: str | None = None, unit: str | None =
     where = str(path) if id is None else f"{path} #{id}"
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused when joined
-            pieces = _Reader(read_tree(path), id).read(whole=unit is not None)
-        chain = join_pieces(pieces, lambda point: _place(point, unit or "mm"))
+            reader = _Reader(read_tree(path), id)
+            pieces = reader.read(whole=unit is not None)
+            try:
+                chain = join_pieces(pieces, lambda point: _place(point, unit or "mm"))
+            except CurveError as error:
+                raise reader.naming(error) from None
     except InputError as error:
         raise error.located(f"{where}:") from None
     return chain.scaled(conversion(unit or "mm", into))
@@ -99,6 +104,8 @@ class _Reader:
         self.chosen = chosen
         self.by_id: dict[str, Element] = {}
         self.pieces: list[Piece] = []
+        self.drawn: list[tuple[str, slice]] = []
+        """What messages call each element that draws, and which of the pieces are its."""
         self.visited = 0
         stack = [root]
         while stack:
@@ -118,6 +125,18 @@ class _Reader:
         context = _Context(*page, self.chosen is None)
         self._children(self.root, self._inside(self.root, context))
         return [piece.transformed(UPWARDS) for piece in self.pieces]
+
+    def naming(self, error: CurveError) -> CurveError:
+        """The error about all pieces, with the elements they are of and the ids to choose from."""
+        parts = [(name, self.pieces[which]) for name, which in self.drawn]
+        shapes = [name for name, each in self.by_id.items() if each.tag in DRAWN]
+        return name_parts(
+            error,
+            parts,
+            ((f'id = "{name}"', _pieces_of(self.root, name)) for name in reversed(shapes)),
+            "give the element that is meant an id in the drawing and choose it with id, or remove "
+            "the others",
+        )
 
     def _inside(self, element: Element, context: _Context) -> _Context:
         """The context, given the element's own visibility and whether it is chosen."""
@@ -146,8 +165,7 @@ class _Reader:
             if inside.wanted and not inside.hidden:
                 self._draw(element, inside)
         except InputError as error:
-            name = element.attributes.get("id")
-            error.located(f'<{element.tag} id="{name[:60]}">' if name else f"<{element.tag}>")
+            error.located(_name_of(element))
             raise
         if element.tag == "use":
             if inside.wanted and not inside.hidden:
@@ -181,6 +199,9 @@ class _Reader:
     def _draw(self, element: Element, context: _Context) -> None:
         drawn = draw_shape(element, context.view)
         self.pieces += [piece.transformed(context.affine) for piece in drawn]
+        if drawn:
+            last = len(self.pieces)
+            self.drawn.append((_name_of(element), slice(last - len(drawn), last)))
         if len(self.pieces) > MAX_PIECES:
             raise InputError("the drawing has too many pieces", expected=f"at most {MAX_PIECES}")
 
@@ -210,6 +231,19 @@ class _Reader:
             expected="one of " + ", ".join(name[:60] for name in listed) if listed else "",
             remedy="" if listed else "leave id out: no element of the file has one",
         )
+
+
+def _pieces_of(root: Element, name: str) -> list[Piece]:
+    """What an element draws by itself; nothing where it cannot be read."""
+    try:
+        return _Reader(root, name).read(whole=True)
+    except InputError:
+        return []
+
+
+def _name_of(element: Element) -> str:
+    name = element.attributes.get("id")
+    return f'<{element.tag} id="{name[:60]}">' if name else f"<{element.tag}>"
 
 
 def _page(root: Element, *, whole: bool) -> tuple[Affine, View]:

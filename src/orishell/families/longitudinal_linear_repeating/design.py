@@ -51,13 +51,13 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
-from orishell.families.parameters import Auto, ColumnCount, Length, Limits, RowCount, radians
+from orishell.families.parameters import Auto, ColumnCount, Length, Limits, RowCount, in_radians
 from orishell.motion import require_resolution
 from orishell.numerics.bisection import bisect
 
 STAGE: Final[Limits] = {"gt": 0, "le": 180}
 """Limits of the drive (degrees)."""
-Drive = Annotated[Number, Field(**radians(STAGE))]
+Drive = Annotated[Number, in_radians(STAGE)]
 SolutionNumber = Annotated[int, Field(ge=0)]
 
 

@@ -20,6 +20,7 @@ from orishell.families.longitudinal_linear_repeating.equation.sectors import Sec
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
 from orishell.families.parameters import Auto, Knob, Length
 from orishell.families.pattern import Family, Pattern
+from orishell.families.slips import forgiving
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
 
@@ -81,11 +82,13 @@ class LongitudinalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return design_longitudinal_linear_repeating(f, g, **self.arguments())
+        return forgiving(
+            self, lambda: design_longitudinal_linear_repeating(f, g, **self.arguments()), (f, g)
+        )
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
-        return design_longitudinal_linear_repeating(**self.arguments())
+        return forgiving(self, lambda: design_longitudinal_linear_repeating(**self.arguments()))
 
 
 FAMILY = Family(

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.design import Approached, Design, Parameter, Path, Sliding, Surface
 from orishell.families.longitudinal_linear_repeating.motion.measures import (
     describe_radii,
@@ -102,8 +103,8 @@ def place(
             trace, state.polygon[middle], Sliding(Path.of(line.trace), complex(*right[:2]))
         ),
         approached=Approached(
-            f"the rows are not parallel: the radius of the sections goes from {radii[0]:.4g} at "
-            f"column 1 to {radii[1]:.4g} at the last",
+            f"the rows are not parallel: the radius of the sections goes from {plain(radii[0])} at "
+            f"column 1 to {plain(radii[1])} at the last",
             None,
         ),
         origin=np.append(line.trace.origin, 0.0),

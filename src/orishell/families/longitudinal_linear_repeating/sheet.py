@@ -7,6 +7,7 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer, values
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
@@ -124,7 +125,7 @@ def with_fitting_border(
             raise DesignError(
                 "the flap panels are not convex: their row creases meet",
                 keys=("pattern.flap",),
-                size=f"flap = {given:.4g} is too wide",
+                size=f"flap = {plain(given)} is too wide",
                 candidates=values("flap", 0.0, share * given, given),
                 excess=1 / share - 1,
             )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees, inside, rounded
+from orishell.conventions.quantities import plain
 from orishell.curves import Trace, run_along_axis
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import part
@@ -46,7 +47,8 @@ class Line:
             raise DesignError(
                 "g is not straight, and this family sweeps along a straight line only",
                 place=f"at parameter {trace.curve.as_drawn(trace.t[worst]):.6g} of g",
-                size=f"g leaves a straight line by {leaves:.4g}; it is {trace.length:.4g} long",
+                size=f"g leaves a straight line by {plain(leaves)}; it is "
+                f"{plain(trace.length)} long",
                 candidates=[_straight(trace)],
                 excess=max(leaves / trace.length, 1 - length / trace.length) - STRAIGHT,
             )

@@ -9,6 +9,7 @@ from itertools import chain, pairwise
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import plain
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
@@ -211,7 +212,7 @@ def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
     raise DesignError(
         "f bends too sharply for rows that all turn by the same angle",
         place=f"at parameter {trace.curve.as_drawn(trace.t[near]):.6g} of f, row {max(worst, 1)}",
-        size=f"the crease there would be {forward[worst]:.4g} long",
+        size=f"the crease there would be {plain(forward[worst])} long",
         candidates=[Remedy({"pattern.column_lengths": [1.0] * (len(turns) + 1)})],
         excess=SHORTEST - forward[worst] / np.abs(steps).sum(),
     )

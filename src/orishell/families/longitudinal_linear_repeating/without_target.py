@@ -9,6 +9,7 @@ from itertools import chain
 import numpy as np
 
 from orishell.conventions.formatting import rounded
+from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer
@@ -163,7 +164,7 @@ def _refusal(request: SheetRequest, columns: Columns, inner: InnerLengths | None
         f"these {'lengths' if both else which} make no sheet of these sector angles",
         size="no positive lengths of the other creases close all panels"
         if inner is None
-        else f"the shortest crease would be {inner.shortest:.4g} long",
+        else f"the shortest crease would be {plain(inner.shortest)} long",
         candidates=_candidates(request, columns),
         excess=None if inner is None else -inner.shortest / np.abs(inner.row).mean(),
     )

@@ -34,7 +34,7 @@ from orishell.families.parameters import (
     Limits,
     OddRowCount,
     Width,
-    radians,
+    in_radians,
 )
 from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array, Complex
@@ -49,8 +49,8 @@ from orishell.polylines import (
 HEADING: Final[Limits] = {"ge": 0, "le": 180}
 ROW_ANGLE: Final[Limits] = {"ge": 0.1, "le": 179.9}
 """Limits of the angles (degrees)."""
-Heading = Annotated[Number, Field(**radians(HEADING))]
-RowAngle = Annotated[Number, Field(**radians(ROW_ANGLE))]
+Heading = Annotated[Number, in_radians(HEADING)]
+RowAngle = Annotated[Number, in_radians(ROW_ANGLE)]
 ChosenSides = Annotated[Sequence[FlapSide | Auto], Field(min_length=2, max_length=2)]
 """Where the left and the right flap fold to, chosen if "auto"."""
 

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import plain
 from orishell.curves import Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import values
@@ -52,7 +53,8 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
             f"{what} is too large for f: the curves at that distance from f have cusps",
             keys=("pattern.depth",),
             place=f"at parameter {trace.curve.as_drawn(place):.6g} of f",
-            size=f"the depth must stay below f's radius of curvature, which is {radius:.4g} there",
+            size="the depth must stay below f's radius of curvature, which is "
+            f"{plain(radius)} there",
             candidates=candidates,
             excess=h / radius - 1,
         )

@@ -9,6 +9,7 @@ from itertools import chain
 import numpy as np
 
 from orishell.conventions.formatting import as_typed, in_degrees, rounded, tidy_degrees
+from orishell.conventions.quantities import plain
 from orishell.curves import Curve, Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import FARTHER, angles, part, sizes, values
@@ -244,8 +245,8 @@ def _rows_meet(
         "too far along f's plane",
         keys=("pattern.heading_deg",),
         place=f"between rows {row + 1} and {row + 2} in column {column + 1}",
-        size=f"the crease there would be {share[row, column] * length[row, 0]:.4g} long, "
-        f"in column 1 it is {length[row, 0]:.4g}{limits}",
+        size=f"the crease there would be {plain(share[row, column] * length[row, 0])} long, "
+        f"in column 1 it is {plain(length[row, 0])}{limits}",
         candidates=candidates,
         excess=-share[row, column],
     )
@@ -257,7 +258,7 @@ def _flap_too_wide(
     return DesignError(
         "the flaps are too wide: neighbouring rows meet inside them",
         keys=("pattern.flap",),
-        size=f"they are {headings.flap:.4g} wide, and there is room for {room:.4g}",
+        size=f"they are {plain(headings.flap)} wide, and there is room for {plain(room)}",
         candidates=candidates,
         excess=(headings.flap or 0.0) / room - 1,
     )

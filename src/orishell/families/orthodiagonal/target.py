@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.curves import Trace, curve_from_points, trace_curve
 from orishell.design import Approached, Path, Sliding, Surface
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
@@ -40,7 +41,7 @@ def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Ap
     rail = Sliding(Path.of(trace_curve(line)), complex(t))
     return Approached(
         f"rows shift to and fro along f by as much as g departs from the columns' normal, "
-        f"{leaves:.4g}, and the shell keeps to the cylinder over f along that normal",
+        f"{plain(leaves)}, and the shell keeps to the cylinder over f along that normal",
         Surface(f, _origin(zigzag), rail),
     )
 

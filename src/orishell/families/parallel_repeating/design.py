@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Annotated, Any, Final
 
 import numpy as np
-from pydantic import Field
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.arguments import checked
@@ -31,7 +30,7 @@ from orishell.families.parameters import (
     Limits,
     OddRowCount,
     Width,
-    radians,
+    in_radians,
 )
 from orishell.numerics.arrays import Array
 from orishell.polylines import (
@@ -49,9 +48,9 @@ XI: Final[Limits] = {"ge": 0.1, "le": 179.9}
 THETA: Final[Limits] = {"ge": -360, "le": 360}
 PLANE: Final[Limits] = {"gt": 0, "lt": 180}
 """Limits of the angles (degrees)."""
-Xi = Annotated[Number, Field(**radians(XI))]
-Theta = Annotated[Number, Field(**radians(THETA))]
-Plane = Annotated[Number, Field(**radians(PLANE))]
+Xi = Annotated[Number, in_radians(XI)]
+Theta = Annotated[Number, in_radians(THETA)]
+Plane = Annotated[Number, in_radians(PLANE)]
 
 
 def require_square(planes: str, plane: str, right: float) -> Callable[[Any], None]:

@@ -30,6 +30,7 @@ from orishell.families.parameters import (
     OddRowCount,
 )
 from orishell.families.pattern import Family, Pattern, Tolerance, placement_variants
+from orishell.families.slips import forgiving
 from orishell.polylines import Placement, Spacing
 
 
@@ -87,7 +88,7 @@ class ParallelRepeatingPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return design_parallel_repeating(f, g, **self.arguments())
+        return forgiving(self, lambda: design_parallel_repeating(f, g, **self.arguments()), (f, g))
 
 
 FAMILY = Family(

@@ -8,6 +8,7 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.quantities import plain
 from orishell.curves import Curve
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, fewer, part, sizes, values
@@ -43,7 +44,8 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
     raise DesignError(
         "neighbouring columns meet inside the sheet: g bends more sharply than f reaches",
         place=f"at row {row} between columns {column} and {column + 1}",
-        size=f"the crease there would be {length:.4g} long, where f reaches {reach:.4g} from g",
+        size=f"the crease there would be {plain(length)} long, where f reaches "
+        f"{plain(reach)} from g",
         candidates=chain(sizes("f", f, scale), sizes("g", g, 1 / scale)),
         excess=SHORTEST_EDGE - share[worst],
     )
@@ -65,7 +67,8 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
         if not limits[0] <= flap <= limits[1]:
             raise DesignError(
                 "the flaps are too narrow or too wide for this sheet",
-                size=f"they are {flap:.4g} wide, and may be {limits[0]:.4g} to {limits[1]:.4g}",
+                size=f"they are {plain(flap)} wide, and may be {plain(limits[0])} to "
+                f"{plain(limits[1])}",
                 candidates=values("flap", limits[0], limits[1], flap),
                 excess=max(1 - flap / limits[0], flap / limits[1] - 1),
             )
@@ -82,8 +85,8 @@ def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
             raise DesignError(
                 "a panel is so small that the rounding of coordinates would bend it",
                 place=f"at the shortest {name}",
-                size=f"it is {shortest:.4g} long, and must be at least {RESOLUTION:g} of "
-                f"the sheet's diagonal, which is {size:.4g}",
+                size=f"it is {plain(shortest)} long, and must be at least {RESOLUTION:g} of "
+                f"the sheet's diagonal, which is {plain(size)}",
                 candidates=fewer(key, count),
                 excess=1 - shortest / (RESOLUTION * size),
             )
@@ -117,7 +120,7 @@ def require_flat_sheet(
         )
         raise DesignError(
             "the flaps overlap in the flat sheet",
-            size=f"they are {flap:.4g} wide",
+            size=f"they are {plain(flap)} wide",
             candidates=values("flap", 0.0, share * flap, flap) if share else (),
             excess=1 / share - 1 if share else None,
         )
@@ -156,7 +159,8 @@ def warn_of_stretched_columns(mechanism: ParallelRepeating, plane: float) -> tup
     if plane != np.pi / 2 or np.abs(np.log(scales)).max() <= STRETCH:
         return ()
     return (
-        f"f is stretched to between {scales.min():.3g} and {scales.max():.3g} of its width along "
+        f"f is stretched to between {plain(scales.min(), 3)} and {plain(scales.max(), 3)} of "
+        "its width along "
         "g, because g turns too much from column to column; take more columns",
     )
 

@@ -1,0 +1,73 @@
+"""Curves whose formulas were given degrees: they wind many times about themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from orishell.errors import CurveError
+from orishell.numerics.arrays import Array
+
+WINDINGS = 4
+"""A curve that turns by more turns than these in radians, and by at most one in degrees, was meant
+in degrees: no family takes one that turns so often."""
+ONE = 1 + 1e-6
+"""A whole turn, and its rounding."""
+SPAN, LARGEST = 30, 720
+"""Degrees are whole numbers from end to end so far apart, and no larger than this."""
+CELLS = 8192
+"""Steps along the range, of which none may turn by half a turn or more."""
+
+
+Jet = Callable[[Array], tuple[Array, Array, Array]]
+
+
+def require_radians(jet: Jet, start: float, stop: float) -> None:
+    """Refuse a curve from formulas whose range is in degrees.
+
+    Parameters
+    ----------
+    jet
+        Its points and derivatives at values of the variable of its formulas.
+    start, stop
+        Range of the variable.
+
+    Raises
+    ------
+    CurveError
+        If its range looks like degrees, and the curve winds too often for any shell in radians.
+    """
+    if not look_like_degrees(start, stop):
+        return
+    turns = _turns(jet, start, stop)
+    if turns <= WINDINGS or _turns(jet, np.deg2rad(start), np.deg2rad(stop)) > ONE:
+        return
+    raise CurveError(
+        f"the curve turns {turns:.0f} times about itself, because formulas take radians",
+        where="range",
+        got=f"[{start:g}, {stop:g}], which look like degrees",
+        expected="radians",
+        remedy=f'range = ["{start:g}*pi/180", "{stop:g}*pi/180"]',
+    )
+
+
+def look_like_degrees(start: float, stop: float) -> bool:
+    """Whether the ends of a range are whole numbers far apart, as an architect writes degrees.
+
+    Parameters
+    ----------
+    start, stop
+        The ends.
+    """
+    whole = not start % 1 and not stop % 1
+    return whole and stop - start >= SPAN and max(-start, stop) <= LARGEST
+
+
+def _turns(jet: Jet, start: float, stop: float) -> float:
+    """By how many turns the tangent turns in all; 0 where it has none."""
+    first = jet(np.linspace(start, stop, CELLS + 1))[1]
+    if not np.isfinite(first).all() or not first.any(axis=1).all():
+        return 0.0
+    turned = np.unwrap(np.arctan2(first[:, 1], first[:, 0]))
+    return float(abs(turned[-1] - turned[0]) / (2 * np.pi))

@@ -1,0 +1,129 @@
+"""Slips of the pen that are legal: radians for degrees, a curve in another unit than the other.
+
+A shell that is made of them draws a warning; where one is refused, what may have been meant is
+tried first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from itertools import chain
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.formatting import rounded
+from orishell.conventions.quantities import plain
+from orishell.curves import Curve
+from orishell.design import Design
+from orishell.errors import DesignError, Remedy, Value
+
+if TYPE_CHECKING:
+    from orishell.families.pattern import Pattern
+
+LARGE: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
+"""Keys of angles that are tens of degrees: less than half a turn in radians is hardly any."""
+EITHER: tuple[str, ...] = ("heading_deg",)
+"""Keys of angles that are as small where g runs along y."""
+UNLIKE, ABSURD = 30.0, 100.0
+"""A curve so many times as large as the other may be in another unit; and is worth a warning."""
+UNITS = (1000.0, 100.0, 25.4, 10.0)
+"""How many times larger numbers are in another unit, the likeliest first: millimetres for metres,
+centimetres for metres, millimetres for inches, millimetres for centimetres."""
+SMALLEST = 0.05
+"""A curve that would be so small a share of the other is in no such unit."""
+SAMPLES = 65
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """What may have been meant otherwise.
+
+    Parameters
+    ----------
+    words
+        What is so, as a clause.
+    meant
+        What else may have been meant, the likeliest first: it is tried.
+    warning
+        What a shell that is made of it is warned of; "" if of nothing.
+    """
+
+    words: str
+    meant: tuple[Remedy, ...]
+    warning: str
+
+
+def forgiving(
+    pattern: Pattern, make: Callable[[], Design], target: tuple[Curve, Curve] | None = None
+) -> Design:
+    """Design a pattern, and say what looks like a slip of the pen.
+
+    Parameters
+    ----------
+    pattern
+        The table.
+    make
+        Designs it.
+    target
+        The curves f and g, if there are any.
+
+    Raises
+    ------
+    DesignError
+        As the family does; what may have been meant comes first among its candidates.
+    """
+    slips = [*_radians(pattern), *(_units(*target) if target is not None else ())]
+    try:
+        design = make()
+    except DesignError as error:
+        if slips:
+            error.size = "; ".join(filter(None, [error.size, *(slip.words for slip in slips)]))
+            error.candidates = chain(*(slip.meant for slip in slips), error.candidates)
+        raise
+    warnings = tuple(slip.warning for slip in slips if slip.warning)
+    return replace(design, warnings=(*warnings, *design.warnings)) if warnings else design
+
+
+def _radians(pattern: Pattern) -> Iterator[Slip]:
+    """Angles in degrees that may have been meant in radians."""
+    for key in (*LARGE, *EITHER):
+        value = getattr(pattern, key, "auto")
+        angles = value if isinstance(value, list) else [value]
+        if key not in pattern.model_fields_set or "auto" in angles:
+            continue
+        if all(0 < angle < np.pi for angle in angles):
+            degrees = [rounded(float(np.rad2deg(angle))) for angle in angles]
+            meant: Value = degrees if isinstance(value, list) else degrees[0]
+            remedy = Remedy({f"pattern.{key}": meant})
+            words = f"{key} is in degrees ({value} radians are {str(remedy).partition(' = ')[2]})"
+            warning = f"{words}: if radians were meant, write {remedy}" if key in LARGE else ""
+            yield Slip(words, (remedy,), warning)
+
+
+def _units(f: Curve, g: Curve) -> Iterator[Slip]:
+    """Curves of so unlike sizes that one may be in another unit than the design."""
+    sizes = {"f": _size(f), "g": _size(g)}
+    small, large = sorted(sizes, key=sizes.__getitem__)
+    ratio = sizes[large] / sizes[small] if sizes[small] else np.inf
+    if not UNLIKE <= ratio < np.inf:
+        return
+    curve = f if large == "f" else g
+    words = f"{large} is {plain(ratio, 2)} times as large as {small}: " + (
+        f"if it is in another unit, say which (unit in [target.{large}])"
+        if curve.key == "part"
+        else "formulas are in the unit of [shell]"
+    )
+    meant = (
+        Remedy({f"target.{large}.scale": curve.scale_times(1 / times)})
+        for times in UNITS
+        if ratio / times >= SMALLEST
+    )
+    yield Slip(words, tuple(meant), words if ratio >= ABSURD else "")
+
+
+def _size(curve: Curve) -> float:
+    """The extent of a curve, as some of its points have it."""
+    points = curve.position(np.linspace(curve.start, curve.stop, SAMPLES))
+    return float(np.hypot(*np.ptp(points, axis=0)))
