@@ -71,15 +71,16 @@ def _crew(processes: int | None, address: str | None) -> AbstractContextManager[
 
 
 def _summary(problem: Problem, found: Found, written: list[Path]) -> Iterator[str]:
-    from orishell.search.feasible import reasons, violation
+    from orishell.search.feasible import asked_of_loads, reasons, violation
     from orishell.search.front import costs
 
     made = found.outcomes
     feasible = sum(violation(problem, each) == 0.0 for each in made)
     whole = "" if found.whole else ", stopped before its end: the same command goes on"
-    yield f"searched  {len(made)} designs, {feasible} of them feasible{whole}"
+    yield f"searched  {len(made)} designs, {feasible} of which fold and keep all limits{whole}"
     for reason, count in reasons(problem, made)[:3]:
         yield f"          {count}: {reason}"
+    yield f"          {asked_of_loads(problem)}"
     members, knee = found.front.members, found.front.knee
     yield f"front     {len(members)} design{'s' * (len(members) > 1)} that no other beats"
     last = -1
