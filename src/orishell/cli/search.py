@@ -50,7 +50,7 @@ def _search(file: Path, out: Path, crew: Crew) -> None:
     OutputDirectory(out).require_usable()
     problem = read_problem(file)
     require_apart(problem, out)
-    with open_journal(out / NAME, problem.fingerprint()) as journal:
+    with open_journal(out / NAME, problem) as journal:
         known = len(journal)
         if known:
             say(f"orishell: {known} designs were made before: {out / NAME}", err=True)
