@@ -54,13 +54,13 @@ def _search(file: Path, out: Path, crew: Crew) -> None:
         known = len(journal)
         if known:
             say(f"orishell: {known} designs were made before: {out / NAME}", err=True)
-        writing = "orishell: stopping, and writing what there is"
-        with asked_to_stop(writing) as stopped, bar() as shown:
-            found = search_designs(problem, crew, journal, shown, stop=stopped)
-        with asked_to_stop("orishell: stopping, without the other shells") as stop, bar() as shown:
-            written = write_found(problem, found, out, crew, shown, stop=stop)
+        with asked_to_stop("orishell: stopping, and writing what there is") as stopped:
+            with bar() as shown:
+                found = search_designs(problem, crew, journal, shown, stop=stopped)
+            with bar() as shown:
+                written = write_found(problem, found, out, crew, shown, stop=stopped)
     say("\n".join(_summary(problem, found, written)))
-    if not found.whole:
+    if stopped.is_set():
         raise typer.Exit(128 + stopped.number)
 
 
