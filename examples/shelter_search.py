@@ -35,7 +35,7 @@ def find(problem: Problem, crew: Crew) -> Found:
     """What the search finds, from a copy of its journal: a search would add to it."""
     with TemporaryDirectory() as directory:
         path = Path(shutil.copy(MADE, directory))
-        with open_journal(path, problem.fingerprint()) as journal:
+        with open_journal(path, problem) as journal:
             return search_designs(problem, crew, journal)
 
 

@@ -181,16 +181,17 @@ describe("what is found", () => {
 
 describe("figures that are offered", () => {
   const figures = [
-    { name: "panels", words: "panels", unit: "", of_structure: false },
-    { name: "mass", words: "mass", unit: "kg", of_structure: false },
-    { name: "deflection", words: "deflection", unit: "{unit}", of_structure: true },
+    { name: "panels", words: "panels", unit: "", of_structure: false, most: null },
+    { name: "mass", words: "mass", unit: "kg", of_structure: false, most: null },
+    { name: "deflection", words: "deflection", unit: "{unit}", of_structure: true, most: null },
+    { name: "utilisation", words: "utilisation", unit: "", of_structure: true, most: 1 },
   ];
   const none: SearchTable = { variables: {}, minimise: [] };
   const names = (of: Design, table = none, said = report): string[] => offeredFigures(figures, of, said, table).map(({ label }) => label);
 
   it("are those that the design can have", () => {
     expect(names(design)).toEqual(["Panels"]);
-    expect(names({ ...design, structure: {} })).toEqual(["Panels", "Deflection (m)"]);
+    expect(names({ ...design, structure: {} })).toEqual(["Panels", "Deflection (m)", "Utilisation"]);
     const weighed = { ...report, quantities: { mass_kg: 0, built: null } } as unknown as Report;
     expect(names(design, none, weighed)).toEqual(["Panels", "Mass (kg)"]);
   });

@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
+import signal
 import socket
 import sys
 import threading
-from collections.abc import Callable, Iterator
+import time
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import pytest
 
 from command_line import orishell, orishell_process
 from orishell.errors import InputError
 from orishell.search import dask_workers
+from orishell.search.cluster import AHEAD
 from orishell.search.evaluate import evaluate, job_of
 from search.dask_cluster import DaskCluster, dask_cluster
 from search.problems import small_problem
 from search.searching import lines, searched, searching, wait_for_lines, written
 
 pytestmark = pytest.mark.slow
+MOST_STOPPING = 30.0
+"""Seconds: 5 on a machine of its own, and others run beside a test."""
 T = TypeVar("T")
 
 
@@ -31,10 +36,10 @@ def apart(call: Callable[[], T]) -> T:
         return thread.submit(call).result()
 
 
-def enter(address: str) -> None:
-    """Be connected to a cluster for a moment."""
-    with dask_workers(address):
-        pass
+def enter(address: str, timeout: float = 10.0) -> int:
+    """Be connected to a cluster for a moment; how many chunks it would take."""
+    with dask_workers(address, timeout=timeout) as crew:
+        return len(crew.places)
 
 
 @pytest.fixture(scope="module")
@@ -111,15 +116,53 @@ def test_a_server_that_is_no_scheduler_is_refused(file: Path, tmp_path: Path) ->
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_cluster_without_workers_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("orishell.search.cluster.TIMEOUT", 1.0)
+def test_a_scheduler_that_accepts_and_is_silent_is_refused() -> None:
+    """It would be waited for without end."""
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        with pytest.raises(InputError, match=r"no scheduler answers.*time is up"):
+            apart(lambda: enter(address, 1.0))
+
+
+def test_a_cluster_without_workers_is_refused(tmp_path: Path) -> None:
     with (
         dask_cluster(tmp_path, 0) as empty,
         pytest.raises(InputError, match="the cluster has no workers"),
     ):
-        apart(lambda: enter(empty.address))
+        apart(lambda: enter(empty.address, 2.0))
+
+
+def test_workers_that_stop(file: Path, tmp_path: Path) -> None:
+    """They are named before a search; in one, others do their work; and none holds up its end."""
+    with dask_cluster(tmp_path, 2) as running:
+        while apart(lambda: enter(running.address)) < 2 * AHEAD:
+            time.sleep(0.1)
+        first, second = running.workers
+        first.send_signal(signal.SIGSTOP)
+        with pytest.raises(InputError, match="a worker does not answer"):
+            apart(lambda: enter(running.address, 5.0))
+        first.send_signal(signal.SIGCONT)
+        apart(lambda: list(work_on(running.address, 1)))  # while workers import they say nothing
+
+        def work() -> int:
+            made = 0
+            for chunk, done in work_on(running.address, 3, timeout=4.0):
+                first.send_signal(signal.SIGSTOP)
+                assert done is not None
+                made += len(chunk)
+            return made
+
+        assert apart(work) == 3 * 27
+        out = tmp_path / "out"
+        search = searching(file, out, "--cluster", running.address)
+        wait_for_lines(search, out, 4)
+        second.send_signal(signal.SIGSTOP)
+        search.send_signal(signal.SIGTERM)
+        begun = time.monotonic()
+        _, errors = search.communicate(timeout=120)
+        assert search.returncode == 128 + signal.SIGTERM, errors
+        assert time.monotonic() - begun < MOST_STOPPING
+    assert (out / "front.csv").is_file()
 
 
 def test_workers_of_another_version_are_refused(
@@ -140,11 +183,13 @@ def test_dask_that_is_not_installed_is_said(
     assert "pip install orishell[cluster]" in done.stderr
 
 
-def work_on(address: str) -> Iterator[object]:
-    """A minute's work on a cluster, in pieces."""
+def work_on(
+    address: str, times: int = 30, timeout: float = 10.0
+) -> Iterator[tuple[Sequence[Any], list[Any] | None]]:
+    """A small grid, so many times, on a cluster, in pieces: a minute's work without a number."""
     problem = small_problem("parallel-repeating")
-    variants = [*problem.space.grid()] * 30
-    with dask_workers(address) as crew:
+    variants = [*problem.space.grid()] * times
+    with dask_workers(address, timeout=timeout) as crew:
         yield from crew.work(partial(evaluate, job_of(problem)), variants, threading.Event())
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import signal
 import threading
 import zlib
 from collections.abc import Sequence
@@ -15,6 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from command_line import orishell
 from orishell.design_file import check_design
 from orishell.design_file.values import with_values
 from orishell.errors import InputError
@@ -22,7 +24,7 @@ from orishell.search import Crew, Found, Problem, alone, journal_in_memory, loca
 from orishell.search import page as pages
 from orishell.search.evaluate import Outcome, job_of
 from orishell.search.front import Front, costs
-from orishell.search.page import FrontPage, draw_shells, write_page
+from orishell.search.page import FrontPage, PageMember, draw_shells, write_page
 from orishell.search.problem import read_problem
 from orishell.search.run import search_designs
 from orishell.search.write import require_installed
@@ -93,6 +95,11 @@ def written(directory: Path, problem: Problem, found: Found, crew: Crew) -> Fron
     write_page(directory / "front.html", problem, found, crew, lambda share, _: told.append(share))
     assert told == sorted(told)
     assert told[-1] == 1.0
+    return page_at(directory)
+
+
+def page_at(directory: Path) -> FrontPage:
+    """What the page in a directory is told."""
     data = Data()
     data.feed((directory / "front.html").read_text("utf-8"))
     (text,) = data.texts
@@ -226,6 +233,34 @@ def test_what_stands_in_the_page_stays_there(tmp_path: Path) -> None:
         page = written(tmp_path, problem, replace(found, front=Front((member,), 0)), crew)
     assert page["members"][0]["values"][0] == hostile
     assert page["members"][0]["view"] is None
+
+
+def test_a_stop_while_shells_are_drawn_writes_what_there_is_and_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    several = DESIGN.replace('"sheet_area"', '"deviation.f.max"')
+    (tmp_path / "vault.toml").write_text(several)
+    monkeypatch.setattr("orishell.cli.search._crew", lambda *_: alone())
+    drawn = pages._drawn
+
+    def stopping(*job: Any) -> Any:
+        signal.raise_signal(signal.SIGTERM)
+        return drawn(*job)
+
+    def searched() -> tuple[int | str, list[PageMember]]:
+        done = orishell("search", tmp_path / "vault.toml", "--out", tmp_path / "out")
+        return done.returncode, page_at(tmp_path / "out")["members"]
+
+    with monkeypatch.context() as patched:
+        patched.setattr(pages, "_drawn", stopping)
+        status, members = searched()
+    assert status == 128 + signal.SIGTERM
+    assert len(members) > 1
+    assert [each["view"] is None for each in members] == [False] + [True] * (len(members) - 1)
+    assert members[-1]["missing"].startswith("It was stopped. The shell is made by: orishell")
+    status, members = searched()
+    assert status == 0
+    assert all(each["view"] for each in members)
 
 
 def test_a_search_does_not_begin_without_its_page(tmp_path: Path, stub: Path) -> None:

@@ -158,6 +158,18 @@ def test_a_search_does_not_write_over_its_design(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [file]
 
 
+def test_a_search_does_not_write_over_what_was_changed(
+    file: Path, whole: dict[str, bytes], tmp_path: Path
+) -> None:
+    for name, content in whole.items():
+        (tmp_path / name).write_bytes(content)
+    (tmp_path / "front-01.toml").write_bytes(whole["front-01.toml"] + b"# mine\n")
+    done = orishell("search", file, "--out", tmp_path)
+    assert done.returncode == 2
+    assert f"{tmp_path / 'front-01.toml'}: the search would write over this file" in done.stderr
+    assert written(tmp_path) == {**whole, "front-01.toml": whole["front-01.toml"] + b"# mine\n"}
+
+
 def test_a_design_among_the_files_of_a_search_leaves_them(
     whole: dict[str, bytes], tmp_path: Path
 ) -> None:

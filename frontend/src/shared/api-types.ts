@@ -500,7 +500,7 @@ export interface PackedReport {
 export interface PageFigure {
   /** Its name, with its unit if that is known. */
   name: string;
-  /** The limits that were set to it; empty if none were. */
+  /** Its limits, in words; empty if it has none. */
   note: string;
   /** Whether it was to be as small as can be. These come first. */
   minimised: boolean;
@@ -757,6 +757,8 @@ export interface SearchFigure {
   unit: string;
   /** Whether it is there only where the design has a table [structure]. */
   of_structure: boolean;
+  /** Its limit where the table [search] sets none; null if it has none then. */
+  most: number | null;
 }
 
 /** A line of the answer: how far the search has come. */

@@ -53,17 +53,17 @@ def _search(file: Path, out: Path, crew: Crew) -> None:
     OutputDirectory(out).require_usable()
     problem = read_problem(file)
     require_apart(problem, out)
-    with open_journal(out / NAME, problem.fingerprint()) as journal:
+    with open_journal(out / NAME, problem) as journal:
         known = len(journal)
         if known:
             say(f"orishell: {known} designs were made before: {out / NAME}", err=True)
-        writing = "orishell: stopping, and writing what there is"
-        with asked_to_stop(writing) as stopped, bar() as shown:
-            found = search_designs(problem, crew, journal, shown, stop=stopped)
-        with asked_to_stop("orishell: stopping, without the other shells") as stop, bar() as shown:
-            written = write_found(problem, found, out, crew, shown, stop=stop)
+        with asked_to_stop("orishell: stopping, and writing what there is") as stopped:
+            with bar() as shown:
+                found = search_designs(problem, crew, journal, shown, stop=stopped)
+            with bar() as shown:
+                written = write_found(problem, found, out, crew, shown, stop=stopped)
     say("\n".join(_summary(problem, found, written)))
-    if not found.whole:
+    if stopped.is_set():
         raise typer.Exit(128 + stopped.number)
 
 
@@ -74,15 +74,16 @@ def _crew(processes: int | None, address: str | None) -> AbstractContextManager[
 
 
 def _summary(problem: Problem, found: Found, written: list[Path]) -> Iterator[str]:
-    from orishell.search.feasible import reasons, violation
+    from orishell.search.feasible import asked_of_loads, reasons, violation
     from orishell.search.front import costs
 
     made = found.outcomes
     feasible = sum(violation(problem, each) == 0.0 for each in made)
     whole = "" if found.whole else ", stopped before its end: the same command goes on"
-    yield f"searched  {len(made)} designs, {feasible} of them feasible{whole}"
+    yield f"searched  {len(made)} designs, {feasible} of which fold and keep all limits{whole}"
     for reason, count in reasons(problem, made)[:3]:
         yield f"          {count}: {reason}"
+    yield f"          {asked_of_loads(problem)}"
     members, knee = found.front.members, found.front.knee
     yield f"front     {len(members)} design{'s' * (len(members) > 1)} that no other beats"
     last = -1

@@ -50,6 +50,25 @@ def reasons(problem: Problem, outcomes: Sequence[Outcome]) -> list[tuple[str, in
     return sorted(counted.items(), key=lambda each: (-each[1], each[0]))
 
 
+def asked_of_loads(problem: Problem) -> str:
+    """What designs that keep all limits do under loads: no more than was looked at.
+
+    Parameters
+    ----------
+    problem
+        The limits.
+    """
+    limit = next((limit for figure, limit in problem.limits if figure.name == "utilisation"), None)
+    if limit is None:
+        return "loads were not looked at: the design file has no [structure]"
+    if limit.most is None or limit.most > 1:
+        return "utilisation may be above 1, as the design file asks: such a shell buckles or breaks"
+    return (
+        f"under loads a utilisation of at most {limit.most:g}, of the strengths in the design file "
+        "and of buckling, by linear analysis"
+    )
+
+
 def nearest(problem: Problem, outcomes: Sequence[Outcome]) -> Outcome:
     """The design that misses its limits by least."""
     return min(outcomes, key=lambda each: violation(problem, each))

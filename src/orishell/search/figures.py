@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
+from orishell.design_file.search import Limit
 from orishell.errors import InputError
 from orishell.shell.case_report import StandingReport
 from orishell.shell.parts import Part
@@ -92,7 +93,9 @@ def _deviation(report: Report) -> float | None:
 
 def _utilisation(report: Report) -> float | None:
     found = report.structure
-    return None if found is None or found.governs is None else found.governs.utilisation
+    if found is None:
+        return None
+    return 0.0 if found.governs is None else found.governs.utilisation  # it does not buckle
 
 
 def _packed_volume(report: Report) -> float | None:
@@ -156,6 +159,9 @@ _OF_CASE: Mapping[str, tuple[str, Share]] = {
 at which the shell buckles, 0 if it does not."""
 NAMES = (*_OF_SHELL, *_OF_CASE)
 """Figures that have a name."""
+BEARS: Mapping[str, Limit] = {"utilisation": Limit(most=1.0)}
+"""What holds of a structure where nothing else is asked for: a shell that buckles or breaks under
+its loads is no choice."""
 
 _PARTS: Mapping[str, Part] = {
     "residuals": "verification",

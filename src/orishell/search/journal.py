@@ -10,20 +10,29 @@ import contextlib
 import errno
 import json
 import os
+import stat
 import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
 from io import FileIO
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
+from pydantic import Field, JsonValue
+
+from orishell.conventions.table import Number, Table
 from orishell.conventions.version import __version__
 from orishell.design_file.values import Values
 from orishell.errors import InputError
 from orishell.search.evaluate import FAULT, Outcome
+from orishell.search.problem import Problem
 from orishell.search.space import key_of
 
 NAME = "journal.jsonl"
+LONGEST_HEAD = 4096
+"""Bytes that are read of a file before it is known to be a journal."""
+BEGINNING = b'{"values": '
+"""Of each line but the head."""
 _ABSENT: tuple[object, ...] = (None, "", {})
 
 
@@ -74,54 +83,104 @@ def journal_in_memory() -> Journal:
 
 
 @contextlib.contextmanager
-def open_journal(path: Path, fingerprint: str) -> Iterator[Journal]:
+def open_journal(path: Path, problem: Problem) -> Iterator[Journal]:
     """Read a journal, and add to it while this lasts; it is made if needed.
+
+    Nothing is changed of a file that is not the journal of this search.
 
     Parameters
     ----------
     path
         Its file.
-    fingerprint
-        What tells the design and its figures from others.
+    problem
+        What is searched.
 
     Raises
     ------
     InputError
         If it is of other designs, of another version, held by another search, or no journal.
     """
-    made = [each for each in path.parents if not each.exists()]
+    head = {"orishell": __version__, "design": problem.fingerprint()}
+    parents = [each for each in path.parents if not each.exists()]
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        stream = path.open("a+b", buffering=0)
+        stream, new = _opened(path, head)
     except OSError as error:
         raise InputError(
             "the journal cannot be written", where=str(path), got=error.strerror or str(error)
         ) from None
     with stream:
         _require_alone(stream, path)
-        head = {"orishell": __version__, "design": fingerprint}
-        journal = Journal(head, stream, {})
-        stream.seek(0)
-        content = stream.read()
-        whole = content[: content.rfind(b"\n") + 1]
-        if len(whole) < len(content):  # a line that was broken off
-            stream.truncate(len(whole))
-            stream.seek(len(whole))
-        for number, line in enumerate(whole.splitlines()):
-            entry = _entry(line, path, number)
-            if number == 0:
-                _require_same(entry, head, path)
-                continue
-            outcome = _outcome(entry, path, number)
-            journal._known[key_of(outcome.values)] = outcome
+        journal = Journal(head, stream, _read(stream, path, head, {*problem.figures}))
         try:
             yield journal
         finally:
-            if stream.tell() == 0:  # nothing came of it
+            if new and stream.tell() == 0:  # nothing came of it
                 path.unlink()
-                for each in made:
+                for each in parents:
                     with contextlib.suppress(OSError):  # it is in use meanwhile
                         each.rmdir()
+
+
+def _opened(path: Path, head: dict[str, str]) -> tuple[FileIO, bool]:
+    """A journal to add to, and whether it was made; none is opened so whose head is another's."""
+
+    def adding(name: str, flags: int) -> int:
+        return os.open(name, flags | os.O_APPEND, 0o666)
+
+    def not_waiting(name: str, flags: int) -> int:  # for who writes into a pipe
+        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
+
+    try:
+        return open(path, "x+b", buffering=0, opener=adding), True
+    except FileExistsError:
+        pass
+    with open(path, "rb", buffering=0, opener=not_waiting) as there:
+        if not stat.S_ISREG(os.fstat(there.fileno()).st_mode):
+            raise _foreign(path)
+        _require_same(there.read(LONGEST_HEAD), head, path)
+    return open(path, "r+b", buffering=0, opener=adding), False
+
+
+def _read(
+    stream: FileIO, path: Path, head: dict[str, str], figures: set[str]
+) -> dict[str, Outcome]:
+    """The designs in a journal; a line that was broken off at its end is taken away."""
+    stream.seek(0)
+    content = stream.read()
+    _require_same(content[:LONGEST_HEAD], head, path)
+    *lines, rest = content.split(b"\n")
+    known: dict[str, Outcome] = {}
+    for number, line in enumerate(lines[1:], 2):
+        try:
+            outcome = _outcome(line, figures)
+            known[key_of(outcome.values)] = outcome
+        except (ValueError, RecursionError):
+            raise _unreadable(path, number) from None
+    if lines and rest and not (rest.startswith(BEGINNING) or BEGINNING.startswith(rest)):
+        raise _unreadable(path, len(lines) + 1)
+    if rest:
+        stream.truncate(len(content) - len(rest))
+        stream.seek(0, os.SEEK_END)
+    return known
+
+
+class _Line(Table):
+    """A line of a journal behind its head."""
+
+    values: dict[str, JsonValue]
+    figures: dict[str, Number] = Field(default_factory=dict)
+    reason: str = ""
+    said: str = ""
+    excess: Annotated[Number, Field(ge=0)] | None = None
+
+
+def _outcome(line: bytes, figures: set[str]) -> Outcome:
+    """What a line says; raises ValueError or RecursionError if it is none of a journal."""
+    found = _Line.model_validate(json.loads(line))
+    if {*found.figures} != (set() if found.reason else figures):
+        raise ValueError(line)
+    return Outcome(found.values, found.figures, found.reason, found.said, found.excess)
 
 
 def _line(entry: dict[str, Any]) -> bytes:
@@ -142,40 +201,40 @@ def _write(stream: FileIO, lines: bytes) -> None:
         )
 
 
-def _entry(line: bytes, path: Path, number: int) -> dict[str, Any]:
+def _require_same(begins: bytes, head: dict[str, str], path: Path) -> None:
+    """Refuse what a file begins with, if it is no head, or not this one or what is left of it."""
+    line, newline, _ = begins.partition(b"\n")
+    if not newline and _line(head).startswith(line):  # it was broken off
+        return
     try:
-        entry = json.loads(line)
-    except ValueError:
-        entry = None
-    if not isinstance(entry, dict):
-        raise _unreadable(path, number)
-    return entry
+        found = json.loads(line) if newline else None
+    except (ValueError, RecursionError):
+        found = None
+    if not isinstance(found, dict) or found.keys() != head.keys():
+        raise _foreign(path)
+    if found != head:
+        other = found["orishell"] == head["orishell"]
+        what = "a design or figures that differ" if other else "another version of orishell"
+        raise InputError(
+            f"the journal here is of {what}",
+            where=str(path),
+            remedy="choose another directory, or remove the file and search from the beginning",
+        )
 
 
-def _outcome(entry: dict[str, Any], path: Path, number: int) -> Outcome:
-    try:
-        return Outcome(**{"figures": {}, **entry})
-    except TypeError:
-        raise _unreadable(path, number) from None
+def _foreign(path: Path) -> InputError:
+    return InputError(
+        "this is not the journal of a search",
+        where=str(path),
+        remedy="choose another directory: a search keeps its journal in a file of this name",
+    )
 
 
 def _unreadable(path: Path, number: int) -> InputError:
     return InputError(
-        "this is not the journal of a search",
-        where=f"{path}, line {number + 1}",
-        remedy="choose another directory, or remove the file and search from the beginning",
-    )
-
-
-def _require_same(found: dict[str, Any], head: dict[str, str], path: Path) -> None:
-    if found == head:
-        return
-    other = found.get("orishell") == head["orishell"]
-    what = "a design or figures that differ" if other else "another version of orishell"
-    raise InputError(
-        f"the journal here is of {what}",
-        where=str(path),
-        remedy="choose another directory, or remove the file and search from the beginning",
+        "this line of the journal cannot be read",
+        where=f"{path}, line {number}",
+        remedy="remove the line: its design is made again; or choose another directory",
     )
 
 

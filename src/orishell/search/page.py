@@ -23,7 +23,7 @@ from orishell.io.program_page import place_of, program_page, read_program
 from orishell.io.view import dump_view
 from orishell.search.crew import Crew
 from orishell.search.evaluate import Job, job_of, shell_of
-from orishell.search.feasible import violation
+from orishell.search.feasible import asked_of_loads, violation
 from orishell.search.front import beaten, costs, scores
 from orishell.search.problem import Problem
 from orishell.search.run import Found
@@ -52,7 +52,7 @@ class PageFigure(TypedDict):
     name
         Its name, with its unit if that is known.
     note
-        The limits that were set to it; empty if none were.
+        Its limits, in words; empty if it has none.
     minimised
         Whether it was to be as small as can be. These come first.
     """
@@ -247,6 +247,7 @@ def _page(problem: Problem, found: Found, drawn: dict[int, Drawn]) -> FrontPage:
     dots = [[rounded(each) for each in scores(problem, outcome)] for outcome in others]
     distinct = [list(dot) for dot in dict.fromkeys(map(tuple, dots))]
     begun_with = found.begun_with
+    limits = {figure.name: limit for figure, limit in problem.limits}
     return {
         "title": problem.path.stem,
         "said": _said(problem, found),
@@ -254,7 +255,7 @@ def _page(problem: Problem, found: Found, drawn: dict[int, Drawn]) -> FrontPage:
         "figures": [
             {
                 "name": figure.label(problem.unit),
-                "note": _limits(problem.search.subject_to.get(name)),
+                "note": _limits(limits.get(name)),
                 "minimised": name in problem.search.minimise,
             }
             for name, figure in problem.figures.items()
@@ -289,9 +290,10 @@ def _said(problem: Problem, found: Found) -> str:
     feasible = sum(violation(problem, each) == 0.0 for each in found.outcomes)
     stopped = "" if found.whole else " The search was stopped before its end."
     designs = "design" if front == 1 else "designs"
+    loads = asked_of_loads(problem)
     return (
-        f"{front} {designs} that no other beats, of {made} that were made; {feasible} can be built "
-        f"and keep all limits.{stopped}"
+        f"{front} {designs} that no other beats, of {made} that were tried; {feasible} fold and "
+        f"keep all limits.{stopped} {loads[:1].upper()}{loads[1:]}."
     )
 
 

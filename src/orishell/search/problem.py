@@ -17,7 +17,7 @@ from orishell.design_file import check_design
 from orishell.design_file.search import Limit, Range, Search
 from orishell.design_file.values import with_values
 from orishell.errors import InputError
-from orishell.search.figures import Figure, figure
+from orishell.search.figures import BEARS, Figure, figure
 from orishell.search.space import Choices, Interval, Space, stepped
 
 MOST_STEPS = 10_000
@@ -49,7 +49,7 @@ class Problem:
     objectives
         What is to be as small as can be.
     limits
-        What figures may be.
+        What figures may be: those of the file, and of a structure that it bears its loads.
     """
 
     path: Path
@@ -147,9 +147,15 @@ def pose(raw: dict[str, Any], path: Path, *, text: str = "", files: bool = True)
         tuple(_figure(name, f"{path}: [search] minimise") for name in search.minimise),
         tuple(
             (_figure(name, f"{path}: [search] subject_to"), limit)
-            for name, limit in search.subject_to.items()
+            for name, limit in _limits(search, loaded=design.structure is not None).items()
         ),
     )
+
+
+def _limits(search: Search, *, loaded: bool) -> dict[str, Limit]:
+    """Those of the file; of figures that it says nothing of, those that hold of a structure."""
+    loaded = loaded or any(key.partition(".")[0] == "structure" for key in search.variables)
+    return {**(BEARS if loaded else {}), **search.subject_to}
 
 
 def _figure(name: str, where: str) -> Figure:

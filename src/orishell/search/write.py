@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import threading
-from fnmatch import fnmatch
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from orishell.search.problem import Problem
 from orishell.search.run import Found
 from orishell.search.variant_file import variant_text
 
+_WRITTEN = re.compile(r"front(-\d+\.toml|\.(csv|png|html))")
 MANIFEST = ".orishell-search.json"
 """The list of the files of a search."""
 
@@ -46,7 +47,7 @@ def require_installed() -> None:
 
 
 def require_apart(problem: Problem, directory: Path) -> None:
-    """Refuse to search where the design or its curves would be written over.
+    """Refuse to search where files that are not of a search would be written over.
 
     Parameters
     ----------
@@ -58,15 +59,17 @@ def require_apart(problem: Problem, directory: Path) -> None:
     Raises
     ------
     InputError
-        If one of them is in the directory and is called as a file of a search is.
+        If the design or its curves, or a file that no earlier search left as it is, is in the
+        directory and is called as a file of a search is.
     """
-    for path in (problem.path, *problem.files()):
-        beside = path.resolve().parent == directory.resolve()
-        if beside and fnmatch(path.name, "front[.-]*"):
+    own = OutputDirectory(directory, MANIFEST).of_earlier_run()
+    files = {path.resolve() for path in (problem.path, *problem.files())}
+    for path in sorted(directory.glob("front*")):
+        if _WRITTEN.fullmatch(path.name) and (path not in own or path.resolve() in files):
             raise InputError(
-                "the search would write over this file",
+                "the search would write over this file, which is not as a search left it",
                 where=str(path),
-                remedy="choose another directory, or another name for the file",
+                remedy="choose another directory, or another name or place for the file",
             )
 
 

@@ -16,12 +16,15 @@ class SearchFigure(TypedDict):
         Its unit, "{unit}" standing for that of lengths; empty where it has none.
     of_structure
         Whether it is there only where the design has a table [structure].
+    most
+        Its limit where the table [search] sets none; null if it has none then.
     """
 
     name: str
     words: str
     unit: str
     of_structure: bool
+    most: float | None
 
 
 class SearchInfo(TypedDict):

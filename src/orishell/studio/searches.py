@@ -11,7 +11,7 @@ from orishell.conventions.progress import Progress
 from orishell.errors import InputError
 from orishell.search import Front, Outcome, Problem, alone, journal_in_memory, search_designs
 from orishell.search.feasible import reasons, violation
-from orishell.search.figures import NAMES, figure
+from orishell.search.figures import BEARS, NAMES, figure
 from orishell.search.front import costs, front_of
 from orishell.search.problem import pose
 from orishell.search.space import key_of
@@ -36,6 +36,7 @@ def describe_search() -> SearchInfo:
                 "words": each.name.replace("_", " "),
                 "unit": each.unit,
                 "of_structure": each.part == "structure",
+                "most": BEARS[each.name].most if each.name in BEARS else None,
             }
             for each in figures
         ],

@@ -11,6 +11,8 @@ export interface Offered {
   name: string;
   /** In words, with its unit. */
   label: string;
+  /** Its limit where the table sets none. */
+  most: number | null;
 }
 
 /** The figures that a design can have, and those that its table asks for. */
@@ -19,12 +21,12 @@ export function offeredFigures(figures: SearchFigure[], design: Design, report: 
   const asked = [...minimise, ...Object.keys(limits)];
   const has = ({ name, of_structure: ofStructure }: SearchFigure): boolean =>
     asked.includes(name) || (ofStructure ? design.structure !== undefined : name !== "mass" || weighed);
-  const named = figures.filter(has).map(({ name, words, unit }) => {
+  const named = figures.filter(has).map(({ name, words, unit, most }) => {
     const said = unit.replaceAll("{unit}", design.shell.unit);
-    return { name, label: capital(words) + (said && ` (${said})`) };
+    return { name, label: capital(words) + (said && ` (${said})`), most };
   });
   const others = [...new Set(asked)].filter((name) => !figures.some((each) => each.name === name));
-  return [...named, ...others.map((name) => ({ name, label: capital(name.replaceAll("_", " ").replace(".", " of ")) }))];
+  return [...named, ...others.map((name) => ({ name, label: capital(name.replaceAll("_", " ").replace(".", " of ")), most: null }))];
 }
 
 interface Row {
@@ -64,9 +66,9 @@ export class FigureList {
     this.list.replaceChildren(...offered.map((each) => this.row(each)));
   }
 
-  private row({ name, label }: Offered): HTMLElement {
+  private row({ name, label, most: usual }: Offered): HTMLElement {
     const small = h("input", { type: "checkbox", "data-testid": `search-small-${name}`, onchange: () => this.minimise(name, small.checked) });
-    const most = numberBox({ step: "any", placeholder: "any", "aria-label": `${label}, at most`, "data-testid": `search-most-${name}` }, (value) => this.limit(name, value));
+    const most = numberBox({ step: "any", placeholder: usual === null ? "any" : short(usual), "aria-label": `${label}, at most`, "data-testid": `search-most-${name}` }, (value) => this.limit(name, value));
     most.addEventListener("input", () => {
       if (most.value === "" && !most.validity.badInput) this.limit(name, undefined);
     });

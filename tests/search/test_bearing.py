@@ -1,0 +1,80 @@
+"""A front has no shell that buckles or breaks under its loads, unless the file allows it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from orishell.search import Found, Problem, alone, journal_in_memory, search_designs
+from orishell.search.evaluate import evaluate, job_of
+from orishell.search.feasible import asked_of_loads, reasons, violation
+from orishell.search.problem import pose
+from search.problems import PATH, loaded_tables, small_problem
+
+THICK = [0.001, 0.003, 0.01]
+BREAKS = {"strength": 1e6, "modulus": 270e6}
+"""Panels of 3 mm bear 1.19 of that strength; at most 0.37 of the load that buckles any."""
+BUCKLES = {"modulus": 27e6}
+"""Panels of 3 mm bear 1.10 of the load that buckles them; no strength is known."""
+
+
+def posed(structure: dict[str, float], **search: Any) -> Problem:
+    """A vault of panels from 1 to 10 mm, to be thin and stiff under 500 N/m2 of snow."""
+    raw = loaded_tables(
+        variables={"structure.thickness": THICK},
+        minimise=["structure.model.thickness", "deflection"],
+        **search,
+    )
+    kept = {key: each for key, each in raw["structure"].items() if key != "strength"}
+    return pose({**raw, "structure": {**kept, **structure}}, PATH)
+
+
+def found(problem: Problem) -> Found:
+    with alone() as crew:
+        return search_designs(problem, crew, journal_in_memory())
+
+
+@pytest.mark.parametrize("structure", [BREAKS, BUCKLES], ids=["breaks", "buckles"])
+def test_what_breaks_or_buckles_is_not_on_the_front(structure: dict[str, float]) -> None:
+    problem = posed(structure)
+    kept = found(problem)
+    used = [each.figures["utilisation"] for each in kept.outcomes]
+    assert used[0] > used[1] > 1.05
+    assert used[2] < 0.95
+    assert [each.values["structure.thickness"] for each in kept.front.members] == [0.01]
+    assert dict(reasons(problem, kept.outcomes)) == {"utilisation is above 1": 2}
+    missed = [violation(problem, each) for each in kept.outcomes]
+    assert missed[0] > missed[1] > missed[2] == 0.0
+    assert "a utilisation of at most 1," in asked_of_loads(problem)
+
+
+def test_the_file_may_allow_it_and_then_it_is_said() -> None:
+    problem = posed(BREAKS, subject_to={"utilisation": {"most": 100.0}})
+    assert len(found(problem).front.members) == 3
+    assert "utilisation may be above 1" in asked_of_loads(problem)
+
+
+def test_a_shell_that_moves_is_refused_whatever_is_asked_for() -> None:
+    """Nothing holds its feet together: only with ties does it stand."""
+    raw = loaded_tables(variables={"deployment.ties": ["none", "feet"]}, minimise=["panels"])
+    loose, tied = evaluate(job_of(pose(raw, PATH)), [{"deployment.ties": "none"}, {}])
+    assert loose.reason == "the shell does not stand under its loads"
+    assert tied.figures["utilisation"] < 1
+
+
+def test_without_a_structure_nothing_is_said_of_loads() -> None:
+    problem = small_problem("orthodiagonal")
+    assert "utilisation" not in problem.figures
+    assert asked_of_loads(problem).startswith("loads were not looked at")
+
+
+def test_a_structure_that_only_variants_have_bears_its_loads_too() -> None:
+    raw = loaded_tables(minimise=["panels"])
+    table = raw.pop("structure")
+    del raw["load_case"]  # own weight remains
+    raw["search"]["variables"] = {"structure": [table, {**table, "strength": 1e3}]}
+    problem = pose(raw, PATH)
+    whole = found(problem)
+    assert [each.values["structure"]["strength"] for each in whole.front.members] == [5e6]
+    assert not whole.begun_with.figures
