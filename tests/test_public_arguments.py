@@ -62,17 +62,13 @@ def good() -> list[tuple[str, dict[str, Any], str, str]]:
 
 
 @pytest.mark.parametrize(
-    ("name", "arguments", "argument", "kind"),
-    [pytest.param(*each, id=f"{each[0]}-{each[2]}") for each in good()],
+    "case",
+    [pytest.param(each, id=f"{each[0]}-{each[2]}") for each in good()],
 )
 def test_odd_arguments_are_one_message(
-    name: str,
-    arguments: dict[str, Any],
-    argument: str,
-    kind: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    case: tuple[str, dict[str, Any], str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    name, arguments, argument, kind = case
     monkeypatch.chdir(tmp_path)
     if name == "convert_fold":
         write_fold("shell.fold", demo_document())
