@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from orishell.design import Design
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 
 HEIGHT = 560
 """Height of the viewer in a notebook (pixels)."""
+HIGHEST = 10_000
+"""Pixels that it may be high; browsers draw on no canvas much higher."""
 
 
 def show(shell: Shell | Design | Document, *, height: int = HEIGHT) -> AnyWidget:
@@ -39,11 +43,19 @@ def show(shell: Shell | Design | Document, *, height: int = HEIGHT) -> AnyWidget
     Raises
     ------
     InputError
-        If it is none of these, the viewer has not been built, or anywidget is not installed.
+        If it is none of these, the height is no number of pixels, the viewer has not been built, or
+        anywidget is not installed.
     """
+    if not (isinstance(height, int | np.integer) and 0 < height <= HIGHEST):
+        raise InputError(
+            "the viewer cannot be as high as this",
+            where="show: height",
+            got=repr(height)[:60],
+            expected=f"a whole number of pixels from 1 to {HIGHEST}",
+        )
     document = _document(shell)
     # The widget's traits are made at run time.
-    widget: AnyWidget = _widget_class()(view=dump_view(document), height=height)
+    widget: AnyWidget = _widget_class()(view=dump_view(document), height=int(height))
     return widget
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash.broad_phase import CHUNK, PanelTree, child_pairs, gaps
+from orishell.clash.broad_phase import CHUNK, PanelTree, child_pairs, gaps, in_chunks
 from orishell.clash.neighbours import touching_neighbours
-from orishell.clash.separation import corners_of, nearest
+from orishell.clash.separation import corners_of, nearest, overlaps
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -54,3 +54,28 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
         found.append(np.stack(chunk, axis=-1)[touching])
     contacts = np.concatenate([np.empty((0, 2), np.int64), *found])
     return contacts[np.lexsort((contacts[:, 1], contacts[:, 0]))]
+
+
+def overlap_depths(positions: Array, faces: Integers, pairs: Integers) -> Array:
+    """How far panels reach into each other, for pairs (P, 2) of them (length).
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3).
+    faces
+        Corners (F, 4) of planar, convex panels, in order around each.
+    pairs
+        Numbers (P, 2) of panels.
+
+    Returns
+    -------
+    Array
+        By how much (P,) one of the two would have to be moved, at least, for them only to touch:
+        0 where they touch or lie on each other.
+    """
+
+    def of(first: Integers, second: Integers) -> Array:
+        return overlaps(corners_of(positions, faces[first]), corners_of(positions, faces[second]))
+
+    return in_chunks(of, pairs[:, 0], pairs[:, 1])

@@ -69,9 +69,9 @@ def path_of(value: str | Path, name: str) -> Path:
     Raises
     ------
     InputError
-        If it is neither.
+        If it is neither, or no path.
     """
-    if not isinstance(value, str | Path):
+    if not isinstance(value, str | Path) or "\0" in str(value):
         raise InputError(
             "this value does not fit",
             where=name,

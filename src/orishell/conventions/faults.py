@@ -144,6 +144,8 @@ _EXPECTED = {
     "dataclass_exact_type": "a {class_name}",
     "is_instance_of": "a {class}",
     "sequence_str": "a list",
+    "callable_type": "a function",
+    "path_type": "a path",
 }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Literal, Self, TypeAlias
 
 import numpy as np
@@ -244,6 +245,19 @@ def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float
         If the range is empty, reversed, not finite or in degrees, or the two formulas name
         different variables.
     """
+    for name, value, kind in (
+        ("x", x, Formula | None),
+        ("y", y, Formula),
+        ("start", start, Real),
+        ("stop", stop, Real),
+    ):
+        if not isinstance(value, kind):
+            raise CurveError(
+                "this value does not fit",
+                where=f"curve_from_formulas: {name}",
+                got=repr(value)[:60],
+                expected="a number" if kind is Real else "a formula, which parse_formula makes",
+            )
     names = {formula.variable for formula in (x, y) if formula is not None} - {None}
     if len(names) > 1:
         raise CurveError(

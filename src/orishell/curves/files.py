@@ -27,11 +27,13 @@ _DECIMAL_COMMA = re.compile(r"\d,\d")
 _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
 
 
-def read_source(path: Path, kind: str) -> bytes:
+def read_source(path: str | Path, kind: str) -> bytes:
     """Read the bytes of a file, unless it is too large.
 
     Parameters
     ----------
+    path
+        The file.
     kind
         What messages call it, as in "SVG file".
 
@@ -41,6 +43,7 @@ def read_source(path: Path, kind: str) -> bytes:
         If it is missing, no file, too large, or cannot be read; without its name.
     """
     try:
+        path = Path(path)
         if path.exists() and not path.is_file():
             raise InputError("this is not a file")
         if path.stat().st_size > MAX_BYTES:
@@ -50,11 +53,11 @@ def read_source(path: Path, kind: str) -> bytes:
         raise InputError(
             f"the {kind} does not exist", remedy="the path is read relative to the design file"
         ) from None
-    except (OSError, ValueError) as error:
+    except (OSError, TypeError, ValueError) as error:
         raise InputError(f"the {kind} cannot be read", got=str(error)) from None
 
 
-def read_points(path: Path, *, into: str | None = None, unit: str | None = None) -> Array:
+def read_points(path: str | Path, *, into: str | None = None, unit: str | None = None) -> Array:
     """Points (N, 2) from the first two columns of a text file, in the order of its lines.
 
     Columns are separated by commas, semicolons, tabs or blanks; with semicolons or tabs, numbers
@@ -63,6 +66,8 @@ def read_points(path: Path, *, into: str | None = None, unit: str | None = None)
 
     Parameters
     ----------
+    path
+        The file.
     into
         Unit of length of the result; the numbers as they stand if None.
     unit

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import in_one_line
 from orishell.curves.formula_arithmetic import (
     ENCLOSURES,
@@ -186,6 +187,7 @@ class _Compiler:
         )
 
 
+@checked()
 def parse_formula(text: str) -> Formula:
     """Check a formula against the whitelist.
 

@@ -30,8 +30,13 @@ def curve_from_points(points: ArrayLike, *, smooth: bool) -> Curve:
         If there are fewer than two points, a coordinate is not finite, or two successive points
         coincide.
     """
-    array = np.asarray(points, dtype=np.float64)
-    if array.ndim != 2 or array.shape[1] != 2 or len(array) < 2:
+    try:
+        array = np.asarray(points, dtype=np.float64)
+    except (TypeError, ValueError):
+        array = np.zeros(0)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise CurveError("these are no points", got=repr(points)[:60], expected="pairs of numbers")
+    if len(array) < 2:
         raise CurveError("too few points for a curve", got=f"{len(array)}", expected="at least 2")
     if not np.isfinite(array).all():
         row = int(np.argmin(np.isfinite(array).all(axis=1)))

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from orishell.conventions.arguments import path_of
 from orishell.conventions.version import __version__
 from orishell.document import Document, DocumentState
 from orishell.io.format import Format
@@ -14,7 +15,7 @@ from orishell.io.settings import DEFAULT_SETTINGS, Settings
 from orishell.numerics.arrays import Array
 
 
-def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETTINGS) -> None:
+def write_fold(path: str | Path, document: Document, settings: Settings = DEFAULT_SETTINGS) -> None:
     """Write a FOLD file (the contract's page says what is in it).
 
     Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
@@ -22,6 +23,8 @@ def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETT
 
     Parameters
     ----------
+    path
+        The file to write.
     document
         What is written. States are taken one by one, so that only one need be in memory. Without
         a flat sheet the first state is the key frame.
@@ -35,7 +38,7 @@ def write_fold(path: Path, document: Document, settings: Settings = DEFAULT_SETT
     titles = names if "pack" in document.named else {}
     states = iter(document.states)
     key = _flat(document) if document.flat is not None else _state(document, next(states))
-    with path.open("wb") as file:
+    with path_of(path, "write_fold: path").open("wb") as file:
         file.write(dump({**_head(document), **key, **_mesh(document)})[:-1])
         separator = b',\n"file_frames":[\n'
         for number, state in enumerate(states):

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from orishell.conventions.arguments import path_of
 from orishell.conventions.formatting import in_one_line
 from orishell.document import LARGEST
 from orishell.errors import InputError, printable
@@ -90,14 +91,20 @@ class FoldFile:
     __repr__ = in_one_line
 
 
-def read_fold(path: Path) -> FoldFile:
+def read_fold(path: str | Path) -> FoldFile:
     """Read and check a FOLD file whose faces have four corners.
+
+    Parameters
+    ----------
+    path
+        The file.
 
     Raises
     ------
     InputError
         Naming the file, the frame, the key, what was found and what is expected.
     """
+    path = path_of(path, "read_fold: path")
     try:
         return _read(path, read_frames(path))
     except InputError as error:

@@ -170,8 +170,13 @@ class FoldingMotion:
                 remedy="take design.mechanism of a design",
             )
         least = 2 if self.pack is None else 3
-        if self.frames < least:
-            raise InputError("too few frames", got=str(self.frames), expected=f"at least {least}")
+        if not isinstance(self.frames, int | np.integer) or self.frames < least:
+            raise InputError(
+                "these are no states of a motion",
+                where="FoldingMotion: frames",
+                got=repr(self.frames)[:60],
+                expected=f"a whole number of at least {least}",
+            )
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.frames} states of {self.mechanism!r})"

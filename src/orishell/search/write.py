@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import re
 import threading
@@ -14,6 +13,7 @@ import numpy as np
 
 from orishell.conventions.progress import Progress, unwatched
 from orishell.errors import InputError
+from orishell.io.csv_file import write_csv
 from orishell.io.output import OutputDirectory
 from orishell.plot.front import plot_front
 from orishell.search.crew import Crew
@@ -118,14 +118,16 @@ def write_found(
 
 def _write_table(path: Path, problem: Problem, front: Front) -> None:
     keys, figures = list(problem.space.axes), list(problem.figures)
-    with path.open("w", encoding="utf-8", newline="") as stream:
-        table = csv.writer(stream, lineterminator="\n")
-        table.writerow(["file", "knee", *keys, *figures])
-        for number, member in enumerate(front.members):
-            values = [_cell(member.values[key]) for key in keys]
-            measured = [member.figures[name] for name in figures]
-            knee = "knee" if number == front.knee else ""
-            table.writerow([f"{front.name(number)}.toml", knee, *values, *measured])
+    rows = [
+        [
+            f"{front.name(number)}.toml",
+            "knee" if number == front.knee else "",
+            *(_cell(member.values[key]) for key in keys),
+            *(member.figures[name] for name in figures),
+        ]
+        for number, member in enumerate(front.members)
+    ]
+    write_csv(path, ["file", "knee", *keys, *figures], rows)
 
 
 def _cell(value: Any) -> Any:

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 
-from orishell.conventions.arguments import path_of
+from orishell.conventions.arguments import checked, path_of
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.units import Unit
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.errors import InputError
@@ -48,6 +49,14 @@ def write_shell(
         If the directory cannot be written to, or a setting does not fit the sheet.
     """
     _require_shell(shell)
+    for format_ in formats:
+        if not isinstance(format_, Format):
+            raise InputError(
+                "this is no format",
+                where="write_shell: formats",
+                got=repr(format_)[:60],
+                expected="formats, as orishell.io.all_formats.find_formats gives them by name",
+            )
     directory = path_of(directory, "write_shell: directory")
     clock = Clock()
     if settings is None:
@@ -145,8 +154,12 @@ def _require_shell(shell: object) -> None:
         )
 
 
+@checked()
 def convert_fold(
-    source: Path, target: Path, settings: Settings = DEFAULT_SETTINGS, unit: str | None = None
+    source: str | Path,
+    target: str | Path,
+    settings: Settings = DEFAULT_SETTINGS,
+    unit: Unit | None = None,
 ) -> list[Path]:
     """Write a FOLD file in another format, which the ending of ``target`` names.
 
@@ -164,6 +177,7 @@ def convert_fold(
     InputError
         If the source cannot be read, the ending is unknown, or the target cannot be written.
     """
+    source, target = Path(source), Path(target)
     format_ = format_of(target)
     output = OutputDirectory(target.parent)
     output.require_usable()

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
+from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
 from orishell.design import Design
@@ -102,6 +103,7 @@ class Shell:
         return f"{type(self).__name__}({file.path.stem!r}, {file.family}, {size}; {self.lock!r})"
 
 
+@checked()
 def design_shell(
     path: str | Path, progress: Progress = unwatched, *, clash: ClashPolicy = "refused"
 ) -> Shell:

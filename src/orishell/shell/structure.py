@@ -75,6 +75,13 @@ def analyse_structure(
             got=type(shell).__name__,
             expected="a Shell, which design_shell makes from a design file",
         )
+    if not isinstance(structure, Structure | None):
+        raise InputError(
+            "this value does not fit",
+            where="analyse_structure: structure",
+            got=repr(structure)[:60],
+            expected="a Structure",
+        )
     structure = structure or shell.file.structure
     if structure is None:
         raise InputError(

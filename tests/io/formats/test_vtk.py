@@ -115,6 +115,23 @@ def test_the_structure_beside_the_states(tmp_path: Path) -> None:
     assert again == (tmp_path / "shell-structure.vtu").read_bytes()
 
 
+def test_names_of_load_cases_are_xml_whatever_they_are(tmp_path: Path) -> None:
+    document = loaded_document()
+    assert document.loaded is not None
+    names = ["wind & snow < 2", "\"=>' ]]> --> &amp;", "é€🙂 </DataArray>"]
+    cases = tuple(
+        replace(case, name=name) for case, name in zip(document.loaded.cases, names, strict=True)
+    )
+    document = replace(document, loaded=replace(document.loaded, cases=cases))
+    write_vtk(tmp_path / "shell.vtu", document, Settings())
+    root = ET.parse(tmp_path / "shell-structure.vtu").getroot()
+    found = {each.attrib["Name"] for each in root.iter("DataArray")}
+    assert {f"load: {name}" for name in names} <= found
+    mesh = meshio.read(tmp_path / "shell-structure.vtu")
+    for case in cases:
+        np.testing.assert_array_equal(mesh.point_data[f"load: {case.name}"], case.forces)
+
+
 def test_no_structure_without_an_analysis(tmp_path: Path) -> None:
     write_vtk(tmp_path / "shell.vtu", flat_only(DEMO), Settings())
     assert not (tmp_path / "shell-structure.vtu").exists()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable, Sequence
 from math import isnan
 from pathlib import Path
@@ -11,6 +10,7 @@ import numpy as np
 
 from orishell.conventions.units import conversion
 from orishell.document import Document
+from orishell.io.csv_file import write_csv
 from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.sheet.boards import SIDES
@@ -39,10 +39,10 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     def beside(name: str) -> Path:
         return path.with_name(f"{name}.csv" if path.stem == PANELS else f"{path.stem}-{name}.csv")
 
-    _write(path, *_panels(document))
-    _write(beside("creases"), *_creases(document))
+    write_csv(path, *_panels(document))
+    write_csv(beside("creases"), *_creases(document))
     if document.boards is not None:
-        _write(beside("boards"), *_boards(document, settings.workshop))
+        write_csv(beside("boards"), *_boards(document, settings.workshop))
 
 
 def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
@@ -135,13 +135,6 @@ def _places(document: Document, count: int) -> tuple[Sequence[object], Sequence[
         return [""] * count, [""] * count
     rows, columns = np.divmod(np.arange(count), document.grid_shape[1] - 1)
     return rows.tolist(), columns.tolist()
-
-
-def _write(path: Path, heads: list[str], rows: Iterable[Sequence[object]]) -> None:
-    with path.open("w", newline="", encoding="ascii") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(heads)
-        writer.writerows(rows)
 
 
 FORMAT = Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables)

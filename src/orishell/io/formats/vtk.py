@@ -73,16 +73,16 @@ def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None
 
     Displacements of a case that nothing holds are those of its free motion, and it has no stresses.
     """
+    from xml.sax.saxutils import escape
+
     point_data: dict[str, Array] = {}
     cell_data: dict[str, list[Any]] = {"panel": [shell.panels.astype(np.int32)]}
     for case in shell.cases:
         moved = "displacement" if case.stands else "free motion"
-        point_data |= {
-            f"{moved}: {case.name}": case.displacements,
-            f"load: {case.name}": case.forces,
-        }
+        name = escape(case.name, {'"': "&quot;"})  # meshio writes names as they are
+        point_data |= {f"{moved}: {name}": case.displacements, f"load: {name}": case.forces}
         if case.stands:
-            cell_data[f"von Mises: {case.name}"] = [case.stresses]
+            cell_data[f"von Mises: {name}"] = [case.stresses]
     cells = ("triangle", shell.triangles)
     points, facts = document.in_world(shell.points), _facts(document, document.shell.drive_deg)
     _write_mesh(path, points, cells, facts, point_data=point_data, cell_data=cell_data)
