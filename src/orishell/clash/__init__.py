@@ -5,7 +5,7 @@ Derived in docs/theory/locking-and-clash.md.
 
 from orishell.clash.path import find_first_contact
 from orishell.clash.result import PathContact, PathResult, ProofRecord
-from orishell.clash.state import find_contacts
+from orishell.clash.state import find_contacts, overlap_depths
 
 __all__ = [
     "PathContact",
@@ -13,4 +13,5 @@ __all__ = [
     "ProofRecord",
     "find_contacts",
     "find_first_contact",
+    "overlap_depths",
 ]

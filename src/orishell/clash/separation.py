@@ -83,6 +83,25 @@ def nearest(first: Array, second: Array) -> tuple[Array, Array]:
     return np.sqrt(square), between
 
 
+def overlaps(first: Array, second: Array) -> Array:
+    """How far (P,) the panels of every pair reach into each other: 0 where they only touch.
+
+    That is the shortest way by which one of them is moved clear of the other. The vectors from
+    points of the first to points of the second fill a convex polyhedron, and the way leads from
+    the origin to the nearest of its faces, each of which is parallel to a panel or to an edge of
+    both. Panels that lie on each other, or of which one stands on the other with an edge or a
+    corner, do not reach into each other; panels that pass through each other do.
+    """
+    u, v = _next(first) - first, _next(second) - second
+    across = _cross(u[:, :, None], v[:, None]).reshape(3, 16, -1)
+    directions = np.concatenate([normals(first)[:, None], normals(second)[:, None], across], axis=1)
+    length = np.sqrt(_dot(directions, directions))
+    found = length > 0
+    directions = directions / np.where(found, length, 1.0)
+    gap = common_gap(views_along(directions, [(first, second)]))
+    return np.asarray(np.maximum(0.0, -np.where(found, gap, -np.inf).max(axis=0)))
+
+
 def _between_edges(first: Array, second: Array) -> tuple[Array, Array]:
     """Smallest squared distance (P,) of two edges, and the vector (3, P) from first to second."""
     p, q = first[:, :, None], second[:, None]

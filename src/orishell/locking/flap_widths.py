@@ -9,6 +9,7 @@ import numpy as np
 from orishell.conventions.formatting import rounded
 from orishell.design import Design
 from orishell.errors import DesignError, Remedy
+from orishell.locking.clipped import flap_width
 from orishell.locking.lock import find_lock
 from orishell.locking.request import Request
 from orishell.numerics.bisection import largest_below
@@ -81,10 +82,3 @@ def largest_quotable(
     unit = 10.0 ** (np.floor(np.log10(good)) - 3)
     tidy = rounded(np.floor(good / unit) * unit)
     return tidy if works(tidy) else good
-
-
-def flap_width(design: Design) -> float:
-    """Return the width of a design's flaps."""
-    width = design.parameters["flap"]
-    assert isinstance(width, float | int)
-    return float(width)

@@ -116,6 +116,9 @@ class _Search:
 def _apart(request: Request, clash: ClashError) -> Iterator[Remedy]:
     """Changes that keep panels apart: the widest flaps, the largest f, the longest part of g."""
     if clash.thick:
+        if clash.flap:
+            width = widest_flap(request, request.designed(), boards=True)
+            yield from [] if width is None else [Remedy({"pattern.flap": width})]
         yield from _thinner(request)
         return
     if request.target is None:
