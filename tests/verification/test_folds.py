@@ -164,3 +164,16 @@ def test_unfolded_creases_through_a_vertex(tmp_path: Path) -> None:
         "assignment",
         "maekawa",
     }
+
+
+def test_creases_of_unknown_assignment_are_not_said_to_fold_as_assigned(tmp_path: Path) -> None:
+    fold = miura([0.4])
+    for frame in (fold, *fold["file_frames"]):
+        frame["edges_assignment"] = [
+            "B" if each == "B" else "U" for each in frame["edges_assignment"]
+        ]
+    inspection = inspect(fold, tmp_path)
+    assert inspection.passed
+    text = facts(inspection, "assignment")["text"]
+    assert text == "edges_assignment says of no crease how it folds"
+    assert "31 creases of unknown assignment" in inspection.not_checked

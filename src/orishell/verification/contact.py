@@ -1,4 +1,4 @@
-"""Which panels touch, and whether that is the end of the motion."""
+"""Which panels touch, whether that is the end of the motion, and which pass through each other."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from orishell.clash import find_contacts
+from orishell.clash import find_contacts, overlap_depths
 from orishell.verification.findings import Check, Contacts, Names
 from orishell.verification.sheet import Sheet, State
 from orishell.verification.signs import turn_between
@@ -16,10 +16,11 @@ LISTED = 100
 
 
 class ClashTest:
-    """Tests that no panels touch in any frame before the last.
+    """Tests that no panels touch in any frame before the last, nor pass through each other there.
 
     The end is the last folded frame, or the first one if the file's last frame is not folded.
-    A frame with the same fold angles is the end too.
+    A frame with the same fold angles is the end too. Panels there may reach into each other by as
+    much as a length may be wrong, which is also the distance below which they touch.
     """
 
     def __init__(self, sheet: Sheet, names: Names) -> None:
@@ -43,14 +44,16 @@ class ClashTest:
             self._touching.append((state, Contacts(frame.number, pairs)))
 
     @property
-    def at_the_end(self) -> list[Contacts]:
-        """Contacts in which the motion may end."""
-        return [contacts for state, contacts in self._touching if self._ends(state)]
+    def touching_at_end(self) -> bool:
+        """Whether panels touch in a frame in which the motion may end."""
+        return any(self._ends(state) for state, _ in self._touching)
 
     def checks(self) -> list[Check]:
         """The outcome of the test."""
         early = [contacts for state, contacts in self._touching if not self._ends(state)]
-        end, names = self.at_the_end, self._names
+        at_end = [(state, contacts) for state, contacts in self._touching if self._ends(state)]
+        end, names = [contacts for _, contacts in at_end], self._names
+        crossing, depth = self._crossing(at_end)
         if early:
             first = early[0]
             text = (
@@ -62,13 +65,36 @@ class ClashTest:
         else:
             count = self._frames - len(end)
             text = f"no panels touch in {count} frames" if count else "only the end was tested"
-        if end:
+        if crossing:
+            worst = crossing[-1]
+            text += (
+                f"; {names.pair(worst.pairs[0])} pass through each other at the end of the motion, "
+                f"by {depth:.1e} (limit {self._sheet.tolerance:.1e}): {_pairs(len(worst.pairs))} "
+                f"in frame {worst.frame}"
+            )
+        elif end:
             text += (
                 f"; contact at the end of the motion: {_pairs(len(end[-1].pairs))} in frame "
                 f"{end[-1].frame}, {names.pair(end[-1].pairs[0])}"
             )
-        facts = {"contacts": self._listed(early), "contacts_at_end": self._listed(end)}
-        return [Check("clash", not early, text, facts)]
+        facts = {
+            "contacts": self._listed(early),
+            "contacts_at_end": self._listed(end),
+            "crossing_at_end": self._listed(crossing),
+        }
+        return [Check("clash", not (early or crossing), text, facts)]
+
+    def _crossing(self, touching: list[tuple[State, Contacts]]) -> tuple[list[Contacts], float]:
+        """The contacts that are more than that, deepest first, and how deep the last's first is."""
+        found, depth = [], 0.0
+        for state, contacts in touching:
+            depths = overlap_depths(state.frame.positions, self._sheet.mesh.faces, contacts.pairs)
+            deepest = np.argsort(-depths, kind="stable")
+            crossing = deepest[depths[deepest] > self._sheet.tolerance]
+            if len(crossing):
+                depth = float(depths[crossing[0]])
+                found.append(Contacts(contacts.frame, contacts.pairs[crossing]))
+        return found, depth
 
     def _ends(self, state: State) -> bool:
         end = self._last if self._last_is_folded else self._first

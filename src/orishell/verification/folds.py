@@ -114,7 +114,9 @@ class AssignmentTest:
                 beside = int((self._sheet.mesh.edge_faces[edge] >= 0).sum())
                 what = "1 panel" if beside == 1 else f"{beside} panels"
                 self._misfits[edge] = (np.inf, f"between {what}")
-            text = "all creases fold as edges_assignment says"
+            text = "no crease folds against edges_assignment"
+            if self.unassigned == self._sheet.mesh.crease.sum():
+                text = "edges_assignment says of no crease how it folds"
             facts: dict[str, object] = {"beyond": len(self._misfits)}
             if self._misfits:
                 edge, (_, says) = max(self._misfits.items(), key=lambda item: item[1][0])

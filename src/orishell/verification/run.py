@@ -164,7 +164,8 @@ def inspect_fold(
         (dangling > 0, f"{dangling} edges that belong to no panel"),
         (not convex.passed, "contact (some panels are not convex)"),
         (convex.passed and bent, "contact exactly (some panels are not plane)"),
-        (bool(clash.at_the_end), "whether panels that touch at the end of the motion also cross"),
+        (clash.touching_at_end, "the order of panels that lie flat on each other at the end of the "
+        "motion"),
         (True, "contact between frames: only the states in the file are tested"),
     ]  # fmt: skip
     return Inspection(
