@@ -21,7 +21,7 @@ from orishell import Design
 from orishell.deployment import Tie, feet_ties, find_ties
 from orishell.design_file import read_design_file
 from orishell.shell.standing import find_feet
-from orishell.shell.tolerance import request_of
+from orishell.shell.designed import designed
 
 DIRECTORY = EXAMPLES.parent / "docs" / "images"
 STRIP = (0.0, 0.32, 0.56, 0.78, LOCKED)
@@ -35,7 +35,7 @@ COLOURS = 96
 
 def design(name: str) -> Design:
     """The design of an example's design file."""
-    return request_of(read_design_file(EXAMPLES / f"{name}.toml")).designed()
+    return designed(read_design_file(EXAMPLES / f"{name}.toml"))
 
 
 def draw_strip(path: Path) -> None:

@@ -87,10 +87,20 @@ class PanelTree:
 
     def share_corner(self, first: Integers, second: Integers) -> Booleans:
         """Whether panels have a vertex in common."""
-        shared: Booleans = (self.faces[first][:, :, None] == self.faces[second][:, None, :]).any(
-            axis=(1, 2)
-        )
-        return shared
+        return np.asarray(common_corners(self.faces, first, second).any(axis=(1, 2)))
+
+
+def common_corners(faces: Integers, first: Integers, second: Integers) -> Booleans:
+    """Which corners (P, 4, 4) of two panels, by those of the first and second, are one vertex.
+
+    Parameters
+    ----------
+    faces
+        Corners (F, 4) of all panels.
+    first, second
+        Panels (P,).
+    """
+    return np.asarray(faces[first][:, :, None] == faces[second][:, None, :])
 
 
 def child_pairs(pairs: Pairs) -> Pairs:

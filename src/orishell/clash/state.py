@@ -4,10 +4,47 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.clash.broad_phase import CHUNK, PanelTree, child_pairs, gaps, in_chunks
+from orishell.clash.broad_phase import (
+    CHUNK,
+    Pairs,
+    PanelTree,
+    child_pairs,
+    common_corners,
+    gaps,
+    in_chunks,
+)
 from orishell.clash.neighbours import touching_neighbours
 from orishell.clash.separation import corners_of, nearest, overlaps
 from orishell.numerics.arrays import Array, Integers
+
+
+def near_panels(
+    positions: Array, faces: Integers, tolerance: float, over: Array | None = None
+) -> Pairs:
+    """Return all pairs of panels (P,) that bounds do not keep apart, the smaller number first.
+
+    Parameters
+    ----------
+    positions
+        Vertices (V, 3).
+    faces
+        Corners (F, 4) of panels.
+    tolerance
+        Distance at which they are near (length).
+    over
+        What panels have on both sides (F, 3), if they have a thickness: normals as long as it.
+    """
+    tree = PanelTree.over(faces, positions[faces].mean(axis=1))
+    extents = tree.extents(positions, over)
+    pairs = (np.zeros(1, np.int64), np.zeros(1, np.int64))
+    for level in range(tree.depth + 1):
+        near = gaps((extents, extents), level, pairs) <= tolerance
+        pairs = (pairs[0][near], pairs[1][near])
+        if level < tree.depth:
+            pairs = child_pairs(pairs)
+    first, second = np.sort([tree.panels[nodes] for nodes in pairs], axis=0)
+    real = (first >= 0) & (first != second)
+    return first[real], second[real]
 
 
 def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Integers:
@@ -30,22 +67,11 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
     Integers
         Numbers (P, 2) of the panels, the smaller one first, in ascending order.
     """
-    tree = PanelTree.over(faces, positions[faces].mean(axis=1))
-    extents = tree.extents(positions)
-    pairs = (np.zeros(1, np.int64), np.zeros(1, np.int64))
-    for level in range(tree.depth + 1):
-        near = gaps((extents, extents), level, pairs) <= tolerance
-        pairs = (pairs[0][near], pairs[1][near])
-        if level < tree.depth:
-            pairs = child_pairs(pairs)
-    first, second = np.sort([tree.panels[nodes] for nodes in pairs], axis=0)
-    real = (first >= 0) & (first != second)
-    first, second = first[real], second[real]
-
+    first, second = near_panels(positions, faces, tolerance)
     found = []
     for k in range(0, len(first), CHUNK):
         chunk = (first[k : k + CHUNK], second[k : k + CHUNK])
-        shared = tree.share_corner(*chunk)
+        shared = np.asarray(common_corners(faces, *chunk).any(axis=(1, 2)))
         touching = np.zeros(len(shared), np.bool_)
         beside = (chunk[0][shared], chunk[1][shared])
         touching[shared] = touching_neighbours(positions, faces, beside, tolerance)

@@ -92,9 +92,9 @@ def _held(shell: Shell) -> Iterator[str]:
 
     lock, contact = shell.lock, shell.lock.first_contact
     aim = "target" if shell.design.swept is not None else "stage"
-    if lock.proof is None:
+    if shell.report.not_checked:
         yield "not checked: " + "; ".join(shell.report.not_checked)
-    else:
+    if lock.proof is not None:
         proved = f"proved over the whole path by bounds between {lock.proof.states} states"
         if lock.cause in {"clash", "boards"} and contact is not None:
             sides = contact.sides or ("", "")
@@ -102,7 +102,7 @@ def _held(shell: Shell) -> Iterator[str]:
                 f"{list(panel)}{f' {side}' if side in {'top', 'bottom'} else ''}"
                 for panel, side in zip(contact.panels, sides, strict=True)
             )
-            beyond = not lock.early and shell.design.ending_at is None
+            beyond = contact is not lock.obstacle and shell.design.ending_at is None
             met = f", beyond the {aim} at {in_degrees(lock.target)} deg" if beyond else ""
             yield (
                 f"path      panels {first} and {second} meet at {in_degrees(contact.drive)} deg"

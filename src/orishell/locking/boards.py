@@ -1,4 +1,4 @@
-"""Where boards first meet, and how little of their corners must go so that they do not.
+"""Where boards of the sheet first meet, and how little of their corners must go.
 
 Boards of neighbours never meet. Where those that are opposite each other at a vertex would, corners
 are cut off there, as little as will do; any other contact ends the motion.
@@ -6,17 +6,23 @@ are cut off there, as little as will do; any other contact ends the motion.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeVar
+
 import numpy as np
 
-from orishell.clash import PathResult
+from orishell.clash import PathContact, PathResult
 from orishell.clash.bodies import Apartness, Bodies
 from orishell.clash.body_path import find_first_body_contact
+from orishell.clash.broad_phase import Pairs
 from orishell.clash.opposite import opposite_panels
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.errors import DesignError
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.sheet.boards import Boards
 from orishell.solids import Built, build_panels
 
 STATES = 17
@@ -32,10 +38,54 @@ HALVINGS = 12
 TRIES = 4
 
 
+class Looked(Protocol):
+    """What was found of boards: their first contact, or None."""
+
+    @property
+    def contact(self) -> PathContact | None:
+        """The contact."""
+
+
+Found = TypeVar("Found", bound=Looked)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Corners:
+    """Boards that are opposite each other at vertices, and where they are compared.
+
+    Parameters
+    ----------
+    mechanism
+        The sheet that carries them, with its flaps or without.
+    columns
+        The columns of its vertices at which corners may be cut off: those of the sheet.
+    opposite, vertices
+        Panels (P,) opposite each other, and the vertex (P,) that they share.
+    drives
+        States in which their boards are compared (radians).
+    boards
+        All boards on it.
+    """
+
+    mechanism: Mechanism
+    columns: slice
+    opposite: Pairs
+    vertices: Integers
+    drives: Sequence[float]
+    boards: Callable[[Built], Boards]
+
+    def bodies(self, built: Built) -> Bodies:
+        """Its boards as bodies."""
+        flat = self.mechanism.positions(0.0).reshape(-1, 3)
+        return Bodies(self.boards(built), self.mechanism.grid.faces_vertices(), flat)
+
+
 def prove_boards(
     design: Design, end: float, tolerance: float, progress: Progress = unwatched
 ) -> tuple[Built, PathResult]:
     """Return the boards of a design, corners cut off where need be, and their first contact.
+
+    Flaps that are clipped on are looked at later (:mod:`~orishell.locking.clipped`).
 
     Parameters
     ----------
@@ -50,34 +100,63 @@ def prove_boards(
         If nothing is left of a panel.
     """
     mechanism = design.mechanism.still
+    built = build_panels(design, end)
+    settled = built.settled()
+    opposite, vertices = opposite_panels(mechanism.grid, settled)
+
+    def corners(drive: float) -> Corners:
+        drives = np.unique([*np.linspace(0.0, built.limit, STATES), drive]).tolist()
+        every = slice(None)
+        return Corners(mechanism, every, opposite, vertices, drives, lambda each: each.boards)
 
     def first_contact(built: Built) -> PathResult:
         return find_first_body_contact(
             mechanism,
             end,
             tolerance,
-            _bodies(design, built),
-            settled=built.settled(),
+            corners(end).bodies(built),
+            settled=settled,
             progress=progress,
         )
 
-    built = build_panels(design, end)
-    result = first_contact(built)
+    return cut_corners(design, built, tolerance, first_contact, corners)
+
+
+def cut_corners(
+    design: Design,
+    built: Built,
+    tolerance: float,
+    look: Callable[[Built], Found],
+    corners: Callable[[float], Corners],
+) -> tuple[Built, Found]:
+    """Return boards with as little of their corners cut off as helps, and what is found of them.
+
+    Parameters
+    ----------
+    built
+        The boards to begin with.
+    tolerance
+        Distance at which boards touch (length).
+    look
+        Where boards meet.
+    corners
+        What is compared to see how far corners must be cut off, if boards opposite each other at a
+        vertex meet at a drive (radians).
+    """
+    result = look(built)
     for attempt in range(TRIES):
         contact = result.contact
-        if contact is None or not _share_vertex(mechanism, contact.panels):
+        if contact is None:
             break
-        reliefs = _relieve(design, built, contact.drive, tolerance, FINE * 2.0**attempt)
+        there = corners(contact.drive)
+        if not _share_vertex(there.mechanism, contact.panels):
+            break
+        reliefs = _relieve(design, built, there, tolerance, FINE * 2.0**attempt)
         if reliefs is None:
             break
-        built = build_panels(design, end, reliefs)
-        result = first_contact(built)
+        built = build_panels(design, built.limit, reliefs)
+        result = look(built)
     return built, result
-
-
-def _bodies(design: Design, built: Built) -> Bodies:
-    flat = design.mechanism.positions(0.0).reshape(-1, 3)
-    return Bodies(built.boards, design.mechanism.grid.faces_vertices(), flat)
 
 
 def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
@@ -86,20 +165,18 @@ def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
 
 
 def _relieve(
-    design: Design, built: Built, drive: float, tolerance: float, more: float
+    design: Design, built: Built, corners: Corners, tolerance: float, more: float
 ) -> Array | None:
     """How far corners are cut off (rows, columns) so that opposite boards are apart.
 
     None if that does not help.
     """
-    mechanism = design.mechanism.still
-    grid = mechanism.grid
-    shortest = _shortest_edges(mechanism)
+    mechanism, grid = corners.mechanism, corners.mechanism.grid
+    shortest = _shortest_edges(mechanism)[:, corners.columns]
     clearance = tolerance + CLEARANCE * built.build.height
-    bodies = _bodies(design, built)
-    panels, vertices = opposite_panels(grid, built.settled())
-    pairs, which = bodies.pairs_of(panels)
-    vertex = vertices[which]
+    bodies = corners.bodies(built)
+    pairs, which = bodies.pairs_of(corners.opposite)
+    vertex = corners.vertices[which]
 
     def gaps(bodies: Bodies, drive: float, some: Integers) -> Array:
         state = bodies.carried(mechanism.positions(drive).reshape(-1, 3))
@@ -108,19 +185,16 @@ def _relieve(
 
     # Smaller boards are apart wherever larger ones are: only these states and pairs count.
     everything = np.arange(len(vertex))
-    meeting = [
-        (at, everything[gaps(bodies, at, everything) <= clearance])
-        for at in np.unique([*np.linspace(0.0, built.limit, STATES), drive]).tolist()
-    ]
+    meeting = [(at, everything[gaps(bodies, at, everything) <= clearance]) for at in corners.drives]
 
     def not_apart(reliefs: Array) -> Booleans:
         """Vertices (rows, columns) at which opposite boards meet in one of the states."""
         found = np.zeros(grid.vertex_count, np.bool_)
-        now = _bodies(design, build_panels(design, built.limit, reliefs))
+        now = corners.bodies(build_panels(design, built.limit, reliefs))
         for at, some in meeting:
             if len(some):
                 found[vertex[some[gaps(now, at, some) <= clearance]]] = True
-        return found.reshape(grid.rows, grid.columns)
+        return found.reshape(grid.rows, grid.columns)[:, corners.columns]
 
     there = not_apart(built.reliefs)
     for share in LARGEST:

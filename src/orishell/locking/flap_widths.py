@@ -7,6 +7,7 @@ from collections.abc import Callable
 from orishell.conventions.formatting import rounded_down
 from orishell.design import Design
 from orishell.errors import DesignError
+from orishell.locking.clipped import flap_width
 from orishell.locking.lock import find_lock
 from orishell.numerics.bisection import largest_below
 
@@ -80,10 +81,3 @@ def largest_quotable(
         return None
     tidy = rounded_down(good)
     return tidy if works(tidy) else good
-
-
-def flap_width(design: Design) -> float:
-    """Return the width of a design's flaps."""
-    width = design.parameters["flap"]
-    assert isinstance(width, float | int)
-    return float(width)

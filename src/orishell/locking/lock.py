@@ -5,36 +5,27 @@ Why it is one: docs/theory/locking-and-clash.md.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from orishell.clash import (
-    PathContact,
-    PathResult,
-    ProofRecord,
-    find_contacts,
-    find_first_contact,
-)
+from orishell.clash import PathContact, PathResult, ProofRecord, find_first_contact
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.locking.boards import prove_boards
-from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
-from orishell.motion import Mechanism, corrugation_depth, diagonal, drive_at_fold
-from orishell.numerics.arrays import Booleans, Integers
-from orishell.sheet.boards import SIDES, Boards
+from orishell.locking.clipped import clip_boards, find_crossing
+from orishell.locking.result import Contact, Lock, Panel
+from orishell.locking.sheet import SHORT_OF_END, Sheet
+from orishell.motion import corrugation_depth, diagonal
+from orishell.numerics.arrays import Booleans
 from orishell.sheet.grid import Grid
-from orishell.solids import build_panels, drive_for_height
+from orishell.solids import build_panels
 
 CONTACT_TOLERANCE = 1e-9
 """Distance at which panels touch, relative to the diagonal of the flat sheet."""
-SHORT_OF_END = 1e-6
-"""Where creases are folded flat at the end, the path is proved up to this share before it."""
 LATE, NARROW = 1 - 1e-3, 1e-4
 """A contact in this last part of the path is looked at with this share of the tolerance: panels
 that still do not touch meet at the end, not before."""
-FOLDED_FLAT = 1e-9
-"""A crease whose fold angle is this near to pi is folded flat (radians)."""
 
 
 def find_lock(
@@ -64,26 +55,46 @@ def find_lock(
     thousandth only; if they touch at the end, they are named as touching there. Panels that so
     meet at the target end the motion there.
     """
-    lock = _lock_of_panels(design, tolerance, flaps_only, beyond, progress)
+    sheet = Sheet.of(design)
+    size = tolerance * diagonal(sheet.mechanism.positions(0.0))
+    if flaps_only and design.clipped is not None:
+        lock = _end_without_clash(sheet, design, None, ())
+    else:
+        lock = _lock_of_panels(
+            sheet, design, size, flaps_only=flaps_only, beyond=beyond, progress=progress
+        )
+    if design.clipped is not None and not lock.early:
+        met = find_crossing(sheet.with_flaps(design.clipped), size)
+        lock = replace(lock, clipped_contact=met and _at_target(met, lock))
     if design.panel is None or lock.early or flaps_only:
         return lock
-    mechanism = design.mechanism.still
-    size = tolerance * diagonal(mechanism.positions(0.0))
     end = lock.pack if beyond else min(lock.pack, lock.target)
     built, path = prove_boards(design, end, size, progress)
     lock = replace(lock, built=built, boards_proof=path.proof)
-    if path.contact is None:
+    if path.contact is not None:
+        found = sheet.contact_of_boards(path.contact, built.boards)
+        lock = replace(lock, drive=found.drive, cause="boards", first_contact=found)
+    if design.clipped is None or lock.early:
         return lock
-    found = _Sheet.of(design).contact_of_boards(path.contact, built.boards)
-    return replace(lock, drive=found.drive, cause="boards", first_contact=found)
+    built, met = clip_boards(design, sheet.with_flaps(design.clipped), built, size)
+    return replace(lock, built=built, clipped_contact=met and _at_target(met, lock))
+
+
+def _at_target(found: Contact, lock: Lock) -> Contact:
+    """A contact of clipped flaps, whose sheet has another drive at the target than the shell's."""
+    return replace(found, drive=lock.target, clear_until=lock.target, depth=lock.depth)
 
 
 def _lock_of_panels(
-    design: Design, tolerance: float, flaps_only: bool, beyond: bool, progress: Progress
+    sheet: Sheet,
+    design: Design,
+    size: float,
+    *,
+    flaps_only: bool,
+    beyond: bool,
+    progress: Progress,
 ) -> Lock:
-    sheet = _Sheet.of(design)
     mechanism = sheet.mechanism
-    size = tolerance * diagonal(mechanism.positions(0.0))
 
     def search(end: float, distance: float) -> PathResult:
         return find_first_contact(
@@ -105,11 +116,12 @@ def _lock_of_panels(
         closer = search(clear, NARROW * size)
         if closer.contact is None and meeting == sheet.end:
             path = closer
-        elif closer.contact is None and (touching := sheet.touching(None, size)):
+        elif closer.contact is None and (touching := sheet.touching(size)):
             found = sheet.contact(PathContact(meeting, clear, near.panels))
             return sheet.lock(meeting, "clash", found, closer.proof, touching)
     early = path.contact is not None and path.contact.drive < sheet.target
-    touching = () if early else sheet.touching(design.clipped, size)
+    flapped = sheet if design.clipped is None else sheet.with_flaps(design.clipped)
+    touching = () if early else flapped.touching(size)
     if path.contact is None:
         return lock_without_clash(design, path.proof, touching)
     found = sheet.contact(path.contact)
@@ -130,7 +142,7 @@ def lock_without_clash(
     touching
         Pairs of panels that touch at lock without being meant to.
     """
-    sheet = _Sheet.of(design)
+    sheet = Sheet.of(design)
     lock = _end_without_clash(sheet, design, proof, touching)
     if design.panel is None or proof is not None:
         return lock
@@ -138,7 +150,7 @@ def lock_without_clash(
 
 
 def _end_without_clash(
-    sheet: _Sheet,
+    sheet: Sheet,
     design: Design,
     proof: ProofRecord | None,
     touching: tuple[tuple[Panel, Panel], ...],
@@ -156,122 +168,6 @@ def _end_without_clash(
         corrugation_depth(design.mechanism.positions(sheet.end)),
     )
     return sheet.lock(sheet.end, "flaps" if flaps else "crease", found, proof, touching)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Sheet:
-    """What is known of a sheet before any contact is looked for."""
-
-    mechanism: Mechanism
-    target: float
-    end: float
-    folded_flat: Panel | None
-    """Row and column of the panel above a row crease that is folded flat at the end."""
-    stop: Cause | None
-    """What stops the motion before a crease is folded flat."""
-    meeting: Panel | None
-    """Row and column of the panel above a row crease about which panels, or boards, meet there."""
-
-    @classmethod
-    def of(cls, design: Design) -> _Sheet:
-        mechanism = design.mechanism.still
-        end = drive_at_fold(mechanism, design.largest_fold)
-        stop: Cause | None = "hinges" if end < mechanism.end_drive else None
-        target, build = mechanism.target_drive, design.panel
-        if mechanism.flap_columns and target < mechanism.end_drive and target <= end:
-            # Boards of the flaps meet at the target, where the others have room.
-            end, stop = target, "flaps"
-        elif build is not None:
-            limit = target
-            if build.reach == "pack":
-                limit = drive_for_height(
-                    mechanism, build.height, end, build.share, build.setback, gap=build.gap
-                )
-            end, stop = (limit, "boards") if limit < end else (end, stop)
-        folds = np.abs(mechanism.fold_angles(end).row)
-        if stop == "flaps":
-            on_flap = np.isin(np.arange(folds.shape[1]), mechanism.flap_columns)
-            meeting = np.where(on_flap, folds, 0.0).argmax()
-            row, column = divmod(int(meeting), folds.shape[1])
-            return cls(mechanism, target, end, None, stop, (row, column))
-        places = np.argwhere(folds >= np.pi - FOLDED_FLAT)
-        first = None if not len(places) else (int(places[0][0]), int(places[0][1]))
-        return cls(mechanism, target, end, first, stop, first)
-
-    @property
-    def columns(self) -> int:
-        """Number of columns of panels."""
-        return self.mechanism.grid.columns - 1
-
-    @property
-    def path_end(self) -> float:
-        return self.end if self.folded_flat is None else self.end * (1 - SHORT_OF_END)
-
-    def lock(
-        self,
-        drive: float | None,
-        cause: Cause | None,
-        contact: Contact | None,
-        proof: ProofRecord | None,
-        touching: tuple[tuple[Panel, Panel], ...] = (),
-    ) -> Lock:
-        depth = corrugation_depth(self.mechanism.positions(self.target))
-        return Lock(drive, cause, contact, self.target, depth, touching, proof)
-
-    def contact(self, found: PathContact) -> Contact:
-        depth = corrugation_depth(self.mechanism.positions(found.drive))
-        panels, kind = self.panels(found.panels), self.kind(found.panels)
-        return Contact(found.drive, found.clear_until, panels, kind, depth)
-
-    def contact_of_boards(self, found: PathContact, boards: Boards) -> Contact:
-        """The contact of two boards."""
-        assert found.bodies is not None
-        panels, _, sides = zip(
-            *sorted(
-                (divmod(number, self.columns), body, SIDES[int(boards.sides[body])])
-                for number, body in zip(found.panels, found.bodies, strict=True)
-            ),
-            strict=True,
-        )
-        depth = corrugation_depth(self.mechanism.positions(found.drive))
-        return Contact(found.drive, found.clear_until, panels, "boards", depth, sides)
-
-    def panels(self, numbers: tuple[int, int]) -> tuple[Panel, Panel]:
-        first, second = sorted(divmod(number, self.columns) for number in numbers)
-        return first, second
-
-    def designed(self, pairs: tuple[Integers, Integers]) -> Booleans:
-        """Pairs with a flap, of its own column or the next: they meet at lock by design."""
-        first, second = (numbers % self.columns for numbers in pairs)
-        flaps = self.mechanism.flap_columns
-        flap = np.isin(first, flaps) | np.isin(second, flaps)
-        return np.asarray(flap & (np.abs(first - second) <= 1))
-
-    def kind(self, numbers: tuple[int, int]) -> Kind:
-        panels = self.panels(numbers)
-        rows = self.mechanism.grid.rows - 1
-        on_flap = [j in self.mechanism.flap_columns for _, j in panels]
-        if all(on_flap):
-            return "flap on flap" if panels[0][1] == panels[1][1] else "opposite flaps"
-        if any(on_flap):
-            return "flap on panel"
-        if any(i in (0, rows - 1) or j in (0, self.columns - 1) for i, j in panels):
-            return "at the sheet's edge"
-        return "distant panels"
-
-    def touching(
-        self, boards: Mechanism | None, tolerance: float
-    ) -> tuple[tuple[Panel, Panel], ...]:
-        """Pairs of panels that touch at the target without being meant to, with its flaps."""
-        if boards is not None:
-            flapped = replace(self, mechanism=boards, target=boards.target_drive)
-            return flapped.touching(None, tolerance)
-        faces = self.mechanism.grid.faces_vertices()
-        points = self.mechanism.positions(self.target).reshape(-1, 3)
-        pairs = find_contacts(points, faces, tolerance)
-        shared = (faces[pairs[:, 0]][:, :, None] == faces[pairs[:, 1]][:, None]).any(axis=(1, 2))
-        pairs = pairs[~shared & ~self.designed((pairs[:, 0], pairs[:, 1]))]
-        return tuple(self.panels((int(first), int(second))) for first, second in pairs)
 
 
 def _flap_panels(grid: Grid) -> Booleans:

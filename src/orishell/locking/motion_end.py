@@ -11,7 +11,8 @@ from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.errors import ClashError, DesignError, Remedy
-from orishell.locking.flap_widths import flap_width, widest_flap
+from orishell.locking.clipped import flap_width, refuse_clipped
+from orishell.locking.flap_widths import widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth
@@ -35,7 +36,8 @@ def end_motion(
 
     If panels meet before the target state, a design whose motion nothing else ends is stopped
     there: where it is proved to be free of contact, up to 2^-36 of the path before panels first
-    touch. Flaps of no given width are made narrower.
+    touch. Flaps of no given width are made narrower, clipped ones also where they have no room at
+    the target.
 
     Parameters
     ----------
@@ -49,11 +51,12 @@ def end_motion(
     Raises
     ------
     ClashError
-        If panels of the flat sheet touch, or panels meet before the target state.
+        If panels of the flat sheet touch, panels meet before the target state, or clipped flaps
+        meet panels there.
     """
     lock = find_lock(design, tolerance=tolerance, progress=progress)
-    contact = lock.first_contact
-    if not lock.early or contact is None:
+    contact = lock.obstacle
+    if contact is None:
         return design, lock
     if design.ending_at is not None and contact.clear_until > 0:
         design = design.ended_at(contact.clear_until)
@@ -103,10 +106,12 @@ def require_pack(design: Design, lock: Lock) -> None:
 
 def _clash(design: Design, lock: Lock) -> ClashError:
     """The error for panels that meet before the target state."""
-    contact = lock.first_contact
+    contact = lock.obstacle
     assert contact is not None
+    if contact is lock.clipped_contact:
+        return refuse_clipped(design, contact)
     if contact.sides is not None:
-        return _clash_of_boards(contact, contact.sides, lock.target)
+        return _clash_of_boards(contact, lock.target)
     first, second = (list(panel) for panel in contact.panels)
     if contact.drive == 0:
         return ClashError(
@@ -130,14 +135,9 @@ def _clash(design: Design, lock: Lock) -> ClashError:
     return error
 
 
-def _clash_of_boards(contact: Contact, sides: tuple[str, str], target: float) -> ClashError:
+def _clash_of_boards(contact: Contact, target: float) -> ClashError:
     """The error for boards that meet before the target state."""
-    first, second = (
-        f"the {side} board of panel {list(panel)}"
-        if side in {"top", "bottom"}
-        else f"panel {list(panel)}"
-        for panel, side in zip(contact.panels, sides, strict=True)
-    )
+    first, second = contact.names
     return ClashError(
         f"{first} and {second} meet before the shell reaches its target",
         place=f"at drive {in_degrees(contact.drive)} of {in_degrees(target)} degrees",

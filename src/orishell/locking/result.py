@@ -35,7 +35,8 @@ class Contact:
     clear_until
         Up to here no panels touch, proved: 0 if the path was not examined (radians).
     panels
-        The two panels.
+        The two panels; those of flaps that are clipped on are in the columns beside the sheet's,
+        -1 the one on the left.
     kind
         Two flaps of one column (neighbours of these at the end of the motion are what the design
         means), or of both; a flap on another panel; neighbours about a crease that is folded flat;
@@ -44,6 +45,9 @@ class Contact:
         Depth of the corrugation there (length).
     sides
         Which boards of the panels touch, "top", "bottom" or "panel"; None if panels do.
+    overlap
+        How far one reaches into the other at least, where they were looked at in one state only;
+        None along a path, on which they only touch (length).
     """
 
     drive: float
@@ -52,6 +56,18 @@ class Contact:
     kind: Kind
     depth: float
     sides: tuple[str, str] | None = None
+    overlap: float | None = None
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """What the two are called: "panel [0, 1]", or "the top board of panel [0, 1]"."""
+        first, second = (
+            f"the {side} board of panel {list(panel)}"
+            if side in {"top", "bottom"}
+            else f"panel {list(panel)}"
+            for panel, side in zip(self.panels, self.sides or ("", ""), strict=True)
+        )
+        return first, second
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +96,9 @@ class Lock:
         The boards of panels that have a thickness; None if they have none.
     boards_proof
         How the path was examined for contact of boards, or None if it was not.
+    clipped_contact
+        What flaps that are clipped on at the target reach into there, or boards of theirs touch;
+        None if nothing.
     """
 
     drive: float | None
@@ -91,6 +110,7 @@ class Lock:
     proof: ProofRecord | None
     built: Built | None = None
     boards_proof: ProofRecord | None = None
+    clipped_contact: Contact | None = None
 
     def __repr__(self) -> str:
         target = f"target at {in_degrees(self.target)} degrees"
@@ -107,9 +127,12 @@ class Lock:
 
     @property
     def early(self) -> bool:
-        """Whether panels clash before the target is met."""
-        return (
-            self.cause in {"clash", "boards"}
-            and self.first_contact is not None
-            and self.first_contact.drive < self.target
-        )
+        """Whether panels clash before the shell stands at its target with its flaps."""
+        return self.obstacle is not None
+
+    @property
+    def obstacle(self) -> Contact | None:
+        """What keeps the shell from its target, or its clipped flaps from their place there."""
+        first = self.first_contact
+        met = self.cause in {"clash", "boards"} and first is not None and first.drive < self.target
+        return first if met else self.clipped_contact

@@ -199,8 +199,14 @@ def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
 
 def warn_of_lock(lock: Lock) -> list[str]:
     """Warnings of a clash before the target, or of panels that touch there and should not."""
-    contact = lock.first_contact
-    if lock.early and contact is not None:
+    contact = lock.obstacle
+    if contact is not None and contact is lock.clipped_contact:
+        first_name, second_name = contact.names
+        return [
+            f"{first_name} and {second_name} meet when flaps are clipped on at the target: these "
+            "have no room there"
+        ]
+    if contact is not None:
         first, second = (list(panel) for panel in contact.panels)
         return [
             f"panels {first} and {second} meet at drive {in_degrees(contact.drive)} of "

@@ -34,6 +34,9 @@ class ContactReport:
     sides
         Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None
         if panels without a thickness do.
+    overlap
+        How far one reaches into the other, if they were looked at in one state only; None if they
+        touch on the way.
     """
 
     drive_deg: float
@@ -42,6 +45,7 @@ class ContactReport:
     kind: Kind
     corrugation_depth: float
     sides: tuple[str, str] | None
+    overlap: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +91,9 @@ class LockReport:
         The panels that touch first, if any do.
     touching_at_end
         Pairs of panels that touch at the end of the motion and are not meant to.
+    clipped_contact
+        What flaps that are clipped on at the target meet there; None if nothing, or if there are
+        none.
     path
         How contact was looked for; None if it was not.
     """
@@ -97,6 +104,7 @@ class LockReport:
     corrugation_depth: float
     first_contact: ContactReport | None
     touching_at_end: tuple[tuple[Panel, Panel], ...]
+    clipped_contact: ContactReport | None
     path: PathReport | None
 
     __repr__ = in_one_line
@@ -109,8 +117,9 @@ def describe_lock(lock: Lock) -> LockReport:
         cause=lock.cause,
         target_drive_deg=tidy_degrees(lock.target),
         corrugation_depth=lock.depth,
-        first_contact=None if lock.first_contact is None else _describe(lock.first_contact),
+        first_contact=_describe(lock.first_contact),
         touching_at_end=lock.touching,
+        clipped_contact=_describe(lock.clipped_contact),
         path=describe_path(lock.proof),
     )
 
@@ -130,7 +139,9 @@ def describe_path(proof: ProofRecord | None) -> PathReport | None:
     )
 
 
-def _describe(contact: Contact) -> ContactReport:
+def _describe(contact: Contact | None) -> ContactReport | None:
+    if contact is None:
+        return None
     return ContactReport(
         drive_deg=tidy_degrees(contact.drive),
         clear_until_deg=tidy_degrees(contact.clear_until),
@@ -138,4 +149,5 @@ def _describe(contact: Contact) -> ContactReport:
         kind=contact.kind,
         corrugation_depth=contact.depth,
         sides=contact.sides,
+        overlap=contact.overlap,
     )

@@ -35,7 +35,7 @@ from orishell.shell.deviation_report import describe_deviation
 from orishell.shell.holding import warn_of_deployment
 from orishell.shell.lock_report import describe_lock
 from orishell.shell.panel_report import describe_panels
-from orishell.shell.parts import Part, not_checked, require_parts
+from orishell.shell.parts import Part, Question, not_checked, require_parts
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
@@ -195,9 +195,10 @@ def _made(
     except InputError as error:
         raise error.located(f"{file.path}:") from None
     width, height, _ = extents(flat.positions)
-    found_out: dict[Part | Literal["clash"], bool] = {
+    found_out: dict[Question, bool] = {
         "verification": residuals is not None,
         "clash": clash != "unexamined",
+        "clipping": design.clipped is None,
         "deviation": deviation is not None or design.swept is None,
         "stock": quantities.stock is not None,
         "structure": structure is not None or file.structure is None,

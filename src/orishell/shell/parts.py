@@ -18,9 +18,13 @@ PARTS: tuple[Part, ...] = get_args(Part)
 MEASURES: tuple[Part, ...] = ("deviation", "pack", "weight")
 """What is measured of a shell, and changes nothing of it."""
 
-_NOT_CHECKED: dict[Part | Literal["clash"], str] = {
+Question = Part | Literal["clash", "clipping"]
+"""What may be found out of a shell: its parts, contact on its way, the way of clipped flaps."""
+
+_NOT_CHECKED: dict[Question, str] = {
     "verification": "whether panels stay rigid",
     "clash": "contact between panels on the way",
+    "clipping": "how clipped flaps are brought to their place",
     "deviation": "distance from the surface",
     "stock": "the layout on the stock",
     "structure": "the structure",
@@ -45,7 +49,7 @@ def require_parts(leave_out: Collection[str]) -> None:
         )
 
 
-def not_checked(found_out: Mapping[Part | Literal["clash"], bool]) -> tuple[str, ...]:
+def not_checked(found_out: Mapping[Question, bool]) -> tuple[str, ...]:
     """What nobody has looked at, in words.
 
     Parameters

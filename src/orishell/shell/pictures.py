@@ -117,8 +117,8 @@ def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str)
 
 def _drawn(lock: Lock) -> DrawnContact | None:
     """The first contact, if it comes before the target and so is to be drawn."""
-    contact = lock.first_contact
-    if contact is None or not lock.early:
+    contact = lock.obstacle
+    if contact is None or contact is lock.clipped_contact:
         return None
     return DrawnContact(contact.drive, contact.panels)
 
@@ -127,7 +127,7 @@ def _last_state(design: Design, lock: Lock) -> str:
     if design.ending_at is not None:
         return "Where panels first touch" if lock.cause == "clash" else "As far as it folds"
     aim = "target" if design.swept is not None else "stage"
-    if lock.early:
+    if lock.early and lock.clipped_contact is None:
         return f"The {aim}, which it does not reach"
     if lock.cause == "flaps":
         return "Locked"

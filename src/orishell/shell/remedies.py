@@ -181,6 +181,8 @@ class _Search:
         """The widest flaps, the largest f and the longest part of g that keep panels apart."""
         file = self.file
         if clash.thick:
+            if clash.flap:
+                yield from self._narrower(boards=True)
             yield from self._thinner()
             return
         if file.target is None:
@@ -190,14 +192,7 @@ class _Search:
             return
         # Where the sheet meets itself without flaps, no width of flaps helps.
         if clash.flap and self._reaches_target(Remedy({"pattern.flap": 0.0})):
-
-            def narrower(width: float) -> Design:
-                self._watch()
-                return designed(file.changed({"pattern.flap": width}))
-
-            width = widest_flap(designed(file), narrower, file.contact_tolerance)
-            if width is not None:
-                yield Remedy({"pattern.flap": width})
+            yield from self._narrower(boards=False)
         for resized in (_scaled_f, _shortened_g):
 
             def works(share: float, resized: Resized = resized) -> bool:
@@ -206,6 +201,18 @@ class _Search:
             share = largest_quotable(works, 1.0, SMALLEST, COARSE)
             if share is not None:
                 yield resized(file, share)
+
+    def _narrower(self, *, boards: bool) -> Iterator[Remedy]:
+        """The widest flaps, or those of boards, that meet nothing."""
+
+        def narrower(width: float) -> Design:
+            self._watch()
+            return designed(self.file.changed({"pattern.flap": width}))
+
+        tolerance = self.file.contact_tolerance
+        width = widest_flap(designed(self.file), narrower, tolerance, boards=boards)
+        if width is not None:
+            yield Remedy({"pattern.flap": width})
 
     def _thinner(self) -> Iterator[Remedy]:
         """The thickest panels whose boards do not meet."""

@@ -4,7 +4,7 @@ Derived in docs/theory/thickness.md.
 """
 
 from orishell.solids.boards import build_boards
-from orishell.solids.built import Built, build_panels
+from orishell.solids.built import Built, build_panels, settled_vertices
 from orishell.solids.limits import drive_for_height, largest_height
 from orishell.solids.meeting import Meetings, find_meetings
 from orishell.solids.room import Room, find_room, room_for, thinner, wide_gap
@@ -27,6 +27,7 @@ __all__ = [
     "largest_height",
     "largest_thickness",
     "room_for",
+    "settled_vertices",
     "thinner",
     "wide_gap",
 ]

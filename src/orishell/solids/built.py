@@ -46,13 +46,44 @@ class Built:
     __repr__ = in_one_line
 
     def settled(self) -> Booleans:
-        """Inner vertices (rows-2, columns-2) about which opposite boards are apart all the way.
+        """Inner vertices (rows-2, columns-2) about which opposite boards are apart all the way."""
+        return settled_vertices(self.folds)
 
-        Where the two creases of a row, or of a column, do not fold, the others are one straight
-        line, and its bisecting plane keeps all boards on one side of it from those on the other.
+    def with_flaps(self, clipped: Mechanism) -> Boards:
+        """All boards, numbered as panels of the sheet with its clipped flaps.
+
+        Parameters
+        ----------
+        clipped
+            The sheet with its flaps.
         """
-        row, column = (np.abs(each) < UNFOLDED for each in (self.folds.row, self.folds.column))
-        return np.asarray((row[:, :-1] & row[:, 1:]) | (column[:-1] & column[1:]))
+        assert self.flaps is not None
+        inner, across = clipped.inner_columns, clipped.grid.columns - 1
+        row, column = np.divmod(self.boards.panels, inner.stop - inner.start - 1)
+        own = row * across + column + inner.start
+        panels = np.concatenate([own, self.flaps.panels])
+        order = np.argsort(panels, kind="stable")
+        both = self.boards, self.flaps
+        return Boards(
+            panels[order],
+            np.concatenate([each.sides for each in both])[order],
+            np.concatenate([each.outlines for each in both])[order],
+        )
+
+
+def settled_vertices(folds: CreaseValues) -> Booleans:
+    """Inner vertices (rows-2, columns-2) about which opposite boards cannot meet.
+
+    Where the two creases of a row, or of a column, do not fold, the others are one straight
+    line, and its bisecting plane keeps all boards on one side of it from those on the other.
+
+    Parameters
+    ----------
+    folds
+        Fold angles for which boards are set back (radians).
+    """
+    row, column = (np.abs(each) < UNFOLDED for each in (folds.row, folds.column))
+    return np.asarray((row[:, :-1] & row[:, 1:]) | (column[:-1] & column[1:]))
 
 
 def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> Built:

@@ -1,0 +1,143 @@
+"""Flaps that are clipped on at the target, and what they would reach into there.
+
+They are no part of the folding sheet, so they are looked at in the one state in which they are
+there. Panels without a thickness may touch in it, as those of flaps that fold flat do, but not pass
+through each other. Boards are apart, but for those about a common crease, which meet there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from orishell.clash import PathContact, find_contacts, overlap_depths
+from orishell.clash.body_state import deepest_contact
+from orishell.clash.broad_phase import selected
+from orishell.clash.opposite import opposite_panels
+from orishell.design import Design
+from orishell.errors import ClashError, Remedy
+from orishell.locking.boards import Corners, cut_corners
+from orishell.locking.result import Contact
+from orishell.locking.sheet import Sheet
+from orishell.solids import Built, settled_vertices
+
+SIDES = ("start", "end")
+"""Where the flaps on the left and on the right may fold to."""
+
+
+def find_crossing(sheet: Sheet, tolerance: float) -> Contact | None:
+    """Return the panels, one of a flap, that pass farthest through each other at the target.
+
+    Parameters
+    ----------
+    sheet
+        The sheet with its flaps.
+    tolerance
+        By so much panels may reach into each other, as they may come near each other (length).
+    """
+    faces, points = sheet.mechanism.grid.faces_vertices(), sheet.points_at_target()
+    pairs = find_contacts(points, faces, tolerance)
+    pairs = pairs[sheet.flapped((pairs[:, 0], pairs[:, 1]))]
+    depths = overlap_depths(points, faces, pairs)
+    if not (depths > tolerance).any():
+        return None
+    deepest = int(depths.argmax())
+    first, second = pairs[deepest].tolist()
+    found = sheet.contact(PathContact(sheet.target, sheet.target, (first, second)))
+    return replace(found, overlap=float(depths[deepest]))
+
+
+def clip_boards(
+    design: Design, sheet: Sheet, built: Built, tolerance: float
+) -> tuple[Built, Contact | None]:
+    """Return boards, their corners cut off so that those of flaps are apart, and what still meets.
+
+    Parameters
+    ----------
+    sheet
+        The sheet with its flaps.
+    built
+        Its boards, those of the sheet proved to be apart: smaller ones are, too.
+    tolerance
+        Distance at which boards touch (length).
+    """
+    mechanism, grid = sheet.mechanism, sheet.mechanism.grid
+    settled = settled_vertices(mechanism.fold_angles(sheet.target))
+    opposite, vertices = opposite_panels(grid, settled)
+    flapped = sheet.flapped(opposite)
+    corners = Corners(
+        mechanism,
+        mechanism.inner_columns,
+        selected(opposite, flapped),
+        vertices[flapped],
+        [sheet.target],
+        lambda each: each.with_flaps(mechanism),
+    )
+    apart = grid.vertices()[1:-1, 1:-1][settled]
+    panels = np.arange(grid.panel_count)
+    flaps, points = sheet.flapped((panels, panels)), sheet.points_at_target()
+
+    def look(built: Built) -> _Met:
+        bodies = corners.bodies(built)
+        found = deepest_contact(bodies, points, tolerance, only=flaps, settled=apart)
+        if found is None:
+            return _Met(None, 0.0)
+        pair, depth = found
+        ends = sheet.target, sheet.target
+        return _Met(PathContact(*ends, bodies.carriers(pair), pair), depth)
+
+    built, met = cut_corners(design, built, tolerance, look, lambda _: corners)
+    if met.contact is None:
+        return built, None
+    found = sheet.contact_of_boards(met.contact, built.with_flaps(mechanism))
+    return built, replace(found, overlap=met.depth)
+
+
+@dataclass(frozen=True, slots=True)
+class _Met:
+    """Boards that meet at the target, and how far one reaches into the other."""
+
+    contact: PathContact | None
+    depth: float
+
+
+def refuse_clipped(design: Design, contact: Contact) -> ClashError:
+    """Return the error for clipped flaps that have no room at the target.
+
+    Parameters
+    ----------
+    contact
+        What one of them reaches into.
+    """
+    width = flap_width(design)
+    assert contact.overlap is not None
+    first, second = contact.names
+    error = ClashError(
+        f"{first} and {second} meet when flaps are clipped on ({contact.kind})",
+        place="at the target",
+        size=f"one reaches {contact.overlap:.4g} into the other",
+        excess=contact.overlap / width,
+        flap=width,
+        thick=contact.sides is not None,
+    )
+    error.candidates = _other_sides(design)
+    return error
+
+
+def flap_width(design: Design) -> float:
+    """Return the width of a design's flaps."""
+    width = design.parameters["flap"]
+    assert isinstance(width, float | int)
+    return float(width)
+
+
+def _other_sides(design: Design) -> Iterator[Remedy]:
+    """Flaps turned to other ends of f."""
+    now = design.parameters["flap_side"]
+    for sides in product(SIDES, SIDES):
+        if list(sides) != now:
+            same = sides[0] == sides[1]
+            yield Remedy({"pattern.flap_side": sides[0] if same else list(sides)})
