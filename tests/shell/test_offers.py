@@ -45,11 +45,12 @@ class Draw:
 def curve(draw: Draw) -> Tables:
     """An arch, a wave, an ellipse."""
     a, b = draw.number(0.2, 2.5), draw.number(0.5, 3)
-    return draw.one(
+    drawn: Tables = draw.one(
         formula(f"-{a}*x**2", -draw.number(0.3, 1.5), draw.number(0.3, 1.5)),
         formula([f"{a}*cos(t)", f"{b}*sin(t)"], draw.number(0, 0.6), draw.number(1.5, 3.2)),
         formula(f"{a}*sin(x)", 0, draw.number(1, 7)),
     )
+    return drawn
 
 
 def pattern(draw: Draw, family: str) -> Tables:
