@@ -91,7 +91,7 @@ def test_each_part_is_left_out_by_itself() -> None:
 
 def test_a_refusal_without_its_remedies() -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
-    file = replace(file, pattern=file.pattern.model_copy(update={"xi_deg": 75.0}))
+    file = file.changed({"pattern.xi_deg": 75.0})
     with pytest.raises(DesignError) as mended:
         make_shell(file)
     with pytest.raises(DesignError) as plain:

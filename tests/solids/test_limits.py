@@ -1,6 +1,5 @@
 """How thick boards may be, and how far they fold."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -23,12 +22,9 @@ SHELTER = Path(__file__).parents[2] / "examples" / "shelter.toml"
 
 
 def shelter(thickness: float) -> Shell:
-    return make_shell(
-        replace(
-            read_design_file(SHELTER),
-            panel=PanelBuild(thickness, membrane=0.02 * thickness) if thickness else None,
-        )
-    )
+    file = read_design_file(SHELTER)
+    thick = {"panel.thickness": thickness, "panel.membrane": 0.02 * thickness}
+    return make_shell(file.changed(thick) if thickness else file)
 
 
 def test_a_strip_of_squares_by_hand() -> None:

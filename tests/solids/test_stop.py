@@ -1,6 +1,5 @@
 """Flaps stop as little short of folding flat as their boards allow."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.curves import curve_from_formulas, curve_from_points, parse_formula
-from orishell.deployment import Deployment
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
-from orishell.errors import DesignError
+from orishell.errors import DesignError, Value
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import Mechanism
 from orishell.sheet.quads import lengths
@@ -125,9 +123,14 @@ def test_flaps_beside_a_column_that_all_but_folds_flat_have_no_room(gap: float) 
 
 def shell(figure: int, panel: PanelBuild, *, clipped: bool = False) -> Shell:
     file = read_design_file(EXAMPLES / f"figure{figure}.toml")
-    if clipped:
-        file = replace(file, deployment=Deployment(flap_attachment="clipped"))
-    return make_shell(replace(file, panel=panel))
+    changes: dict[str, Value | None] = {
+        "panel.thickness": panel.thickness,
+        "panel.membrane": panel.membrane,
+        "panel.gap": panel.gap,
+        "panel.stop_deg": "auto" if panel.stop is None else float(np.rad2deg(panel.stop)),
+        "deployment.flap_attachment": "clipped" if clipped else "folded",
+    }
+    return make_shell(file.changed(changes))
 
 
 @pytest.mark.parametrize("figure", [1, 2])
