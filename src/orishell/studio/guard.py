@@ -83,6 +83,10 @@ class Guard:
         if entering and scope["path"] == "/":
             await _let_in(send, self.key)
             return
+        await self._pass_on(scope, receive, send)
+
+    async def _pass_on(self, scope: Message, receive: Receive, send: Send) -> None:
+        """Let the application answer a request, once all of it is here."""
         try:
             async with asyncio.timeout(self.seconds):
                 body = await self._body(receive)

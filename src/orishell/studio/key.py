@@ -1,8 +1,8 @@
 """The key of a studio: only who has it is let in, and the browser keeps it in a cookie.
 
-Every user of a machine can ask whatever listens on it. So the address that the studio prints holds a
-key that is made anew at every start, and that no list of processes shows: the browser is sent to a
-file that only its user can read, and from there to that address.
+Every user of a machine can ask whatever listens on it. So the address that the studio prints holds
+a key that is made anew at every start, and that no list of processes shows: the browser is sent to
+a file that only its user can read, and from there to that address.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Key:
 
 def _holds(parts: Iterator[bytes] | list[bytes], wanted: str) -> bool:
     """Whether one of the parts is what is wanted, in a time that does not say how nearly."""
-    return any([hmac.compare_digest(part, wanted.encode()) for part in parts])
+    return any(hmac.compare_digest(part, wanted.encode()) for part in parts)
 
 
 @contextmanager
