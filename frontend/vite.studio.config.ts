@@ -1,5 +1,5 @@
 // The studio: index.html and hashed files beside it, with relative addresses.
-import { type Plugin, defineConfig } from "vite";
+import { type Plugin, defineConfig, loadEnv } from "vite";
 
 /** What the page imports first of all is loaded along with what imports it. */
 const preloadApp: Plugin = {
@@ -17,6 +17,11 @@ const preloadApp: Plugin = {
   },
 };
 
+/** The address that a running studio printed, with its key. */
+const { ORISHELL_STUDIO = "http://127.0.0.1:8765/" } = loadEnv("", ".", "ORISHELL_");
+const studio = new URL(ORISHELL_STUDIO);
+const cookie = `orishell-${studio.port}=${studio.searchParams.get("key")}`;
+
 export default defineConfig({
   base: "./",
   publicDir: false,
@@ -29,5 +34,5 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 1200,
   },
-  server: { proxy: { "/api": "http://127.0.0.1:8765" } },
+  server: { proxy: { "/api": { target: studio.origin, changeOrigin: true, headers: { origin: studio.origin, cookie } } } },
 });

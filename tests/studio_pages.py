@@ -38,7 +38,11 @@ TOUCHING = """() => {
 def opened(
     browser: Browser, address: str, *, width: int = 1280, height: int = 720, **options: Any
 ) -> Iterator[Page]:
-    """The studio's page; at the end it must have printed no error and asked no other machine."""
+    """The studio's page; at the end it must have printed no error and asked no other machine.
+
+    Its address is the one that the studio prints, with its key.
+    """
+    place = address.partition("?")[0]
     said: list[str] = []
     asked: list[str] = []
 
@@ -55,7 +59,7 @@ def opened(
         wait_until(page, IDLE)
         yield page
     assert said == []
-    assert [url for url in asked if not url.startswith((address, "blob:", "data:"))] == []
+    assert [url for url in asked if not url.startswith((place, "blob:", "data:"))] == []
 
 
 def settle(page: Page) -> None:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -20,12 +22,12 @@ from orishell.io.formats.html import viewer_is_built
 WITHOUT_PAGES = """
 import tempfile
 from pathlib import Path
-from orishell.cli.main import run
+from orishell.__main__ import main
 from orishell.studio import app
 with tempfile.TemporaryDirectory() as place:
     app.PAGES = Path(place)
     (app.PAGES / "index.html").touch()
-    run()
+    main()
 """
 """A studio whose pages have not been built does not start; what it answers can be tested all the
 same, with an empty page."""
@@ -33,10 +35,24 @@ same, with an empty page."""
 
 @dataclass(frozen=True)
 class Studio:
-    """Where a studio answers, and the number of its process."""
+    """Where a studio answers whom, and the number of its process.
+
+    Parameters
+    ----------
+    address
+        Without the key.
+    entrance
+        The address that it prints, which gives a browser its cookie.
+    """
 
     address: str
+    entrance: str
     process: int
+
+    @property
+    def cookies(self) -> dict[str, str]:
+        """What a client keeps that came by the entrance."""
+        return {f"orishell-{self.address.rpartition(':')[2]}": self.entrance.partition("key=")[2]}
 
 
 @contextmanager
@@ -51,17 +67,17 @@ def running_studio(
     built = python != sys.executable or viewer_is_built()
     program = ["-m", "orishell"] if built else ["-c", WITHOUT_PAGES]
     command = [str(python), *program, "studio", "--no-browse", "--port", str(port)]
-    process = subprocess.Popen(
-        [*command, *map(str, arguments)], env=environment, stderr=subprocess.PIPE, text=True
-    )
-    address = f"http://127.0.0.1:{port}"
-    try:
-        _await_answer(process, address)
-        yield Studio(address, process.pid)
-    finally:
-        process.terminate()
-        _, words = process.communicate(timeout=30)
-        assert "Traceback" not in words, words
+    with tempfile.TemporaryDirectory() as place, Path(place, "words").open("wb") as heard:
+        words = Path(heard.name)
+        process = subprocess.Popen([*command, *map(str, arguments)], env=environment, stderr=heard)
+        try:
+            entrance = _await_answer(process, words)
+            yield Studio(entrance.partition("/?")[0], entrance, process.pid)
+        finally:
+            process.terminate()
+            process.wait(timeout=30)
+            said = words.read_text()
+            assert "Traceback" not in said, said
 
 
 def descendants(process: int) -> set[str]:
@@ -91,16 +107,16 @@ def _free_port() -> int:
     raise RuntimeError(f"no port from {first} on is free")
 
 
-def _await_answer(process: subprocess.Popen[str], address: str) -> None:
+def _await_answer(process: subprocess.Popen[bytes], words: Path) -> str:
+    """The address that a studio prints, once it answers."""
     end = time.monotonic() + 60
     while time.monotonic() < end:
+        said = words.read_text()
         if process.poll() is not None:
-            assert process.stderr is not None
-            raise RuntimeError(f"the studio ended: {process.stderr.read()}")
-        try:
-            httpx.get(f"{address}/api/info", timeout=10)
-        except httpx.TransportError:
-            time.sleep(0.1)
-        else:
-            return
+            raise RuntimeError(f"the studio ended: {said}")
+        if printed := re.search(r"studio at (\S+)", said):
+            with contextlib.suppress(httpx.TransportError):
+                httpx.get(printed[1], timeout=10)
+                return printed[1]
+        time.sleep(0.1)
     raise RuntimeError("the studio does not answer")

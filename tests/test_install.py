@@ -127,12 +127,13 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
     assert (nowhere / "out" / "viewer.html").stat().st_size > 500_000
 
     with running_studio(nowhere / "shell.toml", python=python, environment=plain(NONE)) as studio:
-        page = httpx.get(studio.address)
+        page = httpx.get(studio.address, cookies=studio.cookies)
         assert page.status_code == 200
         parts = re.findall(r'(?:src|href)="\./(assets/[^"]+)"', page.text)
         assert len(parts) >= 2
         for part in parts:
-            assert httpx.get(f"{studio.address}/{part}").status_code == 200
+            found = httpx.get(f"{studio.address}/{part}", cookies=studio.cookies)
+            assert found.status_code == 200
         port = studio.address.rpartition(":")[2]
         said = ran(command, "studio", "--port", port, where=nowhere, status=2)
         assert said.startswith("orishell: --port: another program listens on this port already")

@@ -97,6 +97,23 @@ test("a server that does not answer is asked again, and sizes are chosen anew wi
   expect(words).toEqual(["Choosing rows and columns", null, "Choosing rows and columns", null]);
 });
 
+test("a studio with another key is asked again until the browser has it", async () => {
+  const bytes = Uint8Array.from(atob(scipy.view), (each) => each.charCodeAt(0));
+  const refused = JSON.stringify({ error: { kind: "key", what: "the studio's key is missing", keys: [] } });
+  let known = false;
+  answers((path) => (!known ? new Response(refused, { status: 403 }) : path === "api/design" ? new Response(bytes) : body("{")));
+  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: DESIGN });
+  const live = new Live(store, () => Promise.resolve());
+  live.changed();
+  await vi.advanceTimersByTimeAsync(100);
+  expect(store.fault.value).toMatchObject({ kind: "network", what: "The studio was started anew, with another key" });
+  expect(store.fault.value?.remedy).toContain("open the address that it printed");
+  known = true;
+  await vi.advanceTimersByTimeAsync(2100);
+  expect(store.view.value).not.toBeNull();
+  expect(store.fault.value).toBeNull();
+});
+
 test("a change breaks the search for sizes off, with its word", async () => {
   answers(() => new Promise(() => undefined));
   const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: { ...DESIGN, tolerance: { surface: 1 } } });

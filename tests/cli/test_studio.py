@@ -9,10 +9,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-import typer
 
 from orishell.cli.main import run
-from orishell.studio import app
+from orishell.studio import app, key
 
 ROOT = Path(__file__).parents[2]
 
@@ -21,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 def opened(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """No browser opens."""
     pages: list[str] = []
-    monkeypatch.setattr(typer, "launch", pages.append)
+    monkeypatch.setattr(key, "open_page", pages.append)
     yield
     assert pages == []
 

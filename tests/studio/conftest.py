@@ -26,15 +26,16 @@ def studio() -> Iterator[Studio]:
 
 @pytest.fixture(scope="session")
 def address(studio: Studio) -> str:
+    """What it prints, with its key."""
     if not (PAGES / "index.html").is_file():
         lacking("the studio's pages have not been built: make pages")
-    return studio.address
+    return studio.entrance
 
 
 @pytest.fixture(scope="session")
 def client(studio: Studio) -> Iterator[httpx.Client]:
     """What asks without a browser."""
-    with httpx.Client(base_url=studio.address, timeout=100) as session:
+    with httpx.Client(base_url=studio.address, cookies=studio.cookies, timeout=100) as session:
         yield session
 
 

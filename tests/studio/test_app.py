@@ -26,6 +26,7 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.studio.app import LIMITS
 from orishell.studio.guard import Guard
+from orishell.studio.key import Key
 from studio_server import Studio, descendants, running_studio
 
 Design = dict[str, Any]
@@ -461,10 +462,13 @@ def test_a_slow_body_is_in_nobodys_way_and_ends() -> None:
         async def whole() -> dict[str, Any]:
             return {"type": "http.request", "body": b"{}"}
 
-        guard = Guard(app, None, 1000, 1.0)
+        key = Key(8765)
+        guard = Guard(app, key, None, 1000, 1.0)
         scope = {
             "type": "http",
             "method": "POST",
+            "path": "/api/design",
+            "query_string": key.query.encode(),
             "headers": [(b"host", b"h"), (b"content-type", b"application/json")],
         }
         slow = asyncio.create_task(guard(scope, drip, send))
@@ -480,12 +484,14 @@ def test_a_slow_body_is_in_nobodys_way_and_ends() -> None:
 def test_what_is_given_up_leaves_no_process(client_of_its_own: Studio, task: str) -> None:
     design = starter()
     design["pattern"] |= {"rows": 99, "columns": 99}
-    address = client_of_its_own.address
+    address, cookies = client_of_its_own.address, client_of_its_own.cookies
+    (cookie,) = cookies.items()
     host, port = address.removeprefix("http://").split(":")
     body = json.dumps({"design": design}).encode()
     request = (
         b"POST /api/%b HTTP/1.1\r\nHost: %b\r\nContent-Type: application/json\r\n"
-        b"Content-Length: %d\r\n\r\n%b" % (task.encode(), address[7:].encode(), len(body), body)
+        b"Cookie: %b\r\nContent-Length: %d\r\n\r\n%b"
+        % (task.encode(), address[7:].encode(), "=".join(cookie).encode(), len(body), body)
     )
     for _ in range(5):
         calls = [socket.create_connection((host, int(port))) for _ in range(10)]
@@ -494,7 +500,7 @@ def test_what_is_given_up_leaves_no_process(client_of_its_own: Studio, task: str
         time.sleep(0.2)  # some are under way, others wait in the line
         for call in calls:
             call.close()
-    with httpx.Client(base_url=address, timeout=100) as session:
+    with httpx.Client(base_url=address, cookies=cookies, timeout=100) as session:
         text = session.post("/api/verify", json={"design": starter()}).text
         assert "result" in json.loads(text.splitlines()[-1])
     # Both of a kind at most, the one that they are copies of, and Python's that tracks resources.

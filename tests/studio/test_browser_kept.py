@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
 from node_tools import lacking
+from orishell.design_file import starter_file
 from orishell.studio.app import PAGES
 from studio_pages import IDLE, choose, drawn, opened, settle
 from studio_server import running_studio
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
 
 DESIGN = "window.__orishell.store.design.value"
 COLUMNS = f"{DESIGN}.pattern.columns"
+KEPT = "Object.entries(localStorage).filter(([key]) => /design|latest/.test(key)).sort()"
+"""What the browser keeps of designs that are in no file."""
 
 
 def set_columns(page: Page, columns: int) -> None:
@@ -70,7 +74,9 @@ def test_undo_brings_a_design_back_with_its_name(page: Page) -> None:
 
 def test_a_link_brings_the_design(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
-        page.context.grant_permissions(["clipboard-read", "clipboard-write"], origin=address)
+        place = address.partition("?")[0]
+        assert page.url == place  # the key is in the cookie only
+        page.context.grant_permissions(["clipboard-read", "clipboard-write"], origin=place)
         choose(page, "orthodiagonal")
         set_columns(page, 15)
         drawn(page)
@@ -78,15 +84,20 @@ def test_a_link_brings_the_design(browser: Browser, address: str) -> None:
         wait_until(page, "window.__orishell.store.said.value !== ''")
         link = page.evaluate("navigator.clipboard.readText()")
         design = page.evaluate(DESIGN)
-    assert urlsplit(link).fragment.startswith("design=")
+    assert link.startswith(f"{place}#design=")
     with opened(browser, address) as page:
         page.goto("about:blank")
         page.goto(link)
         wait_until(page, IDLE)
         assert page.evaluate(DESIGN) == design
-        assert page.url.rstrip("/") == address
+        # As long as it is what the link brought, the address holds it, and nothing else does.
+        assert page.url == link
+        assert not reload(page)
+        assert page.evaluate(DESIGN) == design
+        assert page.evaluate(KEPT) == []
         page.get_by_test_id("undo").click()
         assert page.evaluate(COLUMNS) != 15
+        assert page.url == place
         # A link that is put into the address of an open page is followed, a broken one told.
         page.evaluate("(link) => { location.hash = new URL(link).hash }", link)
         wait_until(page, f"{COLUMNS} === 15")
@@ -95,23 +106,82 @@ def test_a_link_brings_the_design(browser: Browser, address: str) -> None:
         assert "broken" in page.get_by_test_id("banner").inner_text()
 
 
+KEEP_FULL = """() => {
+    const design = window.__orishell.store.design.value;
+    const names = Array.from({ length: 16 }, (_, k) => `shell ${k}`);
+    for (const name of names) {
+        localStorage.setItem(`orishell.design:${name}`, JSON.stringify({ name, design }));
+    }
+    localStorage.setItem("orishell.latest", JSON.stringify(names));
+}"""
+"""As much work as is kept, in no file, of pages that were closed."""
+LINK = """async (named) => {
+    const plain = new Blob([typeof named === "number" ? new Uint8Array(named) : named]).stream();
+    const packed = await new Response(plain.pipeThrough(new CompressionStream("deflate-raw")))
+        .arrayBuffer();
+    const text = Array.from(new Uint8Array(packed), (each) => String.fromCharCode(each)).join("");
+    return "#design=" + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+}"""
+"""The fragment that holds a text, or so many zeros."""
+
+
+def test_links_neither_replace_nor_push_out_what_is_kept(browser: Browser, address: str) -> None:
+    with opened(browser, address) as page:
+        page.evaluate(KEEP_FULL)
+        kept = page.evaluate(KEPT)
+        assert len(kept) == 17
+        own = page.evaluate("JSON.stringify(window.__orishell.store.design.value)")
+        store = "window.__orishell.store"
+        for name in ("shell 0", "shell 15", "new", "newer", "../orishell.latest"):
+            design = tomllib.loads(starter_file("orthodiagonal"))
+            fragment = page.evaluate(LINK, json.dumps({"name": name, "design": design}))
+            page.evaluate("(fragment) => { location.hash = fragment }", fragment)
+            wait_until(page, f"{store}.name.value === {json.dumps(name)}")
+            assert page.evaluate(f"{store}.unsaved") is False
+            page.evaluate("dispatchEvent(new Event('pagehide'))")
+            assert page.evaluate(KEPT) == kept
+        for _ in range(5):
+            page.get_by_test_id("undo").click()
+        assert page.evaluate("JSON.stringify(window.__orishell.store.design.value)") == own
+        page.evaluate("dispatchEvent(new Event('pagehide'))")
+        assert page.evaluate(KEPT) == kept
+
+
+def test_a_link_that_inflates_without_end_is_refused(browser: Browser, address: str) -> None:
+    with opened(browser, address) as page:
+        design = page.evaluate(DESIGN)
+        fragment = page.evaluate(LINK, 300_000_000)
+        assert len(fragment) < 500_000
+        page.evaluate("(fragment) => { location.hash = fragment }", fragment)
+        wait_until(page, "window.__orishell.store.fault.value !== null")
+        assert "more than 10 MB" in page.get_by_test_id("banner").inner_text()
+        assert page.url == address.partition("?")[0]
+        assert page.evaluate(DESIGN) == design
+
+
 def test_the_page_outlives_its_server(browser: Browser, tmp_path: Path) -> None:
     if not (PAGES / "index.html").is_file():
         lacking("the studio's pages have not been built: make pages")
+    context = browser.new_context()
+    page = context.new_page()
     with running_studio() as first:
-        page = browser.new_page()
-        page.goto(first.address)
+        page.goto(first.entrance)
         wait_until(page, IDLE)
     set_columns(page, 13)
     wait_until(page, "window.__orishell.store.fault.value?.kind === 'network'")
     assert "orishell studio" in page.get_by_test_id("banner").inner_text()
-    with page.expect_download() as download:
-        page.keyboard.press("Control+s")
-    download.value.save_as(tmp_path / "mine.toml")
-    assert tomllib.loads((tmp_path / "mine.toml").read_text()) == page.evaluate(DESIGN)
-    with running_studio(port=urlsplit(first.address).port):
+    with running_studio(port=urlsplit(first.address).port) as second:
+        # It has another key, which the browser is given in another tab.
+        assert second.cookies != first.cookies
+        wait_until(page, "window.__orishell.store.fault.value?.what.includes('started anew')")
+        assert "open the address that it printed" in page.get_by_test_id("banner").inner_text()
+        with page.expect_download() as download:
+            page.keyboard.press("Control+s")
+        download.value.save_as(tmp_path / "mine.toml")
+        assert tomllib.loads((tmp_path / "mine.toml").read_text()) == page.evaluate(DESIGN)
+        context.new_page().goto(second.entrance)
         wait_until(page, "window.__orishell.store.fault.value === null")
         settle(page)
         assert page.evaluate("window.__orishell.report.columns") == 13
         assert "proved" in page.get_by_test_id("verify-status").inner_text()
-    page.close()
+    context.close()

@@ -15,7 +15,7 @@ import pytest
 
 from apart import run_apart
 from orishell.design_file import starter_file
-from studio_server import descendants, running_studio
+from studio_server import Studio, descendants, running_studio
 
 CLIENTS, SECONDS = 20, 15.0
 GROWTH = 1.15
@@ -34,14 +34,16 @@ def memory(process: int) -> int:
     return total
 
 
-async def drag(address: str, number: int, end: float) -> int:
+async def drag(studio: Studio, number: int, end: float) -> int:
     """Move a curve again and again, and wait for every answer; returns how many there were."""
     design: dict[str, Any] = tomllib.loads(starter_file("orthodiagonal"))
     points = [[x / 2, -((x / 2) ** 2)] for x in range(-2, 3)]
     design["target"]["f"] = {"points": points, "smooth": True}
     answers = 0
     loop = asyncio.get_running_loop()
-    async with httpx.AsyncClient(base_url=address, timeout=60) as client:
+    async with httpx.AsyncClient(
+        base_url=studio.address, cookies=studio.cookies, timeout=60
+    ) as client:
         while loop.time() < end:
             moved = copy.deepcopy(design)
             moved["target"]["f"]["points"][2][1] += 0.01 * ((answers + number) % 20)
@@ -55,17 +57,17 @@ async def drag(address: str, number: int, end: float) -> int:
 
 @pytest.mark.slow
 def test_twenty_clients_drag(record_property: Callable[[str, object], None]) -> None:
-    async def scene(address: str, process: int) -> tuple[list[int], list[int]]:
+    async def scene(studio: Studio) -> tuple[list[int], list[int]]:
         end = asyncio.get_running_loop().time() + SECONDS
-        tasks = [asyncio.create_task(drag(address, k, end)) for k in range(CLIENTS)]
+        tasks = [asyncio.create_task(drag(studio, k, end)) for k in range(CLIENTS)]
         sizes = []
         while not all(task.done() for task in tasks):
             await asyncio.sleep(1.0)
-            sizes.append(memory(process))
+            sizes.append(memory(studio.process))
         return [await task for task in tasks], sizes
 
     with running_studio() as studio:
-        answers, sizes = run_apart(scene(studio.address, studio.process))
+        answers, sizes = run_apart(scene(studio))
     half = len(sizes) // 2
     said = f"{sum(answers)} answers, memory {sizes[half]} to {sizes[-1]} kB"
     record_property(f"{CLIENTS} clients for {SECONDS:.0f} s", said)

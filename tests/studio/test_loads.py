@@ -63,7 +63,7 @@ def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator
         lacking("the studio's pages have not been built: make pages")
     design = tmp_path_factory.mktemp("studio") / "loaded.toml"
     design.write_text(DESIGN)
-    with running_studio(design) as studio, opened(browser, studio.address) as shown:
+    with running_studio(design) as studio, opened(browser, studio.entrance) as shown:
         yield shown
 
 

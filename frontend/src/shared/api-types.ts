@@ -254,7 +254,7 @@ export interface Family {
 
 /** What is wrong with a request or its design. */
 export interface Fault {
-  kind: "input" | "design" | "limit" | "time" | "fault";
+  kind: "input" | "design" | "limit" | "time" | "key" | "fault";
   /** All of it in one text. */
   message: string;
   what: string;

@@ -26,7 +26,7 @@ import { h } from "./parts/dom.ts";
 import { askEarly } from "./server/early-view.ts";
 import { ServerFault, faultOf } from "./state/faults.ts";
 import { keepUnsaved, readKept, storageOf } from "./state/kept.ts";
-import { type Named, Store } from "./state/store.ts";
+import { type Named, Store, type Work } from "./state/store.ts";
 import type { Design, Info } from "./state/types.ts";
 
 async function start(root: HTMLElement): Promise<void> {
@@ -36,13 +36,14 @@ async function start(root: HTMLElement): Promise<void> {
   const named: Named = { name: first.name, design: first.design as unknown as Design };
   const kept = broughtBack(info);
   const other = kept !== null && info.start !== null && kept.name !== first.name;
-  const store = new Store(info, other ? kept : named);
+  // Undo takes work that came back for what it was made of, which is in a file.
+  const home = kept && { ...kept.home, file: named };
+  const store = new Store(info, other ? kept : home ? { ...named, home } : named);
   if (other) {
     store.open(named);
-    store.saved.set(named);
     store.said.set(`Undo brings back your unsaved work on ${kept.name}`);
-  } else if (kept) {
-    store.open(kept, "work that was not saved");
+  } else if (kept && home) {
+    store.open({ ...kept, home }, "work that was not saved");
     store.said.set("Your unsaved work is back; undo leaves it");
   }
   askEarly(store.design.value);
@@ -51,7 +52,7 @@ async function start(root: HTMLElement): Promise<void> {
 }
 
 /** What was not saved of the design that the studio was started with, or else the latest such work. */
-function broughtBack(info: Info): Named | null {
+function broughtBack(info: Info): Work | null {
   const storage = storageOf(window);
   const kept = (info.start && readKept(storage, info.start.name)) ?? readKept(storage);
   // Work on a family that this studio does not know is left alone.

@@ -43,6 +43,7 @@ def studio(
 
     from orishell.io.program_page import BUILD_PAGES
     from orishell.studio.app import PAGES, make_app
+    from orishell.studio.key import Key, open_page
     from orishell.studio.protocol import ImpatientProtocol
 
     if not (PAGES / "index.html").exists():
@@ -51,12 +52,13 @@ def studio(
     local = host in {"127.0.0.1", "localhost", "::1"}
     named = f"[{host}]" if ":" in host else host
     names = {f"{name}:{port}" for name in ("127.0.0.1", "localhost", "[::1]", named)}
-    app = make_app(hosts=names if local or host != "0.0.0.0" else None, start=start)
-    address = f"http://{'127.0.0.1' if host == '0.0.0.0' else named}:{port}/"
-    with _listening(host, port) as place:
+    key = Key(port)
+    app = make_app(key, hosts=names if local or host != "0.0.0.0" else None, start=start)
+    address = f"http://{'127.0.0.1' if host == '0.0.0.0' else named}:{port}/?{key.query}"
+    with _listening(host, port) as place, contextlib.ExitStack() as life:
         say(f"studio at {address} (Ctrl-C ends it)", err=True)
         if browse:
-            typer.launch(address)
+            life.enter_context(open_page(address))
         settings = uvicorn.Config(
             app,
             http=ImpatientProtocol,

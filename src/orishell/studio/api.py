@@ -18,7 +18,7 @@ from orishell.workshop.sheets import Waste
 
 Tables = dict[str, Any]
 """The tables of a design file."""
-FaultKind = Literal["input", "design", "limit", "time", "fault"]
+FaultKind = Literal["input", "design", "limit", "time", "key", "fault"]
 NAME = "shell"
 """The name of a design that was given none."""
 

@@ -21,6 +21,7 @@ from orishell.conventions.version import __version__
 from orishell.io.all_formats import FORMATS
 from orishell.studio.api import Info, NamedDesign, Refusal
 from orishell.studio.guard import Guard
+from orishell.studio.key import Key
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
 from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.pages import Compressed, Pages
@@ -67,6 +68,7 @@ DEEPEST = 16
 
 
 def make_app(
+    key: Key,
     hosts: Collection[str] | None = None,
     limits: Limits = LIMITS,
     start: NamedDesign | None = None,
@@ -75,6 +77,8 @@ def make_app(
 
     Parameters
     ----------
+    key
+        What lets requests in.
     hosts
         Host headers that are taken; None takes all.
     limits
@@ -137,7 +141,7 @@ def make_app(
 
     if PAGES.is_dir():
         app.mount("/", Pages(directory=PAGES, html=True))
-    return Guard(app, hosts, limits.bytes, limits.receiving)
+    return Guard(app, key, hosts, limits.bytes, limits.receiving)
 
 
 def _add_stream(app: FastAPI, task: str, pool: Pool) -> None:

@@ -1,4 +1,4 @@
-"""What is checked of a request before it is read: host, origin, size."""
+"""What is checked of a request before it is read: host, key, origin, size."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from collections.abc import Awaitable, Callable, Collection, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
 
+from orishell.studio.api import FaultKind
+from orishell.studio.key import Key
 from orishell.studio.refusals import make_refusal
 
 Message = MutableMapping[str, Any]
@@ -18,6 +20,7 @@ App = Callable[[Message, Receive, Send], Awaitable[None]]
 
 VALUES = 200_000
 """Commas in a body, at most: a longer list would keep other requests waiting."""
+LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
 DISCARDED, GRACE = 20_000_000, 1.0
 """Of a refused body so much is read and thrown away at most, for so long (bytes, seconds)."""
 HEADERS = (
@@ -40,6 +43,9 @@ class Guard:
     ----------
     app
         What answers them.
+    key
+        What a request must have, in its address or in a cookie. The address ``/`` with the key
+        gives the cookie.
     hosts
         Host headers that are taken, with their ports; None takes all.
     most
@@ -48,8 +54,11 @@ class Guard:
         Time that a body may take to come in.
     """
 
-    def __init__(self, app: App, hosts: Collection[str] | None, most: int, seconds: float) -> None:
+    def __init__(
+        self, app: App, key: Key, hosts: Collection[str] | None, most: int, seconds: float
+    ) -> None:
         self.app = app
+        self.key = key
         self.hosts = hosts
         self.most = most
         self.seconds = seconds
@@ -61,11 +70,23 @@ class Guard:
                 await self.app(scope, receive, send)
             return
         headers = {name.lower(): value for name, value in scope["headers"]}
+        entering = self.key.is_in_query(scope["query_string"])
+        if not (entering or self.key.is_in_cookies(headers.get(b"cookie", b""))):
+            await _discard(receive)
+            await _turn_away(send, scope["path"])
+            return
         refusal = self._refusal(scope["method"], headers)
         if refusal is not None:
             await _discard(receive)
             await _answer(send, *refusal)
             return
+        if entering and scope["path"] == "/":
+            await _let_in(send, self.key)
+            return
+        await self._pass_on(scope, receive, send)
+
+    async def _pass_on(self, scope: Message, receive: Receive, send: Send) -> None:
+        """Let the application answer a request, once all of it is here."""
         try:
             async with asyncio.timeout(self.seconds):
                 body = await self._body(receive)
@@ -155,10 +176,29 @@ async def _discard(receive: Receive) -> None:
                 left -= len(message["body"])
 
 
-async def _answer(send: Send, status: int, message: str) -> None:
-    body = json.dumps(make_refusal("limit", message)).encode()
+async def _answer(send: Send, status: int, message: str, kind: FaultKind = "limit") -> None:
+    body = json.dumps(make_refusal(kind, message)).encode()
+    await _send(send, status, body, (b"content-type", b"application/json"))
+
+
+async def _turn_away(send: Send, path: str) -> None:
+    """Say to who has no key where it is: to a page as JSON, to a person as text."""
+    if path.startswith("/api/"):
+        await _answer(send, 403, LOCKED, "key")
+        return
+    text = f"{LOCKED[0].upper()}{LOCKED[1:]}.\n".encode()
+    await _send(send, 403, text, (b"content-type", b"text/plain; charset=utf-8"))
+
+
+async def _let_in(send: Send, key: Key) -> None:
+    """Give the browser its cookie, and send it on to the same address without the key."""
+    more = ((b"location", b"./"), (b"set-cookie", key.setting()), (b"cache-control", b"no-store"))
+    await _send(send, 303, b"", *more)
+
+
+async def _send(send: Send, status: int, body: bytes, *more: tuple[bytes, bytes]) -> None:
     head = [
-        (b"content-type", b"application/json"),
+        *more,
         (b"content-length", str(len(body)).encode()),
         (b"connection", b"close"),  # what else comes of the body is not read
     ]

@@ -3,17 +3,23 @@
 import { formatDesign, parseDesign } from "../server/api.ts";
 import { download, pickFile } from "../parts/dom.ts";
 import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
-import { designOf, fragmentOf, isLink } from "./link.ts";
+import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "../state/stale.ts";
 import type { Named, Store } from "../state/store.ts";
 import { tomlOf } from "./toml.ts";
 
 export class Files {
+  /** Whether the address holds the present design. */
+  private linked = false;
+
   constructor(
     private readonly store: Store,
     /** Called before another design takes the place of the present one. */
     private readonly opening: () => void,
-  ) {}
+  ) {
+    // A reload is to bring back what was made of the design of a link.
+    store.steps.watch(() => this.linked && this.leaveLink());
+  }
 
   async open(): Promise<void> {
     const file = await pickFile(".toml");
@@ -35,7 +41,6 @@ export class Files {
   begin(named: Named): void {
     this.opening();
     this.store.open(named);
-    this.store.saved.set(named);
   }
 
   async save(): Promise<void> {
@@ -47,7 +52,7 @@ export class Files {
         return tomlOf(named.design);
       });
       download(new Blob([text], { type: "application/toml" }), `${named.name}.toml`);
-      this.store.saved.set(named);
+      this.store.save(named);
     });
   }
 
@@ -64,24 +69,36 @@ export class Files {
       } catch {
         // Pages of other machines may not write there.
         history.replaceState(null, "", fragment);
+        this.linked = true;
         this.store.said.set("The link is in the address bar");
       }
     });
   }
 
-  /** Take the design that the address holds, if it holds one; undo brings the present one back. */
+  /** Take the design that the address holds, if it holds one; undo brings the present one back.
+   *
+   * It is as it is in the link, so it is kept no sooner than it is changed. */
   async follow(): Promise<void> {
     if (!isLink(location.hash)) return;
-    const brought = await designOf(location.hash);
-    // Taken once: a reload is to bring back what was made of it.
+    await this.guarded(async () => {
+      try {
+        const brought = await designOf(location.hash);
+        if (!Object.hasOwn(this.store.info.families, brought.design.shell.family)) throw brokenLink();
+        this.opening();
+        this.linked = false;
+        this.store.open(brought, "the design of the link");
+      } catch (error) {
+        this.leaveLink();
+        throw error;
+      }
+      this.linked = true;
+      this.store.said.set("The design of the link; undo brings back the one before");
+    });
+  }
+
+  private leaveLink(): void {
+    this.linked = false;
     history.replaceState(null, "", location.pathname + location.search);
-    if (!brought || !Object.hasOwn(this.store.info.families, brought.design.shell.family)) {
-      const remedy = "copy the whole of it; some programs cut long links";
-      return this.store.fault.set(ofFile(ownFault("input", "The link of this design is broken", remedy)));
-    }
-    this.opening();
-    this.store.open(brought, "the design of the link");
-    this.store.said.set("The design of the link; undo brings back the one before");
   }
 
   private async guarded(act: () => Promise<void>): Promise<void> {

@@ -1,7 +1,7 @@
 // The studio's server. Every function throws ServerFault, or AbortError if it was aborted.
 
 import type * as Api from "../../shared/api-types.ts";
-import { ServerFault, ownFault, refusalOf, unreachable } from "../state/faults.ts";
+import { ServerFault, lockedOut, ownFault, refusalOf, unreachable } from "../state/faults.ts";
 import type { Design, DroppedCurve, Info, Ranges, Verified } from "../state/types.ts";
 
 async function ask(path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
@@ -24,7 +24,8 @@ async function ask(path: string, body?: unknown, signal?: AbortSignal): Promise<
 
 async function refusedBy(response: Response): Promise<ServerFault> {
   try {
-    return refusalOf((await response.json()) as Api.Refusal);
+    const refusal = (await response.json()) as Api.Refusal;
+    return refusal.error.kind === "key" ? lockedOut() : refusalOf(refusal);
   } catch {
     // Not ours: a proxy, or a server that fell over. The status says what there is to say.
     return new ServerFault(ownFault("http", `The studio answered with status ${response.status}`));

@@ -39,13 +39,12 @@ export class PastDesigns {
   }
 
   private keep(): void {
-    const design = this.store.design.value;
+    const work = this.store.named, { name, design } = work;
     if (!this.store.view.value || this.designs.at(-1)?.design === design) return;
     const { rows, columns } = this.store.report.value!;
-    const name = this.store.name.value;
     const words = `${name}, ${rows} rows, ${columns} columns`;
     const back = (): void => {
-      if (design !== this.store.design.value) this.store.open({ name, design }, "earlier design");
+      if (design !== this.store.design.value) this.store.open(work, "earlier design");
     };
     const known = this.designs.find((each) => each.design === design);
     const picture = known ? null : this.stage.shell.picture(WIDTH, HEIGHT);

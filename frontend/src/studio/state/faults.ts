@@ -39,6 +39,12 @@ export function unreachable(): ServerFault {
   return new ServerFault(ownFault("network", "The studio does not answer", remedy));
 }
 
+/** The studio has another key than this page: asked again, as the browser may be given it meanwhile. */
+export function lockedOut(): ServerFault {
+  const remedy = "open the address that it printed; your design is kept in this page, which then goes on";
+  return new ServerFault(ownFault("network", "The studio was started anew, with another key", remedy));
+}
+
 /** The keys of the table [pattern] that a fault is about. */
 export function patternKeysOf(fault: Fault | null): string[] {
   const keys = fault?.keys.filter((key) => key.startsWith("pattern.")) ?? [];

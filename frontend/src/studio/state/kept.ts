@@ -1,14 +1,14 @@
 // What the browser keeps of unsaved work, so that a page that was closed loses nothing.
 
 import { namedOf } from "../files/link.ts";
-import type { Named, Store } from "./store.ts";
+import type { Home, Named, Store, Work } from "./store.ts";
 
-/** Followed by the design's name. */
+/** Followed by the slot: a design's name, and a number where that name is taken. */
 const KEY = "orishell.design:";
-/** The names of what is kept, the latest first. */
+/** The slots of what is kept, the latest first. */
 const LATEST = "orishell.latest";
-/** So many names are kept. */
-const MOST = 8;
+/** So many designs are kept. */
+const MOST = 16;
 /** Rest after a change before it is kept, in milliseconds. */
 const REST = 300;
 
@@ -21,10 +21,17 @@ export function storageOf(page: Window): Storage | null {
   }
 }
 
-/** What is kept under a name; of none, what was kept last. */
-export function readKept(storage: Storage | null, name = namesIn(storage)[0]): Named | null {
-  const text = name === undefined ? null : storage?.getItem(KEY + name);
-  if (!text) return null;
+/** What was kept last, of a name if one is given: it is in no file. */
+export function readKept(storage: Storage | null, name?: string): Work | null {
+  for (const slot of slotsIn(storage)) {
+    const text = storage?.getItem(KEY + slot) ?? "";
+    const found = read(text);
+    if (found && (name ?? found.name) === found.name) return { ...found, home: { file: null, slot, text } };
+  }
+  return null;
+}
+
+function read(text: string): Named | null {
   try {
     return namedOf(JSON.parse(text));
   } catch {
@@ -32,58 +39,63 @@ export function readKept(storage: Storage | null, name = namesIn(storage)[0]): N
   }
 }
 
-function namesIn(storage: Storage | null): string[] {
+function slotsIn(storage: Storage | null): string[] {
   try {
-    const names: unknown = JSON.parse(storage?.getItem(LATEST) ?? "[]");
-    return Array.isArray(names) ? names.filter((each) => typeof each === "string") : [];
+    const slots: unknown = JSON.parse(storage?.getItem(LATEST) ?? "[]");
+    return Array.isArray(slots) ? slots.filter((each) => typeof each === "string") : [];
   } catch {
     return [];
   }
 }
 
-/** Keeps one page's designs, each under its name; what another page keeps in their place is not removed. */
+/** Keeps designs, each in a slot of its own: what a page keeps never takes the place of what another
+ * page keeps, or this one of another design, whatever their names are. */
 export class Keeper {
-  private mine: { name: string; text: string } | null = null;
-
   constructor(private readonly storage: Storage | null) {}
 
-  write(named: Named): void {
-    const { name } = named;
-    const text = JSON.stringify(named);
-    this.mine = { name, text };
-    const names = [name, ...namesIn(this.storage).filter((each) => each !== name)];
+  write({ name, design, home }: Work): void {
+    const { storage } = this;
+    const slot = this.holds(home) ? home.slot! : this.free(name);
+    Object.assign(home, { slot, text: JSON.stringify({ name, design }) });
+    const slots = [slot, ...slotsIn(storage).filter((each) => each !== slot)];
+    const old = slots.splice(MOST);
     try {
-      for (const old of names.splice(MOST)) this.storage?.removeItem(KEY + old);
-      this.storage?.setItem(KEY + name, text);
-      this.storage?.setItem(LATEST, JSON.stringify(names));
+      storage?.setItem(KEY + slot, home.text);
+      storage?.setItem(LATEST, JSON.stringify(slots));
+      for (const each of old) storage?.removeItem(KEY + each);
     } catch {
       // The browser's room is full: what was kept before would be another design.
-      this.forget(name);
+      this.forget(home);
     }
   }
 
-  /** Keep a design whose place another takes. */
-  leave(named: Named): void {
-    this.write(named);
-    this.mine = null;
+  /** What was kept of a design is saved, or taken back. */
+  remove({ home }: Work): void {
+    if (this.holds(home)) this.forget(home);
   }
 
-  /** What was written last is saved, or has another name. */
-  remove(): void {
-    const { mine } = this;
-    if (mine && this.storage?.getItem(KEY + mine.name) === mine.text) this.forget(mine.name);
-    this.mine = null;
+  /** Whether a slot is still as it was left. */
+  private holds({ slot, text }: Home): boolean {
+    return slot !== null && this.storage?.getItem(KEY + slot) === text;
   }
 
-  private forget(name: string): void {
+  private free(name: string): string {
+    const taken = new Set(slotsIn(this.storage));
+    let slot = name;
+    for (let k = 2; taken.has(slot) || (this.storage?.getItem(KEY + slot) ?? null) !== null; k++) slot = `${name} ${k}`;
+    return slot;
+  }
+
+  private forget(home: Home): void {
     const { storage } = this;
-    storage?.removeItem(KEY + name);
-    const names = namesIn(storage).filter((each) => each !== name);
+    storage?.removeItem(KEY + home.slot);
+    const slots = slotsIn(storage).filter((each) => each !== home.slot);
+    home.slot = null;
     try {
-      if (names.length) storage?.setItem(LATEST, JSON.stringify(names));
+      if (slots.length) storage?.setItem(LATEST, JSON.stringify(slots));
       else storage?.removeItem(LATEST);
     } catch {
-      // A name under which there is nothing does no harm.
+      // A slot in which there is nothing does no harm.
     }
   }
 }
@@ -96,19 +108,16 @@ export function keepUnsaved(store: Store, page: Window): void {
     page.clearTimeout(timer);
     timer = 0;
     if (store.unsaved) keeper.write(store.named);
-    else keeper.remove();
+    else keeper.remove(store.named);
   };
   const later = (): void => {
     page.clearTimeout(timer);
     timer = page.setTimeout(keep, REST);
   };
-  store.replaced.watch((named) => named && keeper.leave(named));
+  store.replaced.watch((work) => work && keeper.write(work));
   store.name.watch(() => {
     // Only the name is another: the design goes with it.
-    if (Object.is(store.named.design, store.design.value)) {
-      keeper.remove();
-      keep();
-    }
+    if (Object.is(store.named.design, store.design.value)) keep();
   });
   store.design.watch(later);
   store.saved.watch(keep);

@@ -21,15 +21,29 @@ export interface Named {
   design: Design;
 }
 
+/** What all that becomes of an opened design has in common. */
+export interface Home {
+  /** The design as it is in a file: as it was opened or saved last; null where it is in none. */
+  file: Named | null;
+  /** Where the browser keeps it (kept.ts), and what was kept there last. */
+  slot: string | null;
+  text: string;
+}
+
+/** A design as it was opened, or as it became since. */
+export interface Work extends Named {
+  readonly home: Home;
+}
+
 /** What the shell on the screen is to the design. */
 export type Freshness = "current" | "computing" | "outdated";
 
 export class Store {
   readonly design: Signal<Design>;
-  /** The design as it is in a file: as it was opened or saved last. */
-  readonly saved: Signal<Named>;
+  /** What was saved last. */
+  readonly saved = new Signal<Work | null>(null);
   /** What was not saved when another design took its place. */
-  readonly replaced = new Signal<Named | null>(null);
+  readonly replaced = new Signal<Work | null>(null);
   /** The name that files get; undo brings it back with its design. */
   readonly name: Signal<string>;
   readonly view = new Signal<View | null>(null);
@@ -54,27 +68,26 @@ export class Store {
 
   /** Keys in the words of the page. */
   readonly labels: Labels;
-  private readonly history: History<Named>;
+  private readonly history: History<Work>;
 
   constructor(
     readonly info: Info,
-    first: Named,
+    first: Named | Work,
   ) {
-    this.history = new History(first);
+    this.history = new History(workOf(first));
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
-    this.saved = new Signal(first);
     this.labels = new Labels(info.families, () => this.design.value.shell.family);
   }
 
-  get named(): Named {
+  get named(): Work {
     return this.history.value;
   }
 
   /** Whether the design is in no file, or in one of another name. */
   get unsaved(): boolean {
-    const { name, design } = this.saved.value;
-    return !Object.is(this.design.value, design) || this.name.value !== name;
+    const { name, design, home } = this.named;
+    return !Object.is(home.file?.design, design) || home.file?.name !== name;
   }
 
   get undoable(): string | null {
@@ -88,18 +101,25 @@ export class Store {
   /** Take a new design as a step of the history; see History.push for gestures. */
   change(design: Design, what: string, gesture = ""): void {
     if (Object.is(design, this.history.value.design)) return;
-    this.push({ name: this.name.value, design }, what, gesture);
+    this.push({ ...this.named, design }, what, gesture);
   }
 
-  /** Take another design, with its own name, in place of the present one. */
-  open(opened: Named, what = `open ${opened.name}`): void {
+  /** Take another design, with its own name, in place of the present one; what is no work yet is as
+   * it is in a file, or in a link. */
+  open(opened: Named | Work, what = `open ${opened.name}`): void {
     // A copy: the same may be replaced twice.
     if (this.unsaved) this.replaced.set({ ...this.named });
-    this.push(opened, what);
+    this.push(workOf(opened), what);
+  }
+
+  /** A design, this one or an earlier one, is in a file now. */
+  save(work: Work): void {
+    work.home.file = work;
+    this.saved.set({ ...work });
   }
 
   rename(name: string): void {
-    if (name !== this.name.value) this.push({ name, design: this.design.value }, "name", "name");
+    if (name !== this.name.value) this.push({ ...this.named, name }, "name", "name");
   }
 
   rest(): void {
@@ -129,7 +149,7 @@ export class Store {
     this.change({ ...design, target: { ...design.target, [name]: table } }, what, gesture);
   }
 
-  private push(named: Named, what: string, gesture = ""): void {
+  private push(named: Work, what: string, gesture = ""): void {
     this.changedAt = eventTime();
     this.history.push(named, what, gesture);
     this.publish();
@@ -141,6 +161,10 @@ export class Store {
     this.design.set(this.history.value.design);
     this.steps.set(this.steps.value + 1);
   }
+}
+
+function workOf(opened: Named | Work): Work {
+  return "home" in opened ? opened : { ...opened, home: { file: opened, slot: null, text: "" } };
 }
 
 function eventTime(): number {
