@@ -156,7 +156,8 @@ def _of_size(design: Design, flat: Array) -> Iterator[str]:
         steep = f"an f with less steep ends (they keep xi_deg below {limit:.4g})"
         less = wider if xi < WIDEST_XI * limit else steep
     elif "depth" in parameters:
-        less = f"shallower folds, by a smaller depth (it is {plain(parameters['depth'], 3)}),"
+        depth = float(np.array(parameters["depth"], np.float64))
+        less = f"shallower folds, by a smaller depth (it is {plain(depth, 3)}),"
     else:
         less = "sector angles nearer to 90 degrees"
     yield (
