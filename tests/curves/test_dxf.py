@@ -291,6 +291,13 @@ def test_a_handle_of_what_is_no_curve(tmp_path: Path) -> None:
         read_dxf(path, into="m", handle=handle)
 
 
+def test_dwg_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "profile.dwg"
+    path.write_bytes(b"AC1027\0\0")
+    with pytest.raises(InputError, match=r"this is DWG, not DXF\. Remedy: save it as DXF"):
+        read_dxf(path, into="m")
+
+
 def test_files_that_are_cut_off_or_none(tmp_path: Path) -> None:
     path = write(tmp_path, line)
     content = path.read_bytes()

@@ -118,5 +118,5 @@ def test_missing_and_unreadable_files(tmp_path: Path) -> None:
         read_points(tmp_path / "a\0b.csv")
     binary = tmp_path / "binary.csv"
     binary.write_bytes(b"\xff\xfe\x00\x81")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match=r"cannot be read.*Remedy: save the table as CSV"):
         read_points(binary)

@@ -111,6 +111,12 @@ FAULTS = {
         "    family = parallel-repeating\n             ^",
         'put texts in quotes: "parallel-repeating"',
     ),
+    "a number for a range": (("[0, 20]", "20"), "[target.g] range", "a list, in brackets"),
+    "one of several tables": (
+        ("[pattern]", '[load_case]\nname = "snow"\n[pattern]'),
+        "[[load_case]]: ",
+        "write the table's name in double brackets",
+    ),
     "not TOML": (("[pattern]", "[pattern"), "shell.toml", "not TOML"),
     "missing points": (
         ('formula = "-x**2"\nrange = [-1, 1]', 'points = "none.csv"'),

@@ -77,6 +77,21 @@ def test_where_a_shell_can_be_made_of_it_a_warning_asks() -> None:
     )
 
 
+def test_a_whole_shell_in_another_unit_draws_a_warning() -> None:
+    far = formula("300*sin(pi*x/4000)", 0, 8000)
+    warnings = made(tables("parallel-repeating", ARCH, far, rows=5, columns=5)).report.warnings
+    assert any("is m the unit of its curves?" in warning for warning in warnings)
+
+
+def test_stock_in_another_unit_draws_a_warning() -> None:
+    design = tables("parallel-repeating", F, G, **SIZE)
+    shell = made({**design, "workshop": {"stock": [2440, 1220]}})
+    assert any(
+        "sheets of 2440 x 1220 m are larger than any that is sold" in warning
+        for warning in shell.report.warnings
+    )
+
+
 def test_curves_of_like_sizes_draw_no_question() -> None:
     long = formula("0.1*sin(x/4)", 0, 50)  # a tunnel
     for warning in made(tables("parallel-repeating", F, long, rows=3, columns=9)).report.warnings:

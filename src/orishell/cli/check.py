@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from orishell.cli.files import FILE_HELP
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
 from orishell.conventions.quantities import plain
@@ -24,7 +25,7 @@ TOLERANCE = 1e-6
 def check(
     file: Annotated[
         Path,
-        typer.Argument(help="The FOLD file, or the directory that `orishell design` wrote it to."),
+        typer.Argument(help=FILE_HELP),
     ],
     tolerance: Annotated[
         float,

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, shortened, state_named
+from orishell.cli.files import FILE_HELP, STATE_HELP, shortened, state_named
 from orishell.cli.printing import say
 from orishell.conventions.units import MILLIMETRES
 from orishell.errors import InputError
 
 
 def convert(
-    file: Annotated[Path, typer.Argument(help="The FOLD file to convert.")],
+    file: Annotated[Path, typer.Argument(help=FILE_HELP)],
     out: Annotated[Path, typer.Argument(help="The file to write; its ending names the format.")],
     state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
     workshop: Annotated[
@@ -29,6 +30,7 @@ def convert(
     """Write a FOLD file in another format."""
     from orishell.design_file import read_workshop
     from orishell.io import Settings
+    from orishell.io.all_formats import FOLD
     from orishell.shell.export import convert_fold
     from orishell.workshop import DEFAULT
 
@@ -39,6 +41,8 @@ def convert(
             got=repr(unit),
             expected="one of " + ", ".join(MILLIMETRES),
         )
+    if os.path.isdir(file):  # a name that is too long is none
+        file /= FOLD.file
     settings = Settings.showing(
         state_named(state), DEFAULT if workshop is None else read_workshop(workshop)
     )

@@ -12,6 +12,8 @@ from orishell.io.registry import ALL, MODULES
 
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
 
+FILE_HELP = "The FOLD file, or the directory that `orishell design` wrote it to."
+
 STATES = ("flat", "target", "pack")
 STATE_HELP = (
     f"State for formats that show only one: {', '.join(STATES)}, or a frame's number. Without it: "

@@ -115,7 +115,9 @@ def _fault(
 
 
 def _remedy(kind: str, got: Any) -> str:
-    """What to write, where a number is a text or has a decimal comma."""
+    """What to write, where a number is a text or has a decimal comma, or a list is one table."""
+    if kind == "list_type" and isinstance(got, dict):
+        return "write the table's name in double brackets, [[...]]: there may be several of it"
     if isinstance(got, str) and kind in NUMBERS and NUMBER.fullmatch(got):
         return f"write {got.replace(',', '.')} without quotes"
     if kind == "too_long" and isinstance(got, list) and all(type(each) is int for each in got):
@@ -130,7 +132,7 @@ _EXPECTED = {
     "finite_number": "a finite number",
     "string_type": "a text",
     "bool_type": "true or false",
-    "list_type": "a list",
+    "list_type": "a list, in brackets",
     "dict_type": "a table",
     "model_type": "a table",
     "model_attributes_type": "a table",
@@ -143,7 +145,7 @@ _EXPECTED = {
     "literal_error": "{expected}",
     "dataclass_exact_type": "a {class_name}",
     "is_instance_of": "a {class}",
-    "sequence_str": "a list",
+    "sequence_str": "a list, in brackets",
     "callable_type": "a function",
     "path_type": "a path",
 }

@@ -86,7 +86,13 @@ def read_points(path: str | Path, *, into: str | None = None, unit: str | None =
     except InputError as error:
         raise error.located(f"{where}:") from None
     except ValueError as error:
-        raise InputError("the file of points cannot be read", where=where, got=str(error)) from None
+        raise InputError(
+            "the file of points cannot be read",
+            where=where,
+            got=str(error),
+            expected="text in UTF-8",
+            remedy="save the table as CSV",
+        ) from None
 
     points: list[tuple[float, float]] = []
     header: tuple[int, list[str]] | None = None

@@ -89,10 +89,10 @@ def forgiving(
 def _radians(pattern: Pattern) -> Iterator[Slip]:
     """Angles in degrees that may have been meant in radians."""
     for key in (*LARGE, *EITHER):
-        value = getattr(pattern, key, "auto")
-        angles = value if isinstance(value, list) else [value]
-        if key not in pattern.model_fields_set or "auto" in angles:
+        value: list[float] | float | str = getattr(pattern, key, "auto")
+        if key not in pattern.model_fields_set or isinstance(value, str):
             continue
+        angles = value if isinstance(value, list) else [value]
         if all(0 < angle < np.pi for angle in angles):
             degrees = [rounded(float(np.rad2deg(angle))) for angle in angles]
             meant: Value = degrees if isinstance(value, list) else degrees[0]

@@ -46,8 +46,6 @@ class Followed:
         What the staircase's axis is.
     instead
         What else takes a curve that turns too much for it.
-    unless_it_turns
-        How the message says so, where the curve turns by 180 degrees or more.
     """
 
     name: str
@@ -57,7 +55,6 @@ class Followed:
     farthest: float
     axis: str
     instead: Remedy
-    unless_it_turns: str
 
     def interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
         """The rotations that its key can say at which a curve has a staircase.
@@ -175,7 +172,7 @@ class Followed:
         return DesignError(
             f"{self.name} turns too much for a staircase, whatever its rotation",
             size=f"its tangents spread over {in_degrees(spread)} degrees and may spread over less "
-            f"than {in_degrees(allowed)}" + (self.unless_it_turns if walls else ""),
+            f"than {in_degrees(allowed)}",
             candidates=candidates,
             excess=(spread - allowed) / np.pi,
         )

@@ -35,6 +35,10 @@ WIDEST_XI = 0.95
 """Above this share of its limit a wider xi_deg gains next to nothing."""
 STRAIGHT = 1e-6
 """A g that leaves a line by less than this share of its length is straight."""
+SMALLEST, LARGEST = 0.005, 500.0
+"""A shell smaller than a fingernail, or larger than any roof, is in another unit (metres)."""
+LONGEST_STOCK = 100.0
+"""Rolls of paper and cloth are shorter than this (metres)."""
 LARGEST_BOARD = (3.05, 1.525)
 """The largest plywood that is commonly sold, 10 by 5 feet (metres)."""
 DEEP = 0.3
@@ -50,6 +54,7 @@ def find_caveats(
     height = float(np.ptp(shell[:, mechanism.inner_columns, 2]))
     flat = mechanism.positions(0.0)
     return [
+        *_of_unit(shell, unit, workshop),
         *_of_flaps(design, shell, feet, unit),
         *_of_feet(design, feet, unit),
         *_of_size(design, flat),
@@ -57,6 +62,23 @@ def find_caveats(
         *_of_boards(flat, unit, workshop),
         *_of_depth(lock, height, unit),
     ]
+
+
+def _of_unit(shell: Array, unit: str, workshop: Workshop) -> Iterator[str]:
+    """Sizes that no shell, and no board, has: another unit may be meant."""
+    metres = conversion(unit, "m")
+    size = max(extents(shell))
+    if not SMALLEST <= size * metres <= LARGEST:
+        yield (
+            f"the shell is {plain(size, 3)} {unit} across: is {unit} the unit of its curves? "
+            "unit in [shell] says so, and unit in [target.f] and [target.g] says it of a drawing"
+        )
+    if workshop.stock is not None and max(workshop.stock) * metres > LONGEST_STOCK:
+        stock = " x ".join(plain(side) for side in workshop.stock)
+        yield (
+            f"sheets of {stock} {unit} are larger than any that is sold: lengths in [workshop] "
+            f"are in the unit of [shell], {unit}"
+        )
 
 
 def _of_flaps(design: Design, shell: Array, feet: Feet | None, unit: str) -> Iterator[str]:
@@ -134,7 +156,8 @@ def _of_size(design: Design, flat: Array) -> Iterator[str]:
         steep = f"an f with less steep ends (they keep xi_deg below {limit:.4g})"
         less = wider if xi < WIDEST_XI * limit else steep
     elif "depth" in parameters:
-        less = f"shallower folds, by a smaller depth (it is {plain(parameters['depth'], 3)}),"
+        depth = float(np.array(parameters["depth"], np.float64))
+        less = f"shallower folds, by a smaller depth (it is {plain(depth, 3)}),"
     else:
         less = "sector angles nearer to 90 degrees"
     yield (

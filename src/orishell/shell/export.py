@@ -182,10 +182,27 @@ def convert_fold(
     output = OutputDirectory(target.parent)
     output.require_usable()
     document = document_of_fold(read_fold(source), unit)
+    if not format_.fits(document):
+        raise _lacking(format_, source)
     with output.adding() as draft:
         _write(format_, draft / target.name, document, settings, str(source))
         names = sorted(file.name for file in draft.iterdir())
     return [target.parent / name for name in names]
+
+
+def _lacking(format_: Format, source: Path) -> InputError:
+    """The error for a format that shows what a FOLD file never has."""
+    what, table = (
+        ("how thick its panels are", "[panel]")
+        if format_.solid
+        else ("what the shell bears", "[structure]")
+    )
+    return InputError(
+        f"a FOLD file does not say {what}, which {format_.name} shows",
+        where=str(source),
+        remedy=f"write it with the design: orishell design FILE --out DIRECTORY --write "
+        f"{format_.name}, where the design file has the table {table}",
+    )
 
 
 def _write(

@@ -183,8 +183,8 @@ def _origin(exposure: Exposure, load: Load) -> tuple[float | None, str]:
         if case.snow.shape == "cylinder":
             rule = (
                 f"mu_3 = {plain(cylinder_coefficient(exposure))} by a rise of "
-                f"{plain(exposure.rise)} and "
-                f"a span of {plain(exposure.span)} {exposure.unit}, to a slope of 60 degrees"
+                f"{plain(exposure.rise)} and a span of {plain(exposure.span or 0.0)} "
+                f"{exposure.unit}, to a slope of 60 degrees"
             )
         return case.snow.ground, f"{rule}, on plan areas (EN 1991-1-3)"
     if load.kind == "wind" and case.wind is not None:

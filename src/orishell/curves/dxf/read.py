@@ -120,6 +120,8 @@ def _naming(error: CurveError, drawn: list[Drawn]) -> CurveError:
 
 def _require_end(content: bytes) -> None:
     """Refuse a file that is cut off, of which ezdxf might read the first half."""
+    if content.startswith(b"AC10"):
+        raise InputError("this is DWG, not DXF", remedy="save it as DXF in the CAD program")
     if not content.rstrip(b"\0\x1a \t\r\n").endswith(b"EOF"):
         raise InputError(
             "this is not DXF, or it is cut off", got="no EOF at the end", remedy="save it again"

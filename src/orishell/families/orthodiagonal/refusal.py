@@ -258,7 +258,7 @@ def _flap_too_wide(
     return DesignError(
         "the flaps are too wide: neighbouring rows meet inside them",
         keys=("pattern.flap",),
-        size=f"they are {plain(headings.flap)} wide, and there is room for {plain(room)}",
+        size=f"they are {plain(headings.flap or 0.0)} wide, and there is room for {plain(room)}",
         candidates=candidates,
         excess=(headings.flap or 0.0) / room - 1,
     )

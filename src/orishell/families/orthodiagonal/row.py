@@ -43,7 +43,6 @@ G = Followed(
     farthest=SQUARE,
     axis="the normal of f's plane",
     instead=Remedy({"pattern.row": "chords", "pattern.row_angle_deg": "auto"}),
-    unless_it_turns="",
 )
 
 

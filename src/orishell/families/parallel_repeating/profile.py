@@ -29,7 +29,6 @@ F = Followed(
     farthest=np.inf,
     axis="the axis",
     instead=ORTHODIAGONAL,
-    unless_it_turns="; the orthodiagonal family takes such an f",
 )
 
 
