@@ -6,7 +6,8 @@ Light, small when it travels, stiff under snow: no shelter is all of that. So
 ``examples/shelter_search.toml`` says what may change in a shelter of plywood on fabric hinges, how
 thick its panels are, how deep it is folded and how many rows it has, and what is to be small: mass,
 packed volume and the largest displacement under snow of 0.5 kN per square metre, which may not be
-more than 60 mm. ``orishell search`` takes minutes for that; the shelters that it made are kept in
+more than 60 mm. None may buckle or break. ``orishell search`` takes minutes for that; the shelters
+that it made are kept in
 ``examples/shelter_search/journal.jsonl``, and here they are looked up.
 :doc:`/guide/searching` says how it is done.
 

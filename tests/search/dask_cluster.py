@@ -20,6 +20,7 @@ class DaskCluster:
     """A scheduler, where it answers, and its workers."""
 
     directory: Path
+    scheduler: subprocess.Popen[bytes]
     address: str
     workers: list[subprocess.Popen[bytes]] = field(default_factory=list)
 
@@ -36,7 +37,7 @@ def dask_cluster(directory: Path, workers: int) -> Iterator[DaskCluster]:
     told = directory / "scheduler.json"
     place = ["--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(told)]
     scheduler = _started("dask_scheduler", *place, "--no-dashboard")
-    cluster = DaskCluster(directory, "")
+    cluster = DaskCluster(directory, scheduler, "")
     try:
         cluster.address = _address(told)
         for _ in range(workers):

@@ -132,6 +132,18 @@ def test_a_cluster_without_workers_is_refused(tmp_path: Path) -> None:
         apart(lambda: enter(empty.address, 2.0))
 
 
+def test_a_scheduler_that_stops_ends_a_search(tmp_path: Path) -> None:
+    with dask_cluster(tmp_path, 1) as running:
+        apart(lambda: list(work_on(running.address, 1)))  # while workers import they say nothing
+
+        def work() -> None:
+            for _ in work_on(running.address, timeout=2.0):
+                running.scheduler.send_signal(signal.SIGSTOP)
+
+        with pytest.raises(InputError, match="the cluster does not answer any more"):
+            apart(work)
+
+
 def test_workers_that_stop(file: Path, tmp_path: Path) -> None:
     """They are named before a search; in one, others do their work; and none holds up its end."""
     with dask_cluster(tmp_path, 2) as running:

@@ -58,9 +58,12 @@ def test_the_journal_is_whole(example: dict[str, Any], problem: Problem, found: 
     assert len(lines) == 2 + len(found.outcomes)  # its head, and the design to begin with
 
 
-def test_the_front_keeps_the_limit(problem: Problem, found: Found) -> None:
+def test_the_front_keeps_the_limits(problem: Problem, found: Found) -> None:
     assert len(found.front.members) > 5
     assert all(each.figures["deflection"] <= 0.06 for each in found.front.members)
+    assert all(each.figures["utilisation"] <= 1 for each in found.front.members)
+    made = [each.figures for each in found.outcomes if each.figures]
+    assert any(each["deflection"] <= 0.06 and each["utilisation"] > 1 for each in made)
     assert any(violation(problem, each) > 0 for each in found.outcomes)
 
 
