@@ -30,6 +30,7 @@ import numpy as np
 
 from orishell.design_file import starter_file
 from orishell.design_file.tables import FileTable
+from orishell.errors import InputError, OrishellError
 from orishell.families.registry import FAMILIES
 from samples import THOROUGH
 from test_malformed_inputs import GENTLE, HARSH
@@ -51,6 +52,10 @@ PRELOADED = (
     "matplotlib.backends.backend_agg",
 )
 """What a process would import else; each file's process has it from the one it is forked from."""
+WRITTEN, MADE = 12, 1 if THOROUGH else 3
+"""One of so many files is designed and written by the command, and of so many without writing, as
+its pictures take the most time; the others are read."""
+WARNINGS = re.compile(r"^orishell: warning: .*\n", re.MULTILINE)
 LONGEST = 4000
 """Characters of a message, at most."""
 
@@ -270,7 +275,7 @@ def main(directory: str, first: str, last: str) -> None:
         path.write_bytes(mutated(number))
         process = os.fork()
         if process == 0:
-            make(path, out)
+            make(path, out, to_do(number))
         status = os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
         said = Path("said.err").read_text(encoding="utf-8", errors="replace")
         written = sorted(each.name for each in out.iterdir()) if out.exists() else []
@@ -278,13 +283,21 @@ def main(directory: str, first: str, last: str) -> None:
         for name in (path, "said.out", "said.err"):
             os.remove(name)
         left = sorted(set(os.listdir()) - beside)
-        line = {"status": status, "said": said, "written": written, "left": left}
+        done = to_do(number)
+        line = {"status": status, "said": said, "done": done, "written": written, "left": left}
         print(json.dumps(line), flush=True)  # noqa: T201
 
 
-def make(path: Path, out: Path) -> NoReturn:
-    """Read a file and design what it says, by the command; this ends the process."""
+def to_do(number: int) -> str:
+    """What is done with a file, if it can be read."""
+    return "written" if number % WRITTEN == 0 else "made" if number % MADE == 0 else "read"
+
+
+def make(path: Path, out: Path, done: str) -> NoReturn:
+    """Read a file and do with it what is to be done; this ends the process."""
     from orishell.cli.main import run
+    from orishell.design_file import read_design_file
+    from orishell.shell.make import make_shell
 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     signal.setitimer(signal.ITIMER_PROF, MAKING)  # nothing catches it: the process ends
@@ -293,9 +306,14 @@ def make(path: Path, out: Path) -> NoReturn:
     sys.argv = ["orishell", "design", str(path), "--out", str(out)]
     status: Any = 70
     try:
-        status = read(path)
-        if status == 0:
+        refusal = read(path)
+        if done == "written":
             run()
+        if refusal is None and done == "made":
+            make_shell(read_design_file(path))
+        status = tell(refusal)
+    except OrishellError as error:
+        status = tell(error)
     except SystemExit as end:
         status = end.code or 0
     except BaseException as error:  # this is what is looked for
@@ -305,33 +323,41 @@ def make(path: Path, out: Path) -> NoReturn:
     os._exit(status)
 
 
-def read(path: Path) -> int:
+def tell(error: OrishellError | None) -> int:
+    """Say what the command says of an error, and return its exit status."""
+    if error is None:
+        return 0
+    sys.stderr.write(f"orishell: {error}\n")
+    return error.exit_status
+
+
+def read(path: Path) -> OrishellError | None:
     """Read a file, also its table [search], which the command that designs does not."""
-    from orishell.errors import InputError
     from orishell.search.problem import read_problem
 
     begin = time.process_time()
     try:
         read_problem(path)
     except InputError as error:
-        if "[search] variables" in error.where:
-            sys.stderr.write(f"orishell: {error}\n")
-            return 2
+        return None if "nothing to search" in str(error) else error
     finally:
         if time.process_time() - begin > READING:
             sys.stderr.write("Traceback: reading takes too long\n")
-    return 0
+    return None
 
 
 def wrong(result: dict[str, Any]) -> list[str]:
     """What is wrong with what became of a file."""
-    status, said, written = result["status"], result["said"], result["written"]
+    status, written = result["status"], result["written"]
+    said = WARNINGS.sub("", result["said"])
     refused, given_up = status in (1, 2), status == -signal.SIGPROF
     message = said.startswith("orishell: ") and said.count("orishell: ") == 1
     found = {
         "a status of its own": not (refused or given_up or status == 0),
         "a fault": any(each in said for each in ("Traceback", "fault of the program", "Warning")),
-        "nothing written": status == 0 and "report.json" not in written,
+        "nothing written": status == 0
+        and result["done"] == "written"
+        and "report.json" not in written,
         "something written": refused and bool(written),
         "something left beside it": bool(result["left"]),
         "not one message": (refused and not message) or (status == 0 and bool(said)),
