@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import math
+import time
+import tomllib
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+import tomlkit
 
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
+from orishell.design_file.search import RangeTable
 from orishell.errors import InputError
 from orishell.search.problem import pose, read_problem
 from orishell.search.space import Choices, Interval
+from orishell.search.variant_file import variant_text
 from search.problems import PATH, loaded_tables, small_problem
 
 GOOD: dict[str, Any] = {
@@ -47,6 +55,18 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"seed": -1}, "[search] seed"),
     ({"variables": {"motion.frames": [3, 5]}}, "designs cannot be compared by this key"),
     ({"variables": {"search.seed": [3, 5]}}, "designs cannot be compared by this key"),
+    (
+        {"variables": {"shell": [{"unit": "m"}, {"unit": "mm"}]}},
+        "designs cannot be compared by this key",
+    ),
+    ({"variables": {"motion": [{"frames": 3}]}}, "designs cannot be compared by this key"),
+    ({"variables": {"tolerance.panel_max": [math.inf, 5]}}, "expected finite numbers"),
+    ({"variables": {"target.f.range": [[-1, 1], [-1, math.inf]]}}, "expected finite numbers"),
+    ({"variables": {"pattern.flap": {"low": 0, "high": 5e-324}}}, "at least 1e-300"),
+    ({"variables": {"pattern.flap": {"low": 1, "high": 1 + 2e-16}}}, "at least 1e-09"),
+    ({"variables": {"target.f.range.0": {"low": -1e308, "high": 1e308}}}, "at most 1e+300"),
+    ({"variables": {"pattern" + 2000 * ".a": [1]}}, "expected a key of at most 300 characters"),
+    ({"variables": {"pattern." + 2000 * "a": [1]}}, "expected a key of at most 300 characters"),
     (
         {"variables": {"target.f": [{"formula": "x"}], "target.f.scale": [1.0, 2.0]}},
         'got "target.f.scale" beside it',
@@ -143,3 +163,33 @@ def test_a_design_is_told_from_others_by_its_tables_and_files(tmp_path: Path) ->
     first = fingerprint("-1, 0\n0, 1\n1, 0\n")
     assert first == fingerprint("-1, 0\n0, 1\n1, 0\n", evaluations=7, seed=3)
     assert first != fingerprint("-1, 0\n0, 1.1\n1, 0\n")
+
+
+def test_the_narrowest_and_the_widest_range_have_values_that_differ() -> None:
+    for low, high in ((0.0, 1e-300), (1.0, 1 + 1.1e-9), (-5e299, 5e299)):
+        RangeTable(low=low, high=high)
+        axis = Interval(low, high)
+        values = [axis.value(share) for share in (0.0, 0.25, 0.5, 1.0)]
+        assert len(set(values)) == 4
+        assert (values[0], values[-1]) == (low, high)
+        assert np.isfinite(axis.snapped(np.array([0.0, 0.5, 1.0]))).all()
+
+
+def test_what_is_called_as_a_file_is_not_read(tmp_path: Path) -> None:
+    # 5 GB, as a load case and a palette are called; the palette of one's own is a file.
+    tables = loaded_tables(
+        variables={"workshop.palette": ["plain", "own.toml"]}, minimise=["deflection"]
+    )
+    for name in ("snow", "plain", "feet"):
+        with (tmp_path / name).open("wb") as file:
+            file.truncate(5_000_000_000)
+    palettes = files("orishell.workshop") / "palettes.toml"
+    own = tomllib.loads(palettes.read_text(encoding="utf-8"))["plain"]
+    (tmp_path / "own.toml").write_text(tomlkit.dumps({"mine": own}), encoding="utf-8")
+    begin = time.perf_counter()
+    problem = pose(tables, tmp_path / "design.toml")
+    assert problem.files() == [tmp_path / "own.toml"]
+    assert problem.fingerprint()
+    assert time.perf_counter() - begin < 2
+    text = variant_text(problem, {"workshop.palette": "plain"}, tmp_path / "out")
+    assert tomllib.loads(text)["workshop"]["palette"] == "plain"

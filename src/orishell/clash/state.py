@@ -87,10 +87,8 @@ def overlap_depths(positions: Array, faces: Integers, pairs: Integers) -> Array:
 
     Parameters
     ----------
-    positions
-        Vertices (V, 3).
-    faces
-        Corners (F, 4) of planar, convex panels, in order around each.
+    positions, faces
+        Vertices (V, 3), and corners (F, 4) of planar, convex panels, in order around each.
     pairs
         Numbers (P, 2) of panels.
 

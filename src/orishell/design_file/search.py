@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, Self
@@ -10,6 +11,7 @@ from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Table
+from orishell.conventions.toml_file import DEEPEST
 
 Method = Literal["auto", "nsga2", "nsga3", "grid"]
 """How designs are chosen: NSGA-II, or III beyond three objectives; or one of them, or all there
@@ -78,6 +80,13 @@ class Search:
     method: Method
 
 
+LONGEST_KEY, MOST_PARTS = 300, DEEPEST
+"""Characters of a key of the design file, and its parts, at most."""
+DIGITS, NARROWEST, WIDEST = 1e-9, 1e-300, 1e300
+"""Width of a range: of its larger number, so that its values have digits that differ; at least;
+and at most."""
+
+
 class RangeTable(Table):
     """Numbers from one to another."""
 
@@ -92,6 +101,19 @@ class RangeTable(Table):
                 "empty_range",
                 "a value above low ({low})",
                 {"low": f"{self.low:g}", "key": "high", "got": self.high},
+            )
+        width = self.high - self.low
+        least = max(NARROWEST, DIGITS * max(abs(self.low), abs(self.high)))
+        if not least <= width <= WIDEST:
+            raise PydanticCustomError(
+                "no_range",
+                "numbers that are apart by at least {least} and by at most {most}",
+                {
+                    "least": f"{least:.3g}",
+                    "most": f"{WIDEST:g}",
+                    "key": "high",
+                    "got": self.high,
+                },
             )
         return self
 
@@ -138,6 +160,18 @@ class SearchTable(Table):
     @classmethod
     def _require_choice(cls, variables: dict[str, Any]) -> dict[str, Any]:
         for key, values in variables.items():
+            if len(key) > LONGEST_KEY or key.count(".") >= MOST_PARTS:
+                raise PydanticCustomError(
+                    "long_key",
+                    "a key of at most {letters} characters and {parts} parts",
+                    {
+                        "letters": LONGEST_KEY,
+                        "parts": MOST_PARTS,
+                        "got": f"{len(key)} characters, {key.count('.') + 1} parts",
+                    },
+                )
+            if isinstance(values, list) and not _all_finite(values):
+                raise PydanticCustomError("finite", "finite numbers", {"key": key, "got": values})
             if isinstance(values, list) and any(
                 each in values[:k] for k, each in enumerate(values)
             ):
@@ -171,6 +205,13 @@ class SearchTable(Table):
             seed=self.seed,
             method=self.method,
         )
+
+
+def _all_finite(value: Any) -> bool:
+    """Whether no number in a value is infinite or none: those have no place in a journal."""
+    if isinstance(value, dict | list):
+        return all(map(_all_finite, value.values() if isinstance(value, dict) else value))
+    return not isinstance(value, float) or math.isfinite(value)
 
 
 def with_joined_keys(raw: dict[str, Any]) -> dict[str, Any]:

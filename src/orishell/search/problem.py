@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,7 @@ from orishell.conventions.formatting import in_one_line
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file import check_design
 from orishell.design_file.search import Limit, Range, Search
-from orishell.design_file.values import with_values
+from orishell.design_file.values import value_at, with_values
 from orishell.errors import InputError
 from orishell.search.figures import BEARS, Figure, figure
 from orishell.search.space import Choices, Interval, Space, stepped
@@ -26,6 +25,12 @@ MOST_TRIED = 100
 """So many values of a range are tried in the design file; of more the ends."""
 WITHOUT_MEANING = ("motion.frames", "shell.unit", "search")
 """Keys that change nothing of a design, or the units of its figures."""
+PALETTE = "workshop.palette"
+FILE_KEYS = (
+    *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),
+    PALETTE,
+)
+"""Keys that may name a file beside the design file."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,8 +78,21 @@ class Problem:
         return [self.path.parent / name for name, _ in self._named()]
 
     def _named(self) -> list[tuple[str, str]]:
-        chosen = [axis.values for axis in self.space.axes.values() if isinstance(axis, Choices)]
-        return sorted(_files_named([self.tables, *map(list, chosen)], self.path.parent))
+        chosen = [
+            {key: value}
+            for key, axis in self.space.axes.items()
+            if isinstance(axis, Choices) and _is_in(FILE_KEYS, key)
+            for value in axis.values
+        ]
+        names = {
+            name
+            for values in [{}, *chosen]
+            for name in files_named(with_values(self.tables, values), self.path.parent).values()
+        }
+        return sorted(
+            (name, hashlib.sha256((self.path.parent / name).read_bytes()).hexdigest())
+            for name in names
+        )
 
     def fingerprint(self) -> str:
         """What tells the designs and their figures from others: tables, and the files named."""
@@ -241,12 +259,12 @@ def _require_apart(search: Search, path: Path) -> None:
                 got=f'"{inside[0]}" beside it',
                 remedy="keep one of them",
             )
-        if any(f"{key}.".startswith(f"{each}.") for each in WITHOUT_MEANING):
+        if _is_in(WITHOUT_MEANING, key) or any(_is_in((key,), each) for each in WITHOUT_MEANING):
             raise InputError(
                 "designs cannot be compared by this key",
                 where=f'{path}: [search] variables "{key}"',
                 expected="a key that changes the shell, in the unit that it has",
-                remedy="remove it",
+                remedy="remove it; of a table of which other keys do, name those",
             )
 
 
@@ -268,10 +286,26 @@ def _require_grid(search: Search, space: Space, path: Path) -> None:
         )
 
 
-def _files_named(value: Any, directory: Path) -> Iterator[tuple[str, str]]:
-    """Files that a table names, and the hashes of what is in them."""
-    if isinstance(value, dict | list):
-        for inner in value.values() if isinstance(value, dict) else value:
-            yield from _files_named(inner, directory)
-    elif isinstance(value, str) and value and os.path.isfile(directory / value):
-        yield value, hashlib.sha256((directory / value).read_bytes()).hexdigest()
+def files_named(tables: Any, directory: Path) -> dict[str, str]:
+    """The files that tables name, by key; what else is called as a file is, is none.
+
+    Parameters
+    ----------
+    tables
+        Those of a design file.
+    directory
+        Where the files are found.
+    """
+    names = {key: value_at(tables, key) for key in FILE_KEYS}
+    return {
+        key: name
+        for key, name in names.items()
+        if isinstance(name, str)
+        and (key != PALETTE or name.endswith(".toml"))
+        and os.path.isfile(directory / name)
+    }
+
+
+def _is_in(keys: tuple[str, ...], table: str) -> bool:
+    """Whether one of these keys is this one, or stands in this table."""
+    return any(f"{key}.".startswith(f"{table}.") for key in keys)

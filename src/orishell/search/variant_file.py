@@ -8,13 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from orishell.design_file.values import Values, with_values
-from orishell.search.problem import Problem
-
-_FILES = (
-    *(f"target.{curve}.{key}" for curve in "fg" for key in ("svg", "dxf", "points")),
-    "workshop.palette",
-)
-"""Keys that may name a file beside the design file."""
+from orishell.search.problem import Problem, files_named
 
 
 def variant_text(problem: Problem, values: Values, directory: Path) -> str:
@@ -55,12 +49,9 @@ def _set(document: Any, keys: list[str], value: Any) -> None:
 
 def _moved(problem: Problem, values: Values, directory: Path) -> Values:
     """The files that a variant names, as seen from a directory."""
-    named = {}
-    for key in _FILES:
-        value: Any = with_values(problem.tables, values)
-        for part in key.split("."):
-            value = value.get(part) if isinstance(value, dict) else None
-        path = problem.path.parent / value if isinstance(value, str) else None
-        if path is not None and not Path(value).is_absolute() and os.path.isfile(path):
-            named[key] = Path(os.path.relpath(path, directory)).as_posix()
-    return named
+    tables = with_values(problem.tables, values)
+    return {
+        key: Path(os.path.relpath(problem.path.parent / name, directory)).as_posix()
+        for key, name in files_named(tables, problem.path.parent).items()
+        if not Path(name).is_absolute()
+    }

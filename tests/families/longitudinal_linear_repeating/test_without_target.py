@@ -265,3 +265,8 @@ def test_panels_too_slender_for_rounding() -> None:
     assert near == pytest.approx(180 - 1e-7, abs=1e-12)
     assert "slender" in refusal(rows=2, columns=3, sectors=sectors(180 - 1e-7)).condition
     require_rigid(design(rows=2, columns=3, sectors=sectors(179)))
+
+
+@pytest.mark.parametrize("flap", [1e30, 1e200, 1e-30])
+def test_flaps_beyond_what_numbers_hold_are_refused_without_a_warning(flap: float) -> None:
+    assert "not convex" in refusal(rows=3, columns=3, flap=flap).condition
