@@ -123,6 +123,8 @@ export interface ContactReport {
   corrugation_depth: number;
   /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if panels without a thickness do. */
   sides: [string, string] | null;
+  /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way. */
+  overlap: number | null;
 }
 
 /** Length of all creases of a kind, in the document's unit. */
@@ -406,6 +408,8 @@ export interface LockReport {
   first_contact: ContactReport | null;
   /** Pairs of panels that touch at the end of the motion and are not meant to. */
   touching_at_end: [[number, number], [number, number]][];
+  /** What flaps that are clipped on at the target meet there; None if nothing, or if there are none. */
+  clipped_contact: ContactReport | null;
   /** How contact was looked for; None if it was not. */
   path: PathReport | null;
 }
