@@ -192,6 +192,8 @@ export interface DeviationReport {
   g: Closeness;
   /** Distances between the shell and the surface; None if they were not measured. */
   surface: SurfaceReport | null;
+  /** How f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn. */
+  tilted: string;
   /** What the family approaches instead, if it does. */
   approached: ApproachReport | null;
 }
@@ -645,7 +647,7 @@ export interface Quantities {
   crease_length: CreaseLength;
   /** Length of the outlines and of cuts within them. */
   outline_length: number;
-  /** Sheets of stock, and what of them is not used; None if that was not asked for. */
+  /** Sheets of stock for the sheet, or for panels that are solid, and what of them is not used; None if that was not asked for. */
   stock: Waste | null;
   /** Mass of the panels; None if the areal density is not known. */
   mass_kg: number | null;

@@ -71,6 +71,8 @@ def _deviation(deviation: DeviationReport, unit: str) -> Iterator[str]:
             f"surface   max {surface.max:.4g} {unit} (known to {surface.sample_spacing:.1g}), "
             f"rms {surface.rms:.4g} {unit}"
         )
+    if deviation.tilted:
+        yield f"tilted    in the surface that this is measured from {deviation.tilted}"
     if approached is not None:
         size = approached.max
         found = "" if size is None else f"; max {size:.4g} {unit} from that"
