@@ -108,6 +108,14 @@ test("a lock is said to be against closing, and what holds the shell", () => {
   expect(words({}, { opening: "ties" })[0]).toContain("Held from opening by ties.");
 });
 
+test("flaps without room at the target hold nothing", () => {
+  const clipped = { drive_deg: 90, panels: [[0, -1], [1, 0]], kind: "flap on panel", overlap: 0.1 };
+  expect(words({ clipped_contact: clipped })).toEqual([
+    "Flaps have no room at the target: panels 0,-1 and 1,0 meet when they are clipped on.",
+    "bad",
+  ]);
+});
+
 test("only a contact before the target is too early", () => {
   const contact = { drive_deg: 80, panels: [[0, 0], [1, 0]], kind: "neighbours" };
   expect(words({ cause: "clash", first_contact: contact })[1]).toBe("bad");

@@ -1,5 +1,6 @@
 """What a builder is told: each sentence where it is deserved, and not where it is not."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 
 from orishell.curves import Curve, curve_from_points
-from orishell.design import Design
+from orishell.design import Design, PanelBuild
 from orishell.design_file import read_design_file
 from orishell.deviation import locked_shell
 from orishell.families.longitudinal_linear_repeating import (
@@ -22,6 +23,7 @@ from orishell.shell.caveats import (
     BELOW,
     BESIDE,
     DEEP,
+    SAW,
     UNEVEN,
     WASTEFUL,
     find_caveats,
@@ -177,6 +179,21 @@ def test_a_sheet_larger_than_any_board() -> None:
     assert matching(small, words) == []
     # 4.4 x 3.9 feet are not too large.
     assert matching(large, words, unit="ft") == []
+
+
+def test_chamfers_steeper_than_saws_make() -> None:
+    # With next to no gap a chamfer is half the fold angle of its crease.
+    design = parallel(rows=9, columns=11, xi=np.deg2rad(50), flap=0)
+    folds = design.mechanism.fold_angles(design.mechanism.target_drive)
+    half = np.rad2deg(np.abs(folds.on_edges())) / 2
+    assert half.max() > SAW
+    solid = replace(design, panel=PanelBuild(0.02, "bevel", gap=1e-9))
+    (said,) = matching(solid, "chamfers lean")
+    assert f"up to {half.max():.3g}:" in said
+    # Each of the two panels beside a crease has one.
+    assert said.startswith(f"{2 * (half > SAW).sum()} of ")
+    assert not matching(solid, "larger than any board")
+    assert not matching(replace(design, panel=PanelBuild(0.02, membrane=0.001)), "chamfers lean")
 
 
 def test_folds_that_hide_the_curve() -> None:

@@ -3,9 +3,12 @@
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from orishell.design_file import read_design_file
+from design_tables import formula, tables
+from orishell.cli.summary import summarize
+from orishell.design_file import check_design, read_design_file
 from orishell.errors import DesignError, InputError
 from orishell.locking import find_lock
 from orishell.motion import diagonal
@@ -107,3 +110,49 @@ def test_a_part_that_there_is_not(leave_out: list[Part]) -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
     with pytest.raises(InputError, match=r"leave_out: there is no such part"):
         make_shell(file, leave_out=leave_out)
+
+
+@pytest.mark.parametrize(
+    ("f", "slope"),
+    [("x", 1.0), ("-x**2 + 0.1*x", None), ("-x**2", 0.0)],
+    ids=["line", "arc", "even"],
+)
+def test_a_tilted_surface_is_called_so(f: str, slope: float | None) -> None:
+    """Beside the distance stands by how much g's plane is tilted in the surface, where it is."""
+    design = tables(
+        "orthodiagonal", formula(f, -1, 1), formula("0.3*sin(x)", 0, 4), rows=5, columns=7, flap=0
+    )
+    shell = make_shell(check_design(design, Path("shell.toml")))
+    deviation, surface = shell.report.deviation, shell.design.surface
+    assert deviation is not None
+    u = np.linspace(0.0, surface.rail.stop, 401)
+    g = surface.points(u, np.full(len(u), surface.profile.t[0]))
+    # The plane of what one point of f is carried along, from its least direction.
+    normal = np.linalg.svd(g - g.mean(axis=0))[2][2]
+    tilt = np.degrees(np.arccos(min(1.0, abs(normal[2]))))
+    assert tilt == pytest.approx(abs(float(str(shell.report.parameters["tilt_deg"]))), abs=1e-6)
+    assert slope is None or tilt == pytest.approx(np.degrees(np.arctan(slope)), abs=1e-6)
+    if slope == 0:
+        assert deviation.tilted == ""
+        return
+    assert f"tilted by {tilt:.4f}".rstrip("0").rstrip(".") in deviation.tilted
+    assert f"g is {np.ptp(shell.design.targets['g'][:, 2]):.4g} high" in deviation.tilted
+    assert any(deviation.tilted in line for line in summarize(shell, [], []))
+
+
+def test_a_turned_f_is_called_so() -> None:
+    design = tables(
+        "parallel-repeating",
+        formula("exp(x)", -1, 1),
+        formula("0*x", 0, 3),
+        rows=5,
+        columns=3,
+        xi_deg=30,
+        theta_deg=-20,
+        flap=0,
+    )
+    for theta, words in ((-20, "f is turned in its plane by -20 degrees"), (0, "")):
+        design["pattern"]["theta_deg"] = theta
+        deviation = make_shell(check_design(design, Path("shell.toml"))).report.deviation
+        assert deviation is not None
+        assert deviation.tilted == words

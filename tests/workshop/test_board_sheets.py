@@ -21,8 +21,10 @@ from orishell.workshop.board_outlines import part_name
 from orishell.workshop.board_parts import board_parts, nest_boards
 from orishell.workshop.board_sheets import draw_boards
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.layout import require_stock
 from orishell.workshop.paper_model import make_board_models, make_paper_model
-from orishell.workshop.sheets import draw_backs, draw_sheet_files, draw_sheets
+from orishell.workshop.quantities import measure_quantities
+from orishell.workshop.sheets import draw_backs, draw_sheet_files, draw_sheets, measure_waste
 
 STOCK = Workshop(stock=(250.0, 180.0), margin=8.0, spacing=1.5)
 
@@ -213,6 +215,42 @@ def test_words_lie_on_their_boards() -> None:
             number = boxes[-1]
             assert not any(number.intersects(box) for box in boxes[:-1])
             assert part.texts[-1].words == part.name
+
+
+@pytest.mark.parametrize("clipped", [False, True])
+@pytest.mark.parametrize("stock", [None, (420.0, 297.0)])
+def test_of_solid_panels_only_these_are_cut(
+    stock: tuple[float, float] | None, *, clipped: bool
+) -> None:
+    """There is no sheet to be cut: a plan shows every panel and its number, and cuts nothing."""
+    document = boarded_document("bevel", clipped=clipped)
+    areas = boards_of(document).areas()
+    workshop = replace(Workshop(), stock=stock, margin=5.0, spacing=1.0)
+    (_, plan), *sheets = draw_sheet_files(Path("pattern.dxf"), document, workshop)
+    assert {line.layer for line in plan.lines} == {"ENGRAVE", "MOUNTAIN", "VALLEY", "LABEL"}
+    assert not plan.circles
+    numbers = [text.words for text in plan.texts if text.layer == "ENGRAVE"]
+    assert sorted(numbers) == sorted(part_names(document, 0))
+    assert all("-panels" in path.stem for path, _ in sheets)
+    cut = [shape.area for _, drawing in sheets for shape in polygons(drawing)]
+    waste = measure_waste(document, workshop)
+    assert waste.used_area == pytest.approx(sum(cut), rel=1e-9)
+    assert waste.crease_length == 0
+    assert waste.sheets == len(sheets)
+    bill = measure_quantities(document, workshop).built
+    assert bill is not None
+    assert bill.stock_sheets == (None if stock is None else waste.sheets)
+    if stock is not None:
+        require_stock(document, workshop)
+    assert sorted(cut) == pytest.approx(sorted(areas), rel=1e-9)
+
+
+def test_a_solid_panel_too_large_for_its_stock_is_refused() -> None:
+    document = boarded_document("bevel")
+    small = replace(Workshop(), stock=(40.0, 30.0))
+    for ask in (require_stock, measure_waste):
+        with pytest.raises(InputError, match="stock"):
+            ask(document, small)
 
 
 def test_chamfers_are_half_the_fold_angles() -> None:

@@ -123,6 +123,8 @@ export interface ContactReport {
   corrugation_depth: number;
   /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if panels without a thickness do. */
   sides: [string, string] | null;
+  /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way. */
+  overlap: number | null;
 }
 
 /** Length of all creases of a kind, in the document's unit. */
@@ -190,6 +192,8 @@ export interface DeviationReport {
   g: Closeness;
   /** Distances between the shell and the surface; None if they were not measured. */
   surface: SurfaceReport | null;
+  /** How f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn. */
+  tilted: string;
   /** What the family approaches instead, if it does. */
   approached: ApproachReport | null;
 }
@@ -406,6 +410,8 @@ export interface LockReport {
   first_contact: ContactReport | null;
   /** Pairs of panels that touch at the end of the motion and are not meant to. */
   touching_at_end: [[number, number], [number, number]][];
+  /** What flaps that are clipped on at the target meet there; None if nothing, or if there are none. */
+  clipped_contact: ContactReport | null;
   /** How contact was looked for; None if it was not. */
   path: PathReport | null;
 }
@@ -641,7 +647,7 @@ export interface Quantities {
   crease_length: CreaseLength;
   /** Length of the outlines and of cuts within them. */
   outline_length: number;
-  /** Sheets of stock, and what of them is not used; None if that was not asked for. */
+  /** Sheets of stock for the sheet, or for panels that are solid, and what of them is not used; None if that was not asked for. */
   stock: Waste | null;
   /** Mass of the panels; None if the areal density is not known. */
   mass_kg: number | null;

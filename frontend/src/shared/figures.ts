@@ -40,7 +40,8 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
   if (known) {
     if (report.deviation !== null) {
       const surface = report.deviation?.surface;
-      const mean = surface && `mean ${length(surface.mean, unit)}`;
+      const tilted = report.deviation?.tilted ? `; in the surface asked for ${report.deviation.tilted}` : "";
+      const mean = surface && `mean ${length(surface.mean, unit)}${tilted}`;
       add(list, "Deviation", surface ? length(surface.max, unit) : surface === null ? "not measured" : UNKNOWN, mean || "from the target, at most");
     }
     const { flap_attachment: flaps, start } = report.deployment ?? {};

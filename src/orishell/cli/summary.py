@@ -80,6 +80,8 @@ def _deviation(deviation: DeviationReport, unit: str) -> Iterator[str]:
             f"surface   max {plain(surface.max)} {unit} (known to "
             f"{plain(surface.sample_spacing, 1)}), rms {plain(surface.rms)} {unit}"
         )
+    if deviation.tilted:
+        yield f"tilted    in the surface that this is measured from {deviation.tilted}"
     if approached is not None:
         size = approached.max
         found = "" if size is None else f"; max {plain(size)} {unit} from that"
@@ -92,8 +94,6 @@ def _held(shell: Shell) -> Iterator[str]:
 
     lock, contact = shell.lock, shell.lock.first_contact
     aim = "target" if shell.design.swept is not None else "stage"
-    if shell.report.not_checked:
-        yield "not checked: " + "; ".join(shell.report.not_checked)
     if lock.proof is not None:
         proved = f"proved over the whole path by bounds between {lock.proof.states} states"
         if lock.cause in {"clash", "boards"} and contact is not None:
@@ -113,6 +113,8 @@ def _held(shell: Shell) -> Iterator[str]:
     if shell.report.panel is not None:
         yield from _panels(shell.report.panel, shell.report.unit)
     yield from _deployment(shell.report.deployment, shell.report.unit)
+    if shell.report.not_checked:
+        yield "not checked: " + "; ".join(shell.report.not_checked)
     held = shell.report.deployment
     if not lock.early:
         yield (

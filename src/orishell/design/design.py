@@ -108,6 +108,9 @@ class Design:
         f swept along g as asked for, placed as the locked shell meets it; None without a target.
     warnings
         Sentences a user should read: the design is made, but may not be what was meant.
+    tilted
+        How f or g lie in the surface asked for otherwise than they are drawn, in words; empty where
+        they lie as drawn.
     approached
         What the family approaches instead of the surface, if it does.
     origin
@@ -132,6 +135,7 @@ class Design:
     swept: Surface | None
     warnings: tuple[str, ...]
     approached: Approached | None = None
+    tilted: str = ""
     origin: Array = field(default_factory=lambda: np.zeros(3))
     clipped: Mechanism | None = None
     largest_fold: float = np.pi

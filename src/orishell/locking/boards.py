@@ -63,6 +63,8 @@ class Corners:
         Panels (P,) opposite each other, and the vertex (P,) that they share.
     drives
         States in which their boards are compared (radians).
+    flat
+        The flat sheet (rows, columns, 3) in which boards are described.
     boards
         All boards on it.
     """
@@ -72,12 +74,13 @@ class Corners:
     opposite: Pairs
     vertices: Integers
     drives: Sequence[float]
+    flat: Array
     boards: Callable[[Built], Boards]
 
     def bodies(self, built: Built) -> Bodies:
         """Its boards as bodies."""
-        flat = self.mechanism.positions(0.0).reshape(-1, 3)
-        return Bodies(self.boards(built), self.mechanism.grid.faces_vertices(), flat)
+        faces = self.mechanism.grid.faces_vertices()
+        return Bodies(self.boards(built), faces, self.flat.reshape(-1, 3))
 
 
 def prove_boards(
@@ -99,15 +102,16 @@ def prove_boards(
     DesignError
         If nothing is left of a panel.
     """
-    mechanism = design.mechanism.still
+    mechanism, flat = design.mechanism.still, design.mechanism.positions(0.0)
     built = build_panels(design, end)
     settled = built.settled()
     opposite, vertices = opposite_panels(mechanism.grid, settled)
 
     def corners(drive: float) -> Corners:
         drives = np.unique([*np.linspace(0.0, built.limit, STATES), drive]).tolist()
-        every = slice(None)
-        return Corners(mechanism, every, opposite, vertices, drives, lambda each: each.boards)
+        return Corners(
+            mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.boards
+        )
 
     def first_contact(built: Built) -> PathResult:
         return find_first_body_contact(

@@ -74,6 +74,7 @@ def clip_boards(
         selected(opposite, flapped),
         vertices[flapped],
         [sheet.target],
+        mechanism.positions(0.0),
         lambda each: each.with_flaps(mechanism),
     )
     apart = grid.vertices()[1:-1, 1:-1][settled]

@@ -20,6 +20,7 @@ from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
 from orishell.shell.standing import Feet
 from orishell.workshop import Workshop
+from orishell.workshop.chamfers import chamfer_angles
 
 BELOW = 0.01
 """Flaps lower than the feet by this share of the height carry the shell: mortar evens out less."""
@@ -43,6 +44,10 @@ LARGEST_BOARD = (3.05, 1.525)
 """The largest plywood that is commonly sold, 10 by 5 feet (metres)."""
 DEEP = 0.3
 """A corrugation this share of the height deep hides the curve: one sees the folds."""
+SAW, TRACK_SAW = 45, 48
+"""Table saws tilt their blades from 0 to 45 degrees (manuals of Ryobi RTS08, DeWalt DWE7470 and
+others), the farthest of three track saws to 48 (Popular Woodworking 175, April 2009, page 43); a
+V-bit with an edge of 90 degrees leans by 45 (degrees)."""
 
 
 def find_caveats(
@@ -59,8 +64,9 @@ def find_caveats(
         *_of_feet(design, feet, unit),
         *_of_size(design, flat),
         *_of_unfolded_columns(design),
-        *_of_boards(flat, unit, workshop),
+        *_of_boards(design, flat, unit, workshop),
         *_of_depth(lock, height, unit),
+        *_of_chamfers(lock),
     ]
 
 
@@ -198,7 +204,10 @@ def _unfolded(mechanism: Mechanism) -> Booleans:
     return unfolded
 
 
-def _of_boards(flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
+def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> Iterator[str]:
+    """A sheet larger than any board; solid panels are cut one by one."""
+    if design.panel is not None and design.panel.construction == "bevel":
+        return
     width, height, _ = extents(flat)
     metres = conversion(unit, "m")
     long, short = (metres * side for side in (max(width, height), min(width, height)))
@@ -217,6 +226,23 @@ def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
         yield (
             f"the folds are {plain(lock.depth, 3)} {unit} deep in a shell {plain(height, 3)} "
             f"{unit} high: one sees them rather than the curve f; more rows make them shallower"
+        )
+
+
+def _of_chamfers(lock: Lock) -> Iterator[str]:
+    """Chamfers of solid panels that ordinary machines do not make."""
+    built = lock.built
+    if built is None:
+        return
+    each = (boards for boards in (built.boards, built.flaps) if boards is not None)
+    angles = np.concatenate([chamfer_angles(boards) for boards in each])
+    steep = int((angles > SAW).sum())
+    if steep:
+        yield (
+            f"{steep} of {len(angles)} chamfers lean by more than {SAW} degrees from a square "
+            f"cut, up to {angles.max():.3g}: table saws tilt no further (track saws to "
+            f"{TRACK_SAW}), nor does a V-bit of {2 * SAW} degrees; mill them on five axes or print "
+            'the panels, or make boards that are cut square (construction = "sandwich")'
         )
 
 

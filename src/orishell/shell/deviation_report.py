@@ -61,6 +61,8 @@ class DeviationReport:
         Distances of the polylines that the shell locks on from the target curves.
     surface
         Distances between the shell and the surface; None if they were not measured.
+    tilted
+        How f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn.
     approached
         What the family approaches instead, if it does.
     """
@@ -68,6 +70,7 @@ class DeviationReport:
     f: Closeness
     g: Closeness
     surface: SurfaceReport | None
+    tilted: str
     approached: ApproachReport | None
 
     __repr__ = in_one_line
@@ -92,6 +95,7 @@ def describe_deviation(
             shell_to_surface=deviation.shell_to_surface,
             surface_to_shell=deviation.surface_to_shell,
         ),
+        tilted=design.tilted,
         approached=None
         if approached is None
         else ApproachReport(

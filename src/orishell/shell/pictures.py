@@ -101,6 +101,8 @@ def _plot_deviation(path: Path, design: Design, deviation: Deviation, unit: str)
     largest, rms = f"{plain(deviation.max, 3)} {unit}", f"{plain(deviation.rms, 3)} {unit}"
     signed = measure_signed(locked_shell(design), design.surface, DRAWN_SAMPLES, DRAWN_PANELS)
     note = "Shell at its target, flaps left out, coloured by its distance from f swept along g"
+    if design.tilted:
+        note += f"; {design.tilted}"
     if signed.strides != (1, 1):
         note += "; every {}th row, every {}th column drawn".format(*signed.strides)
     plot_deviation(

@@ -16,6 +16,7 @@ from orishell.shell.parts import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, Sheets
 from orishell.workshop import Workshop
 from orishell.workshop.drawing import ORDER
+from orishell.workshop.glue import has_sheet
 from orishell.workshop.palettes import Palette, load_palette
 from orishell.workshop.paper_model import make_paper_model
 from orishell.workshop.sheets import draw_sheet_files, measure_waste
@@ -75,7 +76,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
         "layers": layers,
         "palette": palette.note,
         "stock": measure_waste(document, workshop),
-        "boards": None if built is None else built.stock_sheets,
+        "boards": built.stock_sheets if built is not None and has_sheet(document) else None,
         "paper": _paper_model(document, workshop),
     }
 

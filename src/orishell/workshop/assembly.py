@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.document import Document
+from orishell.numerics.arrays import Integers
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.drawing import Drawing, Layer, Line, Text
 from orishell.workshop.joints import LETTER_WIDTH, Joint
@@ -83,14 +84,9 @@ def draw_map(
     shift = 2 * letter - low + np.array([0.0, 4 * letter])
 
     cut = {joint.edge for joint in joints}
-    letters = np.array(document.assignment)
     inner = np.array(sorted(set(np.flatnonzero(document.mesh.crease).tolist()) - cut), dtype=int)
     lines = [Line("ENGRAVE", tab[[1, 2, 3, 0]] + shift) for joint in joints for tab in joint.tabs]
-    for layer, marks in _LAYERS:
-        ends = flat[edges[inner[np.isin(letters[inner], list(marks))]]]
-        trim = TRIMMED * (ends[:, 1] - ends[:, 0])
-        ends = np.stack([ends[:, 0] + trim, ends[:, 1] - trim], axis=1) + shift
-        lines += [Line(layer, line) for line in ends]
+    lines += shifted((short_creases(document, inner), (), ()), *shift.tolist())[0]
     seams = flat[edges[sorted(cut)]] + shift
     lines += [Line("CUT", seam) for seam in seams]
     lines += [Line("CUT", rim + shift, closed=True) for rim in rims]
@@ -119,6 +115,19 @@ def draw_map(
     width, height = (high - low + np.array([4, 8]) * letter).tolist()
     title = f"{document.title}, assembly map"
     return Drawing(title, document.unit, width, height, tuple(lines), (), tuple(placed))
+
+
+def short_creases(document: Document, creases: Integers) -> tuple[Line, ...]:
+    """Creases of a map, by their numbers, shorter than they are, mountains and valleys apart."""
+    letters = np.array(document.assignment)[creases]
+    ends = document.require_flat()[document.mesh.edges[creases]]
+    trim = TRIMMED * (ends[:, 1] - ends[:, 0])
+    short = np.stack([ends[:, 0] + trim, ends[:, 1] - trim], axis=1)
+    return tuple(
+        Line(layer, line)
+        for layer, marks in _LAYERS
+        for line in short[np.isin(letters, list(marks))]
+    )
 
 
 _LAYERS: tuple[tuple[Layer, str], ...] = (("ENGRAVE", "FJU"), ("MOUNTAIN", "M"), ("VALLEY", "V"))

@@ -8,6 +8,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.boards import Boards
 from orishell.workshop.board_outlines import seen_from_outside
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.drawing import Line, Text
@@ -56,7 +57,7 @@ def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]
     """
     solids = seen_from_outside(document, 0)
     size = mean_edge(document)
-    chamfers = _find_chamfers(document, FLUSH * size)
+    chamfers = _find_chamfers(_solid_levels(document), FLUSH * size)
     lines: list[list[Line]] = [[] for _ in solids.names]
     texts: list[list[Text]] = [[] for _ in solids.names]
     for board, ends in zip(chamfers.boards.tolist(), chamfers.ends, strict=True):
@@ -87,9 +88,31 @@ def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]
     return lines, texts
 
 
-def _find_chamfers(document: Document, flush: float) -> _Chamfers:
-    """The chamfers of both faces, that at the top before that at the bottom."""
-    levels = _solid_levels(document)
+def chamfer_angles(boards: Boards) -> Array:
+    """How far all chamfers (C,) of solid panels lean from a square cut (degrees).
+
+    Parameters
+    ----------
+    boards
+        The panels; boards of a sandwich are cut square.
+    """
+    levels = boards.outlines[boards.sides == 0]
+    if not len(levels):
+        return np.zeros(0)
+    sides = np.diff(levels[:, 1, :, :2], axis=1, append=levels[:, 1, :1, :2])
+    return _find_chamfers(levels, FLUSH * float(np.hypot(*sides.T).mean())).angles_deg
+
+
+def _find_chamfers(levels: Array, flush: float) -> _Chamfers:
+    """The chamfers of both faces, that at the top before that at the bottom.
+
+    Parameters
+    ----------
+    levels
+        Outlines (S, 3, K, 3) of solid panels.
+    flush
+        Chamfers narrower than this are none.
+    """
     middle = levels[:, 1, :, :2]
     found = []
     for side, level in ((1, levels[:, 2]), (-1, levels[:, 0])):

@@ -11,6 +11,7 @@ from orishell.conventions.quantities import plain
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
+from orishell.sheet.polygons import signed_areas
 from orishell.workshop.tabs import find_owners, tab_shapes
 
 SLACK = 1e-9
@@ -75,7 +76,7 @@ class CutSheet:
     Parameters
     ----------
     corners
-        Corners (F, 4, 2) of the panels.
+        Corners (F, K, 2) of the panels.
     areas
         Their areas (F,).
     neighbours
@@ -114,6 +115,14 @@ class CutSheet:
         return cls(
             flat[mesh.faces], document.areas(), neighbours, tabs, float(width), float(height)
         )
+
+    @classmethod
+    def apart(cls, outlines: Array, width: float, height: float) -> CutSheet:
+        """Panels with outlines (F, K, 2) of their own, cut one by one."""
+        count = len(outlines)
+        areas, alone = signed_areas(outlines), np.full((count, 4), -1)
+        none = np.full((count, 4, 2, 2), np.nan)
+        return cls(outlines, areas, alone, none, float(width), float(height))
 
     def points(self, panels: Integers, rim: Integers | None = None) -> Array:
         """Corners (k, 2) of panels and of the tabs around them.

@@ -14,6 +14,12 @@ from orishell.workshop.part import Part
 from orishell.workshop.placing import Content
 
 
+def has_sheet(document: Document) -> bool:
+    """Whether the flat sheet is built: not where panels are solid, on hinges of their own."""
+    build = document.panel
+    return document.boards is None or build is None or build.construction != "bevel"
+
+
 def has_membrane(document: Document) -> bool:
     """Whether boards are glued on the sheet, on one face or on both."""
     return document.boards is not None and bool(document.boards.sides.any())

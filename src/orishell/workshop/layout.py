@@ -15,9 +15,11 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.errors import InputError
-from orishell.numerics.arrays import Integers
+from orishell.numerics.arrays import Array, Integers
+from orishell.workshop.board_outlines import seen_from_outside
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.fitting import CutSheet, find_turns, require_panels_fit
+from orishell.workshop.glue import has_sheet
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.outline import whole_sheet
@@ -89,9 +91,20 @@ def require_stock(document: Document, workshop: Workshop) -> None:
     """
     width, height = usable_stock(workshop)
     everything = with_clipped(document)
-    if not len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
+    if not has_sheet(document):
+        require_panels_fit(everything, CutSheet.apart(_solid_outlines(everything), width, height))
+    elif not len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
         require_panels_fit(everything, CutSheet.of(everything, width, height, tabs))
+
+
+def _solid_outlines(document: Document) -> Array:
+    """Outlines (F, K, 2) of solid panels; a panel without one has its own corners."""
+    seen = seen_from_outside(document, 0)
+    corners = document.require_flat()[document.mesh.faces]
+    outlines = np.pad(corners, ((0, 0), (0, seen.outlines.shape[1] - 4), (0, 0)), mode="edge")
+    outlines[seen.panels] = seen.outlines
+    return outlines
 
 
 @dataclass(frozen=True, slots=True)

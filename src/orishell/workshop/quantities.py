@@ -48,7 +48,8 @@ class Quantities:
     outline_length
         Length of the outlines and of cuts within them.
     stock
-        Sheets of stock, and what of them is not used; None if that was not asked for.
+        Sheets of stock for the sheet, or for panels that are solid, and what of them is not used;
+        None if that was not asked for.
     mass_kg
         Mass of the panels; None if the areal density is not known.
     built

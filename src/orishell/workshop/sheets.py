@@ -16,15 +16,18 @@ import numpy as np
 from orishell.document import Document
 from orishell.sheet.polygons import signed_areas
 from orishell.workshop.assembly import draw_map, number_text
+from orishell.workshop.board_outlines import distinct_corners, seen_from_outside
+from orishell.workshop.board_parts import nest_boards
 from orishell.workshop.board_sheets import draw_boards
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
 from orishell.workshop.drawing import Drawing
-from orishell.workshop.glue import back_of, sheet_title, with_glue_areas
+from orishell.workshop.glue import back_of, has_sheet, sheet_title, with_glue_areas
 from orishell.workshop.layout import Layout, lay_out, usable_stock
 from orishell.workshop.outline import whole_sheet
 from orishell.workshop.part import Part
 from orishell.workshop.placing import Content, Placement
+from orishell.workshop.plan import draw_plan
 from orishell.workshop.settings import Workshop
 from orishell.workshop.stock_sheet import draw_stock_sheet
 from orishell.workshop.title_block import program_and_palette, quoted_size
@@ -65,6 +68,8 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     one is a map of the whole sheet with the numbers of parts and the names of joints, and not
     to be cut; it is followed by a drawing for every sheet of stock, exactly of its size.
 
+    Where panels are solid there is no sheet to be cut, and one drawing: the plan of assembly.
+
     Parameters
     ----------
     workshop
@@ -75,6 +80,8 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     InputError
         If there is no flat sheet or no unit, or a panel does not fit the stock.
     """
+    if not has_sheet(document):
+        return (draw_plan(document, workshop),)
     everything = replace(with_clipped(document), title=sheet_title(document))
     if workshop.stock is None:
         part = with_glue_areas(everything, whole_sheet(everything))
@@ -131,24 +138,35 @@ def draw_sheet_files(
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
     """How much stock the sheet needs and wastes, and the length of cuts and creases.
 
+    Of solid panels, of which no sheet is cut, how much they need.
+
     Raises
     ------
     InputError
         If there is no flat sheet, or a panel does not fit the stock.
     """
-    layout = lay_out(document, workshop)
     everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges
-    outlines = [outline for part in layout.parts for outline in part.outlines]
+    if has_sheet(document):
+        layout = lay_out(document, workshop)
+        outlines = [outline for part in layout.parts for outline in part.outlines]
+        creases = np.concatenate([part.creases for part in layout.parts])
+        sheets = layout.sheets
+    else:
+        outlines = [*map(distinct_corners, seen_from_outside(everything, 0).outlines)]
+        creases = np.zeros(0, np.int64)
+        sheets = 1
+        if workshop.stock is not None:
+            sheets = 1 + max(placed.sheet for placed in nest_boards(document, workshop))
     if workshop.stock is None:
         stock = float(np.prod(np.ptp(np.concatenate(outlines), axis=0)))
     else:
-        stock = layout.sheets * workshop.stock[0] * workshop.stock[1]
+        stock = sheets * workshop.stock[0] * workshop.stock[1]
     used = sum(float(signed_areas(outline)) for outline in outlines)
     around = [outline - np.roll(outline, 1, axis=0) for outline in outlines]
-    ends = flat[edges[np.concatenate([part.creases for part in layout.parts])]]
+    ends = flat[edges[creases]]
     return Waste(
-        sheets=layout.sheets,
+        sheets=sheets,
         stock_area=stock,
         used_area=used,
         waste=1 - used / stock,

@@ -16,6 +16,11 @@ export function wordsOfLock(report: Pick<Report, "lock" | "deployment"> | null):
     const where = `at drive ${pretty(contact.drive_deg, 4)}° of ${pretty(lock.target_drive_deg, 4)}°`;
     return [`Panels ${first} and ${second} touch first, ${where} (${contact.kind}).`, "bad"];
   }
+  const clipped = lock.clipped_contact;
+  if (clipped) {
+    const [first, second] = clipped.panels.map((panel) => panel.join(","));
+    return [`Flaps have no room at the target: panels ${first} and ${second} meet when they are clipped on.`, "bad"];
+  }
   const opening = deployment.opening ? ` Held from opening by ${deployment.opening}.` : "";
   return [`${againstClosing(lock, deployment)}: nothing touches on the way, proved.${opening}`, "good"];
 }

@@ -26,7 +26,7 @@ from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
 from orishell.families.orthodiagonal.refusal import refuse
 from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind
-from orishell.families.orthodiagonal.target import approach, sweep
+from orishell.families.orthodiagonal.target import approach, sweep, tilted
 from orishell.families.parameters import (
     Auto,
     ColumnCount,
@@ -163,6 +163,7 @@ def design_orthodiagonal(
     require_resolution(mechanism, chain(fewer("rows", rows), fewer("columns", columns)))
 
     closeness = {"f": measure_closeness(f_trace, zigzag.vertices), "g": middle.closeness}
+    targets = _place_targets(f_trace, zigzag, g_trace, mechanism)
     return Design(
         mechanism=mechanism,
         parameters={
@@ -175,10 +176,11 @@ def design_orthodiagonal(
             "tilt_deg": tidy_degrees(mechanism.tilt),
             **middle.parameters,
         },
-        targets=_place_targets(f_trace, zigzag, g_trace, mechanism),
+        targets=targets,
         closeness=closeness,
         swept=sweep(f_trace, zigzag, g_trace, mechanism),
         approached=approach(f_trace, zigzag, g_trace, mechanism),
+        tilted=tilted(targets["g"], mechanism),
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Trace, curve_from_points, trace_curve
 from orishell.design import Approached, Path, Sliding, Surface
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
+from orishell.numerics.arrays import Array
 from orishell.polylines import Zigzag
 
 STRAIGHT = 1e-9
@@ -21,6 +23,25 @@ def sweep(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Surfa
     """
     rail = Sliding(Path.of(g), complex(np.exp(-1j * mechanism.heading)), mechanism.tilt)
     return Surface(f, _origin(zigzag), rail)
+
+
+def tilted(g: Array, mechanism: Orthodiagonal) -> str:
+    """How g's plane is turned in the target surface, in words; empty where that leaves g as it is.
+
+    Parameters
+    ----------
+    g
+        g in that surface (N, 3).
+    mechanism
+        The sheet.
+    """
+    high = float(np.ptp(g[:, 2]))
+    if high <= STRAIGHT * float(np.ptp(g, axis=0).max()):
+        return ""
+    return (
+        f"g's plane is tilted by {in_degrees(abs(mechanism.tilt))} degrees about the columns' "
+        f"normal, as the axis of f's zigzag is: g is {high:.4g} high"
+    )
 
 
 def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Approached | None:

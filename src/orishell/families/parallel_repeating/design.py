@@ -9,7 +9,7 @@ import numpy as np
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.arguments import checked
-from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design, FlapSide, Parameter, warn_of_no_lock
@@ -182,6 +182,7 @@ def design_parallel_repeating(
         closeness=closeness,
         swept=sweep(f_trace, staircase, g_trace, plane),
         approached=approach(f_trace, staircase, g_trace, plane),
+        tilted=f"f is turned in its plane by {in_degrees(theta)} degrees" if theta else "",
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
