@@ -10,6 +10,7 @@ from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.errors import ClashError, DesignError, Remedy
+from orishell.locking.crossing import require_uncrossed
 from orishell.locking.flap_widths import flap_width, widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.request import Request
@@ -45,9 +46,13 @@ def end_motion(
 
     Raises
     ------
+    DesignError
+        If f crosses itself.
     ClashError
         If panels of the flat sheet touch, or panels meet before the target state.
     """
+    if not allow_clash:
+        require_uncrossed(design)
     tolerance = CONTACT_TOLERANCE if request is None else request.tolerance
     lock = find_lock(design, tolerance=tolerance, progress=progress)
     contact = lock.first_contact
