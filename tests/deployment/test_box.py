@@ -83,3 +83,14 @@ def test_many_points_on_a_sphere() -> None:
     points = np.random.default_rng(3).normal(size=(200, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]
     assert 7 < smallest_box(points).volume < 8
+
+
+@pytest.mark.parametrize("shape", [np.ones(3), np.array([9.0, 3, 0.01])])
+def test_a_body_of_many_corners_has_nearly_the_box_of_all(
+    monkeypatch: pytest.MonkeyPatch, shape: np.ndarray
+) -> None:
+    points = np.random.default_rng(5).normal(size=(450, 3))
+    points *= shape / np.linalg.norm(points, axis=1)[:, None]
+    found = smallest_box(turned(points))
+    monkeypatch.setattr("orishell.deployment.box.MOST_CORNERS", 450)
+    assert found.volume < 1.002 * smallest_box(turned(points)).volume

@@ -44,6 +44,22 @@ def test_layers_of_a_strip_folded_to_and_fro(count: int) -> None:
     assert count_layers(points, Grid(count + 1, 2).faces_vertices()) == count
 
 
+def test_panels_far_smaller_than_their_sheet_do_not_lie_on_those_beside_them() -> None:
+    i, j = np.meshgrid(np.arange(2.0), np.arange(3001.0), indexing="ij")
+    points = np.stack([j, i, 0 * i], axis=-1).reshape(-1, 3)
+    assert count_layers(points, Grid(2, 3001).faces_vertices(), np.eye(3)) == 1
+
+
+def test_layers_of_more_panels_than_are_looked_at_are_not_too_many(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    folded = miura(6, 30, 2.5)
+    assert count_layers(*folded, np.eye(3)) == 120
+    monkeypatch.setattr("orishell.deployment.layers.MOST_PAIRS", 1000)
+    monkeypatch.setattr("orishell.deployment.layers.MOST_EACH", 1)
+    assert 60 <= count_layers(*folded, np.eye(3)) <= 120
+
+
 def test_a_flat_sheet_is_one_layer() -> None:
     design = design_parallel_repeating(graph("-x**2", -1, 1), STRAIGHT, rows=5, columns=4, flap=0.2)
     mechanism = design.mechanism

@@ -117,12 +117,14 @@ class Bodies:
         return np.abs(np.stack([along, down, self.corners[numbers][..., 2]])).swapaxes(1, 2)
 
 
-def directions(state: BodyState, pairs: Pairs) -> Array:
+def directions(state: BodyState, pairs: Pairs, *, of_faces: bool = False) -> Array:
     """Unit vectors (3, X, P) that may keep pairs of bodies (P,) apart, zero where there are none.
 
-    First the normals of faces of both, then what is square to an edge of each.
+    First the normals of faces of both, then what is square to an edge of each, if not left out.
     """
     normals = np.concatenate([state.normals[..., bodies] for bodies in pairs]).swapaxes(0, 1)
+    if of_faces:
+        return normals
     first, second = (state.edges[..., bodies].swapaxes(0, 1) for bodies in pairs)
     across = _square_to(first[:, :, None], second[:, None])
     return np.concatenate([normals, across.reshape(3, len(state.edges) ** 2, -1)], axis=1)
@@ -154,13 +156,13 @@ class Apartness:
     number: Integers
 
     @classmethod
-    def of(cls, states: Sequence[BodyState], pairs: Pairs) -> Apartness:
-        """The apartness of pairs of bodies (P,) in two states."""
+    def of(cls, states: Sequence[BodyState], pairs: Pairs, *, of_faces: bool = False) -> Apartness:
+        """The apartness of pairs of bodies (P,) in two states, or as far as normals show it."""
         gaps, number = np.empty((2, len(pairs[0]))), np.empty(len(pairs[0]), np.int64)
         for k in range(0, len(number), CHUNK):
             part = slice(k, k + CHUNK)
             chunk = pairs[0][part], pairs[1][part]
-            both = np.stack([_plain_gaps(state, chunk) for state in states])
+            both = np.stack([_plain_gaps(state, chunk, of_faces) for state in states])
             gaps[:, part] = both.max(axis=1)
             number[part] = both.min(axis=0).argmax(axis=0)
         return cls(gaps, number)
@@ -179,9 +181,9 @@ class Apartness:
         return Apartness(self.gaps[:, which], self.number[which])
 
 
-def _plain_gaps(state: BodyState, pairs: Pairs) -> Array:
+def _plain_gaps(state: BodyState, pairs: Pairs, of_faces: bool) -> Array:
     """Gaps (X, P) of pairs of bodies along all directions; there is none along a lost one."""
-    lines = directions(state, pairs)
+    lines = directions(state, pairs, of_faces=of_faces)
     corners = state.corners[:, :, pairs[0]], state.corners[:, :, pairs[1]]
     gap = common_gap(views_along(lines, [corners]))
     return np.where(lines.any(axis=0), gap, -np.inf)

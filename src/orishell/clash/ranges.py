@@ -67,6 +67,8 @@ def search_ranges(
         start, stop, pending = stack.pop()
         if found is not None and start >= found[0]:
             break
+        # Ranges may be many that bring it no further: it is heard of, and can be ended, at each.
+        progress(clear / TICKS, LOOKING)
         outcome = examine(start, stop, pending)
         if outcome.at_start is not None:
             found = (start, outcome.at_start)
@@ -75,7 +77,6 @@ def search_ranges(
             found = (stop, outcome.at_stop)
         if outcome.left is None:
             clear = stop
-            progress(clear / TICKS, LOOKING)
         elif stop - start == 1 and outcome.pair is not None:
             found = (stop, outcome.pair)
             break

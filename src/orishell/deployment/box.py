@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.quads import lengths
+
+if TYPE_CHECKING:
+    from scipy.spatial import ConvexHull
 
 FLAT = 1e-9
 """Points that leave a plane, or a line, by less than this share of their extent are in it."""
 BATCH = 64
 """Directions that are examined at once."""
-MOST_EDGES = 3000
-"""Of a hull whose edges are paired; with more, faces stand so close that they do."""
+MOST_CORNERS = 350
+"""Of a body that is examined with all its corners; larger ones by some, :data:`CLOSE` to all."""
+MOST_POINTS = 20_000
+"""Of which the hull is made before some are chosen."""
+CLOSE = 1e-3
+"""By this share at most the box of all corners is larger than that of some along the same axes."""
+VIEWS = 128
+"""Directions to both sides of which the first of some corners are the outermost."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,13 +77,17 @@ def smallest_box(points: Array) -> Box:
     convex hull, or two opposite ones on edges that cross. A box that rests on edges with all its
     faces, and can be made shorter in every direction, may be smaller still: by an eighth for an
     octahedron, by a few per cent for few random bodies.
+
+    Of a body with more than :data:`MOST_CORNERS` corners it is that box of some of them, made
+    larger to hold all. Corners that stick out are added until that is less than :data:`CLOSE` of
+    its volume: so the time grows as the number of points, however many are corners.
     """
     centred = points - points.mean(axis=0)
     axes = np.linalg.svd(centred, full_matrices=len(points) < 3)[2]
     extent = np.ptp(centred @ axes.T, axis=0)
     rank = int((extent > FLAT * extent.max()).sum()) if extent.max() > 0 else 0
     if rank == 3:
-        return _box_of_body(points)
+        return Box.along(_axes_of_body(points, centred @ axes.T / extent), points)
     if rank == 2:
         axes = _turned_to_edge(centred, axes)
     return Box.along(axes, points)
@@ -97,11 +111,48 @@ def _turned_to_edge(points: Array, axes: Array) -> Array:
     return np.concatenate([turn @ axes[:2], axes[2:]])
 
 
-def _box_of_body(points: Array) -> Box:
-    """The smallest box of points (N, 3) that are in no plane, see :func:`smallest_box`."""
+def _axes_of_body(points: Array, even: Array) -> Array:
+    """Axes (3, 3) of the box of points (N, 3) that are in no plane, see :func:`smallest_box`.
+
+    Parameters
+    ----------
+    even
+        The points, turned and shrunk so that they reach as far in all directions (N, 3).
+    """
     from scipy.spatial import ConvexHull
 
-    hull = ConvexHull(points)
+    if len(points) <= MOST_POINTS:
+        hull = ConvexHull(points)
+        if len(hull.vertices) <= MOST_CORNERS:
+            return _axes_of_hull(points, hull)
+    some = _outermost(even, _views(VIEWS))
+    while True:
+        corners = points[some]
+        axes = _axes_of_hull(corners, ConvexHull(corners))
+        places = points @ axes.T
+        if np.ptp(places, axis=0).prod() <= (1 + CLOSE) * np.ptp(places[some], axis=0).prod():
+            return axes
+        some = np.union1d(some, [places.argmin(axis=0), places.argmax(axis=0)])
+
+
+def _views(count: int) -> Array:
+    """Unit directions (count, 3), evenly over half a sphere: a spiral of equal steps in height."""
+    height = (np.arange(count) + 0.5) / count
+    around, radius = np.pi * (1 + np.sqrt(5)) * np.arange(count), np.sqrt(1 - height**2)
+    return np.stack([radius * np.cos(around), radius * np.sin(around), height], axis=-1)
+
+
+def _outermost(points: Array, directions: Array) -> Integers:
+    """Numbers of the points (N, 3) that are farthest to both sides of directions (D, 3)."""
+    found = []
+    for direction in directions:
+        place = points @ direction
+        found += [place.argmin(), place.argmax()]
+    return np.unique(found)
+
+
+def _axes_of_hull(points: Array, hull: ConvexHull) -> Array:
+    """Axes (3, 3) of the smallest box of a hull of points (N, 3), see :func:`smallest_box`."""
     corners, normals = points[hull.vertices], hull.equations[:, :3]
     # Edges of the hull by the faces at both sides; those inside a plane face are none.
     face, opposite = np.nonzero(np.arange(len(normals))[:, None] < hull.neighbors)
@@ -113,9 +164,7 @@ def _box_of_body(points: Array) -> Box:
     real = lengths(np.cross(left, right)) > FLAT
     edges, left, right = edges[real], left[real], right[real]
 
-    directions = normals
-    if len(edges) <= MOST_EDGES:
-        directions = np.concatenate([normals, _crossing(edges, left, right)])
+    directions = np.concatenate([normals, _crossing(edges, left, right)])
     # No box is smaller than its height times the body's shadow in that direction.
     areas = 0.5 * lengths(
         np.cross(triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0])
@@ -137,7 +186,7 @@ def _box_of_body(points: Array) -> Box:
         volumes = np.ptp(frames @ corners.T, axis=-1).prod(axis=-1)
         if volumes.min() < best:
             best, axes = float(volumes.min()), frames[int(volumes.argmin())]
-    return Box.along(axes, points)
+    return axes
 
 
 def _crossing(edges: Array, left: Array, right: Array) -> Array:

@@ -8,14 +8,13 @@ import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.deployment.box import Box, smallest_box
+from orishell.deployment.layers import count_layers
 from orishell.motion import Mechanism, diagonal, panel_normals
-from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import area_vectors, grid_corners, lengths
+from orishell.numerics.arrays import Array
+from orishell.sheet.quads import grid_corners
 
 THIN = 1e-3
 """A bundle counts as at least this thick, relative to the diagonal of the flat sheet."""
-SHRUNK = 1e-6
-"""Panels are made smaller by this share, so that those beside each other do not overlap."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,48 +74,3 @@ def _surfaces(positions: Array, thickness: float) -> Array:
     corners, normals = grid_corners(positions), panel_normals(positions)
     over = 0.5 * thickness * normals[..., None, :]
     return np.concatenate([corners + over, corners - over]).reshape(-1, 3)
-
-
-def count_layers(points: Array, faces: Integers, axes: Array | None = None) -> int:
-    """Return how many panels lie on top of each other at most, seen along the box's shortest side.
-
-    Panels of a thickness t make a bundle at least that many times t thick. Those seen edge-on do
-    not count.
-
-    Parameters
-    ----------
-    points
-        Vertices (V, 3).
-    faces
-        Corners (F, 4) of the panels, in order around each.
-    axes
-        Directions (3, 3) of the box's sides, the shortest last; None for the smallest box.
-
-    Notes
-    -----
-    Exact for convex panels: sets of them that overlap have a leftmost common point, and two of them
-    have the same one (Helly). So it is enough to count the panels at the leftmost points of all
-    overlaps of two, and of the panels themselves.
-    """
-    import shapely
-
-    axes = smallest_box(points).axes if axes is None else axes
-    corners = points[faces]
-    centre = corners.mean(axis=1, keepdims=True)
-    corners = (centre + (1 - SHRUNK) * (corners - centre)) @ axes.T
-    normal = area_vectors(corners)
-    seen = np.abs(normal[:, 2]) > SHRUNK * lengths(normal)
-    if not seen.any():
-        return 1
-    panels = shapely.polygons(corners[seen][..., :2])
-    tree = shapely.STRtree(panels)
-    first, second = tree.query(panels, predicate="intersects")
-    once = first <= second
-    common = shapely.intersection(panels[first[once]], panels[second[once]])
-    places, which = shapely.get_coordinates(common, return_index=True)
-    order = np.lexsort([places[:, 1], places[:, 0], which])
-    leftmost = order[np.unique(which[order], return_index=True)[1]]
-    spots = shapely.points(places[leftmost])
-    near = SHRUNK * 1e-3 * float(np.ptp(places, axis=0).max())
-    found, _ = tree.query(spots, predicate="dwithin", distance=near)
-    return int(np.bincount(found).max())

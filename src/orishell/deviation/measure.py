@@ -229,5 +229,5 @@ def _measure(way: _Way, samples: int) -> Distances:
         mean=float(share @ inside),
         p95=float(inside[order[min(place, len(order) - 1)]]),
         sample_spacing=beyond + way.sagitta + patch.left_out,
-        grid_spacing=float(patch.radii().max()) + way.sagitta + patch.left_out,
+        grid_spacing=patch.radius() + way.sagitta + patch.left_out,
     )

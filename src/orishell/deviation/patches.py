@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,8 @@ MOST_LONGER = 30.0
 MOST_TIMES, FEWEST_BOUND = 4, 20_000
 """A surface that bends often is sampled more often than asked for, at most so many times, or so
 often."""
+AT_ONCE = 2**16
+"""Cells that are looked at together: few enough for a processor's cache."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -95,19 +98,29 @@ class Patch:
             first, second = distances[:-1], distances[1:]
             pairs = (near * first + (1 - near) * second, near * second + (1 - near) * first)
             distances = np.stack(pairs, axis=1).reshape(-1, distances.shape[1]).T
-        areas = lengths(area_vectors(grid_corners(self.points)))
+        areas = np.concatenate(
+            [lengths(area_vectors(grid_corners(self.points[part]))) for part in self._blocks()]
+        )
         shares = np.repeat(np.repeat(areas / (4 * areas.sum()), 2, axis=0), 2, axis=1)
         return distances.ravel(), shares.ravel()
 
-    def radii(self) -> Array:
-        """For each cell (A-1, B-1), a length within which each of its points has a corner."""
-        middle = self.at(
-            0.5 * (self.u[:-1] + self.u[1:])[:, None], 0.5 * (self.v[:-1] + self.v[1:])[None, :]
-        )
-        corners = grid_corners(self.points)
+    def radius(self) -> float:
+        """A length within which every point of a cell has a corner of it, in all cells."""
+        return max(self._radius(part) for part in self._blocks())
+
+    def _radius(self, part: slice) -> float:
+        u, v, points = self.u[part], self.v, self.points[part]
+        middle = self.at(0.5 * (u[:-1] + u[1:])[:, None], 0.5 * (v[:-1] + v[1:])[None, :])
+        corners = grid_corners(points)
         to_middle = lengths(corners - middle[..., None, :]).max(axis=-1)
         edges = lengths(corners - np.roll(corners, 1, axis=-2)).max(axis=-1)
-        return np.asarray(np.maximum(to_middle, 0.5 * edges))
+        return float(np.maximum(to_middle, 0.5 * edges).max())
+
+    def _blocks(self) -> Iterator[slice]:
+        """Rows of samples to look at together: all cells, a few at once."""
+        step = max(AT_ONCE // len(self.v), 1)
+        for start in range(0, len(self.u) - 1, step):
+            yield slice(start, start + step + 1)
 
 
 def _slenderness(shell: Array) -> float:

@@ -12,6 +12,7 @@ from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.errors import ClashError, DesignError, Remedy
 from orishell.locking.clipped import flap_width, refuse_clipped
+from orishell.locking.crossing import require_uncrossed
 from orishell.locking.flap_widths import widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.result import Contact, Lock
@@ -50,10 +51,14 @@ def end_motion(
 
     Raises
     ------
+    DesignError
+        If f crosses itself.
     ClashError
         If panels of the flat sheet touch, panels meet before the target state, or clipped flaps
         meet panels there.
     """
+    if not allow_clash:
+        require_uncrossed(design)
     lock = find_lock(design, tolerance=tolerance, progress=progress)
     contact = lock.obstacle
     if contact is None:

@@ -24,6 +24,8 @@ from orishell.sheet.grid import CreaseValues
 
 STATES = 257
 """States among which the largest fold angles of creases are looked for."""
+AT_ONCE = 2**23
+"""Fold angles that are looked at together: memory grows with it."""
 
 SHUT = 1e-9
 """A crease whose fold angle is this near to pi folds flat (radians)."""
@@ -57,8 +59,17 @@ def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
     limit
         The drive up to which the motion is used (radians).
     """
-    angles = mechanism.fold_angles(np.linspace(0.0, limit, STATES))
-    return CreaseValues(_largest(angles.row), _largest(angles.column))
+    drives = np.linspace(0.0, limit, STATES)
+    together = max(AT_ONCE // (2 * mechanism.grid.panel_count), 1)
+    row = column = np.array(0.0)
+    for start in range(0, STATES, together):
+        # With the state before and the one after: parabolas go through both.
+        around = slice(max(start - 1, 0), start + together + 1)
+        own = slice(start - around.start, start - around.start + together)
+        angles = mechanism.fold_angles(drives[around])
+        row = _larger(row, _largest(angles.row, own))
+        column = _larger(column, _largest(angles.column, own))
+    return CreaseValues(row, column)
 
 
 def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetBacks:
@@ -86,16 +97,22 @@ def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetB
     )
 
 
-def _largest(angles: Array) -> Array:
-    """The values (...) of the largest size among states (S, ...)."""
+def _larger(first: Array, second: Array) -> Array:
+    """The values (...) that are larger in size, the first of equals."""
+    return np.where(np.abs(second) > np.abs(first), second, first)
+
+
+def _largest(angles: Array, among: slice) -> Array:
+    """The values (...) of the largest size among some of the states (S, ...)."""
     size = np.abs(angles)
-    at = size.argmax(axis=0)[None]
+    at = among.start + size[among].argmax(axis=0)[None]
     near = [
         np.take_along_axis(size, np.clip(at + step, 0, len(size) - 1), axis=0)[0]
         for step in (-1, 0, 1)
     ]
     bend = near[0] - 2 * near[1] + near[2]
     inside = (at[0] > 0) & (at[0] < len(size) - 1) & (bend < 0)
+    inside &= (near[0] <= near[1]) & (near[2] <= near[1])
     rise = np.where(inside, (near[2] - near[0]) ** 2 / (8 * np.where(inside, -bend, 1.0)), 0.0)
     sign = np.sign(np.take_along_axis(angles, at, axis=0)[0])
     return np.asarray(sign * np.minimum(near[1] + rise, np.pi))
