@@ -17,6 +17,7 @@ from command_line import orishell, orishell_process
 from orishell.errors import InputError
 from orishell.search import dask_workers
 from orishell.search.evaluate import evaluate, job_of
+from samples import thorough
 from search.dask_cluster import DaskCluster, dask_cluster
 from search.problems import small_problem
 from search.searching import lines, searched, searching, wait_for_lines, written
@@ -50,6 +51,7 @@ def test_a_cluster_gives_the_same_bytes(
     assert written(tmp_path / "out") == whole
 
 
+@thorough
 def test_a_worker_that_dies_costs_nothing_but_time(
     file: Path, whole: dict[str, bytes], two_workers: DaskCluster, tmp_path: Path
 ) -> None:
@@ -63,6 +65,7 @@ def test_a_worker_that_dies_costs_nothing_but_time(
     assert written(out) == whole
 
 
+@thorough
 def test_a_search_that_loses_its_cluster_goes_on_without(
     file: Path, whole: dict[str, bytes], tmp_path: Path
 ) -> None:
