@@ -27,7 +27,8 @@ def shelter(thickness: float) -> Shell:
         replace(
             read_design_file(SHELTER),
             panel=PanelBuild(thickness, membrane=0.02 * thickness) if thickness else None,
-        )
+        ),
+        leave_out=("deviation", "weight", "stock", "structure"),
     )
 
 

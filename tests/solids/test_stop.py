@@ -127,7 +127,7 @@ def shell(figure: int, panel: PanelBuild, *, clipped: bool = False) -> Shell:
     file = read_design_file(EXAMPLES / f"figure{figure}.toml")
     if clipped:
         file = replace(file, deployment=Deployment(flap_attachment="clipped"))
-    return make_shell(replace(file, panel=panel))
+    return make_shell(replace(file, panel=panel), leave_out=("deviation", "weight", "stock"))
 
 
 @pytest.mark.parametrize("figure", [1, 2])
