@@ -1,6 +1,7 @@
 # make demo    the paper's Figure 1 shell into build/demo/
 # make test    all tests
-# make thorough  the same, with four times as many random examples
+# make thorough  the same, with what is long and rarely fails, and four times as many random examples
+# make portable  those that compare numbers, as other processors round them
 # Both install what they need into .venv; Python 3.11 or newer is all they ask for.
 # make pages   builds the studio and the viewer from TypeScript (node 18 or newer, npm)
 # make test-pages  their own tests
@@ -20,7 +21,7 @@ PARALLEL := --numprocesses logical --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
 PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
 
-.PHONY: demo test thorough docs paper pages test-pages studio cad node everything quick bench lint types contracts check format clean
+.PHONY: demo test thorough portable docs paper pages test-pages studio cad node everything quick bench lint types contracts check format clean
 
 demo: $(VENV)/.run
 	@mkdir -p build
@@ -33,6 +34,9 @@ thorough: export ORISHELL_THOROUGH := 1
 
 test thorough: $(VENV)/.test
 	$(BIN)/python -m pytest --benchmark-skip $(PARALLEL) --durations=15
+
+portable: $(VENV)/.test
+	.ci/portable
 
 pages: $(PAGES)
 

@@ -5,13 +5,15 @@ A test that fails is named at once: who waits need not wait for the last one.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import HealthCheck, settings
 
-from samples import examples
+import margins
+from samples import LEFT_OUT, examples
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -25,6 +27,17 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.load_profile("orishell")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--margins", action="store_true", help="print which bounds are held narrowly: margins.py"
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("--margins"):
+        margins.install(config)
 
 
 @pytest.fixture(scope="session")
@@ -54,6 +67,8 @@ def pytest_report_teststatus(
     report: pytest.TestReport | pytest.CollectReport,
 ) -> tuple[str, str, str] | None:
     """In place of an F or E, the name of what failed and why."""
+    if report.skipped and LEFT_OUT in report.longreprtext:
+        return "left out", "-", "LEFT OUT"
     if not report.failed:
         return None
     crash = getattr(report.longrepr, "reprcrash", None)
@@ -63,8 +78,20 @@ def pytest_report_teststatus(
     return category, f"\n{word} {report.nodeid}\n{why}\n", word
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Print what tests measured without a limit, by ``record_property``, from all processes."""
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    """What tests measured without a limit, by ``record_property``; what `make thorough` adds."""
     for report in terminalreporter.getreports("passed"):
         for name, value in report.user_properties:
-            terminalreporter.write_line(f"{name}: {value}")
+            if not name.startswith(margins.MARGIN):
+                terminalreporter.write_line(f"{name}: {value}")
+    if config.getoption("--margins"):
+        margins.report(terminalreporter)
+    left_out = Counter(
+        each.nodeid.split("[")[0] for each in terminalreporter.getreports("left out")
+    )
+    if left_out:
+        terminalreporter.section(f"{LEFT_OUT}, and four times as many random examples")
+        for name, count in sorted(left_out.items()):
+            terminalreporter.write_line(f"{count:3d} {name}")

@@ -1,15 +1,22 @@
-"""How many random examples: a quarter in ``make test``, all in ``make thorough``.
+"""What only ``make thorough`` runs: what takes long and rarely fails, and most random examples.
 
-Hypothesis draws fewer examples, not the first ones of all: a quarter that passes says nothing of
-the rest, so ``make thorough`` before a release, and after a change of the core.
+``make test`` keeps a quick member of each kind, and a quarter of the examples. Hypothesis draws
+fewer of them, not the first ones of all: a quarter that passes says nothing of the rest, so
+``make thorough`` before a release, and after a change of the core.
 """
 
 from __future__ import annotations
 
 import os
 
+import pytest
+
 THOROUGH = os.environ.get("ORISHELL_THOROUGH") == "1"
 LEAST = 10
+LEFT_OUT = "only make thorough runs it"
+
+thorough = pytest.mark.skipif(not THOROUGH, reason=LEFT_OUT)
+"""Decorates a test, or marks a parameter, whose kind has a quicker member."""
 
 
 def examples(count: int) -> int:

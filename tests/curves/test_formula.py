@@ -117,10 +117,10 @@ def test_refused_with_the_place(text: str, column: int) -> None:
     ],
 )
 def test_attacks_by_size_are_refused_at_once(text: str) -> None:
-    begin = time.perf_counter()
+    begin = time.process_time()
     with pytest.raises(FormulaError):
         parse_formula(text)
-    assert time.perf_counter() - begin < 2  # a hang, not a benchmark
+    assert time.process_time() - begin < 2  # a hang, not a benchmark
 
 
 @given(st.text(alphabet="x+-*/().,0123456789e pisncoqrt^_[]'\"", max_size=40))

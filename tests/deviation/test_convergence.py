@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from samples import thorough
+
 EXAMPLE = Path(__file__).parents[2] / "examples" / "convergence.py"
 
 
@@ -21,7 +23,7 @@ def example() -> dict[str, Any]:
     ("name", "order", "tolerances"),
     [
         # The first step is from 10 to 18 edges, where the order is not yet settled everywhere.
-        ("parallel_rows", 1, (0.1, 0.1, 0.05, 0.05)),
+        pytest.param("parallel_rows", 1, (0.1, 0.1, 0.05, 0.05), marks=thorough),
         ("parallel_polylines", 1, (0.1, 0.1, 0.05, 0.05)),
         ("parallel_columns", 2, (0.1, 0.05, 0.05, 0.05)),
         ("orthodiagonal_rows", 1, (0.1, 0.1, 0.05, 0.05)),

@@ -17,9 +17,10 @@ from orishell.clash.ranges import TICKS
 from orishell.locking import Lock, find_lock
 from orishell.locking.lock import CONTACT_TOLERANCE
 from orishell.motion import Mechanism, diagonal
+from samples import examples
 from strategies import graph, pair
 
-SEEDS = 50
+SEEDS = examples(50)
 ROUNDING = 1e-12
 """A tolerance of brute force that only rounding fills, relative to the diagonal."""
 

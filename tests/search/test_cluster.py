@@ -20,6 +20,7 @@ from orishell.errors import InputError
 from orishell.search import dask_workers
 from orishell.search.cluster import AHEAD
 from orishell.search.evaluate import evaluate, job_of
+from samples import thorough
 from search.dask_cluster import DaskCluster, dask_cluster
 from search.problems import small_problem
 from search.searching import lines, searched, searching, wait_for_lines, written
@@ -55,6 +56,7 @@ def test_a_cluster_gives_the_same_bytes(
     assert written(tmp_path / "out") == whole
 
 
+@thorough
 def test_a_worker_that_dies_costs_nothing_but_time(
     file: Path, whole: dict[str, bytes], two_workers: DaskCluster, tmp_path: Path
 ) -> None:
@@ -68,6 +70,7 @@ def test_a_worker_that_dies_costs_nothing_but_time(
     assert written(out) == whole
 
 
+@thorough
 def test_a_search_that_loses_its_cluster_goes_on_without(
     file: Path, whole: dict[str, bytes], tmp_path: Path
 ) -> None:

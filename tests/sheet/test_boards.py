@@ -87,7 +87,7 @@ def test_ten_thousand_panels_in_well_under_a_second() -> None:
     boards = build_boards(flat, grid, PanelBuild(0.1, membrane=0.01), folds)
     assert len(boards) == 20_000
     corners = boards.carried(grid.faces_vertices(), flat.reshape(-1, 3)[:, :2], flat.reshape(-1, 3))
-    start = time.perf_counter()
+    start = time.process_time()
     surfaces = boards.surfaces(corners)
-    assert time.perf_counter() - start < 1.0
+    assert time.process_time() - start < 1.0
     assert surfaces.triangles.shape == (20_000 * 12, 3)

@@ -23,6 +23,7 @@ from orishell.io.formats.calculix import write_calculix
 from orishell.io.settings import DEFAULT_SETTINGS
 from orishell.numerics.arrays import Array
 from orishell.structure.results import CaseResult
+from samples import thorough
 
 TABLES = """
 [structure]
@@ -82,14 +83,20 @@ def limit(found: list[list[float]], cells: tuple[int, int]) -> Array:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("name", "cells", "buckling"), [("figure2", (3, 5), 0.03), ("shelter", (4, 6), 0.07)]
+    ("name", "cells", "buckling"),
+    [
+        ("figure2", (2, 3), 0.2),
+        pytest.param("figure2", (3, 5), 0.03, marks=thorough),
+        pytest.param("shelter", (4, 6), 0.07, marks=thorough),
+    ],
 )
 def test_calculix_agrees(
     name: str, cells: tuple[int, int], buckling: float, tmp_path: Path
 ) -> None:
     """Largest displacement and three frequencies within 3 %, and figure 2's buckling factor.
 
-    The shelter's is 4 % below CalculiX' with these meshes, and 6 % with 8 and 10 cells.
+    2 and 3 cells are too coarse for waves of buckling: found 15 % off. The shelter's factor is 4 %
+    below CalculiX' with these meshes, and 6 % with 8 and 10 cells.
     """
     ours: list[list[float]] = []
     theirs: list[list[float]] = []

@@ -13,6 +13,7 @@ from orishell.shell.standing import find_feet
 from orishell.structure.analyse import analyse
 from orishell.structure.model import Frame
 from orishell.structure.settings import LoadCase, Structure, Support
+from samples import thorough
 
 CASES = (LoadCase("own weight", self_weight=True),)
 RIGID = (np.inf, np.inf)
@@ -34,6 +35,7 @@ def largest(cells: int, refine: float = 0.0) -> tuple[float, float, int]:
     return size, found.change, len(found.mesh.facets.triangles)
 
 
+@thorough
 def test_order_of_convergence(record_property: Callable[[str, object], None]) -> None:
     """Differences fall by 4 where the order is 2, as for linear strains in a smooth field."""
     sizes = np.array([largest(cells)[0] for cells in (2, 4, 8, 16)])

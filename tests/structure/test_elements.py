@@ -10,8 +10,11 @@ import pytest
 from scipy.sparse.linalg import spsolve
 
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.facets import FREEDOMS, Facets, assemble
+from orishell.sheet.grid import Grid
+from orishell.structure.facets import FREEDOMS, Facets
+from orishell.structure.hinges import hinge_elements
 from orishell.structure.sections import Section
+from orishell.structure.sheet import mesh_sheet
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -27,12 +30,31 @@ def lattice(
     return Facets(points, np.concatenate(triangles)), nodes
 
 
+@pytest.mark.parametrize("turned", [0.0, 1e3])
+def test_forces_balance_however_far_a_sheet_is_turned(turned: float) -> None:
+    """Those of elements, on the whole, and they are what the assembled matrix says."""
+    grid = Grid(3, 3)
+    mesh = mesh_sheet(np.random.default_rng(2).normal(size=(3, 3, 3)), grid, 2)
+    elements = [mesh.elements(Section.solid(1e9, 0.01, 0.3)), hinge_elements(mesh, grid, 20.0)]
+    points, own, turns = mesh.facets.points, mesh.translations(), mesh.rotations().reshape(-1, 3)
+    strained = 1e-3 * np.random.default_rng(3).normal(size=mesh.count)
+    whole = np.zeros(mesh.count)
+    whole[own], whole[turns] = np.cross([0.0, 0.0, turned], points), [0.0, 0.0, turned]
+    total = np.sum([each.total(strained + whole) for each in elements], axis=0)
+    size = np.abs(total).sum()
+    missing = np.cross(points, total[own]).sum(axis=0) + total[turns].sum(axis=0)
+    assert np.abs(total[own].sum(axis=0)).max() < 1e-14 * size
+    assert np.abs(missing).max() < 1e-14 * size
+    expected = np.sum([each.assembled() @ strained for each in elements], axis=0)
+    np.testing.assert_allclose(total, expected, atol=1e-12 * max(turned, 1.0) * size)
+
+
 def solve(
     facets: Facets, section: Section, load: Array, fixed: Sequence[tuple[Integers, Sequence[int]]]
 ) -> Array:
     """Displacements and rotations (N, 6)."""
     count = FREEDOMS * len(facets.points)
-    stiffness = assemble(facets.element_stiffness(section), facets.freedoms(), count)
+    stiffness = facets.elements(section, facets.freedoms(), count).assembled()
     held = [FREEDOMS * nodes.ravel() + k for nodes, which in fixed for k in which]
     free = np.setdiff1d(np.arange(count), np.concatenate(held))
     found = np.zeros(count)

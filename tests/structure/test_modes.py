@@ -14,7 +14,6 @@ from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid
 from orishell.shell.standing import find_feet
 from orishell.structure.conditions import joined, on_ground
-from orishell.structure.facets import assemble
 from orishell.structure.factorise import hold
 from orishell.structure.inverse import Inverse
 from orishell.structure.model import Frame, Model
@@ -49,8 +48,7 @@ def test_hinged_panels_have_one_motion_of_their_own(
     drive = share * mechanism.target_drive
     mesh = mesh_sheet(mechanism.positions(drive), mechanism.grid, 2)
     section = Section.solid(1.0, 0.05 * size, 0.3)
-    elements = mesh.facets.element_stiffness(section)
-    stiffness = assemble(elements, mesh.freedoms(), mesh.count).toarray()
+    stiffness = mesh.elements(section).assembled().toarray()
     scale = np.ones(mesh.count)
     scale[3 * len(mesh.facets.points) :] = 10 / size  # rotations as lengths
     values, modes = np.linalg.eigh(stiffness * scale[:, None] * scale)
@@ -98,8 +96,8 @@ def plate(cells: int) -> tuple[Inverse, Array, int]:
     facets, own = mesh.facets, mesh.translations()
     rim = (np.abs(facets.points[:, :2] - 0.5 * SIDE) == 0.5 * SIDE).any(axis=1)
     supported = [own[rim][:, 2], own[:, :2].ravel(), mesh.rotations()[..., 2].ravel()]
-    stiffness = assemble(facets.element_stiffness(PLATE), mesh.freedoms(), mesh.count)
-    held = hold(stiffness, mesh, np.unique(np.concatenate(supported)), NOTHING, Grid(2, 2))
+    elements = [mesh.elements(PLATE)]
+    held = hold(elements, mesh, np.unique(np.concatenate(supported)), NOTHING, Grid(2, 2))
     area = np.zeros(len(facets.points))
     np.add.at(area, facets.triangles, facets.areas()[:, None] / 3)
     nobody = np.zeros(len(held.rows), dtype=bool)

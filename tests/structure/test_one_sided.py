@@ -8,7 +8,6 @@ import pytest
 from orishell.sheet.grid import Grid
 from orishell.structure.acting import Response, respond
 from orishell.structure.conditions import Conditions, between, joined, on_ground
-from orishell.structure.facets import assemble
 from orishell.structure.factorise import hold
 from orishell.structure.held import Held
 from orishell.structure.sections import Section
@@ -23,8 +22,8 @@ def slab(conditions: list[Conditions]) -> tuple[SheetMesh, Held]:
     """A square panel of 1 m that lies on what conditions are."""
     x, y = np.meshgrid([0.0, 1.0], [1.0, 0.0])
     mesh = mesh_sheet(np.stack([x, y, 0 * x], axis=-1), GRID, 2)
-    stiffness = assemble(mesh.facets.element_stiffness(SECTION), mesh.freedoms(), mesh.count)
-    return mesh, hold(stiffness, mesh, np.zeros(0, np.int64), joined(conditions), GRID)
+    elements = [mesh.elements(SECTION)]
+    return mesh, hold(elements, mesh, np.zeros(0, np.int64), joined(conditions), GRID)
 
 
 def load(mesh: SheetMesh, held: Held, *forces: tuple[int, tuple[float, float, float]]) -> Response:
@@ -86,10 +85,10 @@ def test_a_tie_pulls_and_a_flap_presses(approach: bool, sign: float, stiffness: 
     pair = np.array([[vertices[0, 0], vertices[0, 2]], [vertices[1, 0], vertices[1, 2]]])
     ties = between(mesh.facets.points, pair, np.full(2, stiffness), approach=approach)
     section = Section.solid(1e3, 1e-3, 0.3)
-    matrix = assemble(mesh.facets.element_stiffness(section), mesh.freedoms(), mesh.count)
+    elements = [mesh.elements(section)]
     left = mesh.facets.points[:, 0] == 0
     held_up = np.concatenate([own[:, 2], own[left].ravel(), mesh.rotations()[..., :2].ravel()])
-    held = hold(matrix, mesh, np.unique(held_up), ties, grid)
+    held = hold(elements, mesh, np.unique(held_up), ties, grid)
     for way in (1.0, -1.0):
         loads = np.zeros(mesh.count)
         loads[own[[vertices[0, 2], vertices[1, 2]], 0]] = 3.5 * way

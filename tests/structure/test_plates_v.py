@@ -16,9 +16,8 @@ from orishell.numerics.arrays import Array
 from orishell.sheet.grid import Grid
 from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
-from orishell.structure.facets import assemble
 from orishell.structure.factorise import hold
-from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
+from orishell.structure.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.inverse import Inverse
 from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
@@ -47,9 +46,9 @@ def plates(crease: float, cells: int) -> Found:
     positions = np.stack([x * np.cos(SLOPE), y, -np.abs(x) * np.sin(SLOPE)], axis=-1)
     mesh = mesh_sheet(positions, GRID, cells)
     facets, own = mesh.facets, mesh.translations()
-    stiffness = assemble(facets.element_stiffness(SECTION), mesh.freedoms(), mesh.count)
+    elements = [mesh.elements(SECTION)]
     springs = min(crease, rigid_stiffness(mesh, SECTION))
-    stiffness = stiffness + hinge_stiffness(mesh, GRID, springs)
+    elements.append(hinge_elements(mesh, GRID, springs))
     area = np.zeros(len(facets.points))
     np.add.at(area, facets.triangles, facets.areas()[:, None] / 3)
     loads, mass = np.zeros(mesh.count), np.zeros(mesh.count)
@@ -59,7 +58,7 @@ def plates(crease: float, cells: int) -> Found:
     gables = np.isin(facets.points[:, 1], [0.0, LENGTH])
     supported = np.append(own[gables][:, [0, 2]], own[GRID.vertices()[0, 1], 1])
     nothing = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
-    held = hold(stiffness, mesh, supported, nothing, GRID)
+    held = hold(elements, mesh, supported, nothing, GRID)
     found = respond(held, loads[held.free])
     moved = np.zeros(mesh.count)
     moved[held.free] = found.displacements

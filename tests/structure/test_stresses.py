@@ -10,9 +10,8 @@ from orishell.sheet.grid import Grid
 from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.crease_moments import crease_moments
-from orishell.structure.facets import assemble
 from orishell.structure.factorise import hold
-from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
+from orishell.structure.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh, mesh_sheet
 from orishell.structure.stresses import FacetStresses, facet_stresses
@@ -30,10 +29,10 @@ def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[Sh
     root, end = (points[:, 0] == place for place in (0.0, LONG))
     turned = mesh.rotations()[np.isin(mesh.nodes, np.flatnonzero(root))]
     supported = np.unique(np.concatenate([own[root].ravel(), turned.ravel()]))
-    stiffness = assemble(mesh.facets.element_stiffness(SECTION), mesh.freedoms(), mesh.count)
+    elements = [mesh.elements(SECTION)]
     springs = min(crease, rigid_stiffness(mesh, SECTION))
-    stiffness = stiffness + hinge_stiffness(mesh, GRID, springs)
-    held = hold(stiffness, mesh, supported, NOTHING, GRID)
+    elements.append(hinge_elements(mesh, GRID, springs))
+    held = hold(elements, mesh, supported, NOTHING, GRID)
     share = np.where((points[:, 1] == 0) | (points[:, 1] == WIDE), 0.5, 1.0) * end
     loads = np.zeros(mesh.count)
     loads[own] = share[:, None] / share.sum() * np.array(force)

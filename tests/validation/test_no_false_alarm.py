@@ -1,4 +1,6 @@
-"""200 random feasible designs: what the proof says, exact arithmetic says too.
+"""Random feasible designs: what the proof says, exact arithmetic says too.
+
+A quarter of 200 in `make test`, all in `make thorough`.
 
 libigl decides on all pairs of panels in exact arithmetic. Where the path is said to be clear it
 must see nothing in any of the states tried; where panels are said to touch it must see them cross
@@ -24,6 +26,7 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
+from samples import examples
 from strategies import (
     Request,
     graph,
@@ -69,30 +72,30 @@ def require_agreement(design: Design, seen: Counter[str | None]) -> None:
 
 
 @pytest.mark.slow
-def test_75_parallel_repeating_designs() -> None:
+def test_parallel_repeating_designs() -> None:
     seen: Counter[str | None] = Counter()
 
-    @settings(once, max_examples=75)
+    @settings(once, max_examples=examples(75))
     @given(requests())
     def every(request: Request) -> None:
         require_agreement(request.feasible(), seen)
 
     every()
-    assert seen["flaps"] > 30
+    assert seen["flaps"] > 0.4 * examples(75)
     assert seen["clash"] > 0
 
 
 @pytest.mark.slow
-def test_75_orthodiagonal_designs() -> None:
+def test_orthodiagonal_designs() -> None:
     seen: Counter[str | None] = Counter()
 
-    @settings(once, max_examples=75)
+    @settings(once, max_examples=examples(75))
     @given(orthodiagonal_requests())
     def every(request: Request) -> None:
         require_agreement(request.feasible(), seen)
 
     every()
-    assert seen["flaps"] > 30
+    assert seen["flaps"] > 0.4 * examples(75)
 
 
 @st.composite
@@ -113,13 +116,14 @@ def longitudinal_requests(draw: st.DrawFn) -> dict[str, Any]:
 
 
 @pytest.mark.slow
-def test_50_longitudinal_designs() -> None:
+def test_longitudinal_designs() -> None:
     seen: Counter[str | None] = Counter()
+    wanted = examples(50)
 
-    @settings(once, max_examples=400)
+    @settings(once, max_examples=8 * wanted)
     @given(longitudinal_requests())
     def every(request: dict[str, Any]) -> None:
-        if seen.total() == 50:
+        if seen.total() == wanted:
             return
         try:
             design = design_longitudinal_linear_repeating(**request)
@@ -128,4 +132,4 @@ def test_50_longitudinal_designs() -> None:
         require_agreement(design, seen)
 
     every()
-    assert seen.total() == 50
+    assert seen.total() == wanted

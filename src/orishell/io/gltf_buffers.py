@@ -16,7 +16,18 @@ VERTICES: Final = 34962
 """What a view is for: attributes of vertices."""
 INDICES: Final = 34963
 """What a view is for: numbers of vertices."""
+ROUNDING: Final = 1e-12
 _FLOAT, _SHORT = 5126, 5123
+
+
+def singles(values: Array) -> Singles:
+    """Numbers of one kind (any shape) in single precision.
+
+    What is less than 1e-12 of the largest is 0: it is there because of rounding, which no two
+    processors do alike.
+    """
+    none = np.abs(values) <= ROUNDING * np.abs(values).max(initial=0.0)
+    return np.where(none, 0.0, values).astype(np.float32)
 
 
 @dataclass(slots=True)
@@ -87,11 +98,11 @@ class Buffers:
                 corners[:, :, 1] - corners[:, :, 0], corners[:, :, 2] - corners[:, :, 0]
             )
             normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-            shape, single = (-1, 3 * count, 3), np.float32
+            shape = (-1, 3 * count, 3)
             first = self.add_bounded(
-                corners.reshape(shape).astype(single), "VEC3", target=VERTICES, byteStride=12
+                singles(corners.reshape(shape)), "VEC3", target=VERTICES, byteStride=12
             )
-            upright = np.repeat(normals, 3, axis=1).astype(single)
+            upright = singles(np.repeat(normals, 3, axis=1))
             other = self.add(upright, "VEC3", target=VERTICES, byteStride=12)
             accessors[alike] = np.arange(alike.sum())[:, None] + [first, other]
         return accessors

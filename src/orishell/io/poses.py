@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import unit_normals
+from orishell.sheet.quads import ALIKE, unit_normals
 
 
 def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
@@ -38,6 +38,8 @@ def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
 def quaternions(axes: Array) -> Array:
     """Unit quaternions (F, 4; x, y, z, w) of rotations (F, 3, 3), largest component positive.
 
+    Of components that are alike but for rounding that is the first.
+
     Four times the products of a quaternion's components are a symmetric matrix made of sums and
     differences of the rotation's entries. The row with the largest diagonal is the quaternion
     but for its length, and no digits are lost in it.
@@ -51,7 +53,8 @@ def quaternions(axes: Array) -> Array:
         products[:, i, j] = products[:, j, i] = axes[:, i, j] + axes[:, j, i]
         products[:, i, 3] = products[:, 3, i] = axes[:, k, j] - axes[:, j, k]
     products[:, 3, 3] = 1 + trace
-    largest = np.argmax(np.diagonal(products, axis1=1, axis2=2), axis=1)
+    squares = np.diagonal(products, axis1=1, axis2=2)
+    largest = np.argmax(squares > squares.max(axis=1, keepdims=True) - ALIKE, axis=1)
     row = products[np.arange(len(axes)), largest]
     return np.asarray(row / np.linalg.norm(row, axis=1, keepdims=True))
 

@@ -6,6 +6,9 @@ import numpy as np
 
 from orishell.numerics.arrays import Array, Booleans, Integers
 
+ALIKE = 1e-9
+"""Squares of lengths that differ by no more than this share are alike."""
+
 
 def dots(first: Array, second: Array) -> Array:
     """Scalar products (...) of vectors (..., 3).
@@ -60,13 +63,16 @@ def area_vectors(corners: Array) -> Array:
 def longer_diagonals(corners: Array) -> Integers:
     """The corner (F,) at which the longer diagonal of every panel begins: 0 or 1.
 
+    0 where both are as long but for rounding.
+
     Parameters
     ----------
     corners
         Corners (F, 4, 3) of every panel in order around it.
     """
     diagonals = corners[:, 2:] - corners[:, :2]
-    return np.asarray(np.argmax((diagonals**2).sum(axis=-1), axis=1))
+    first, second = (diagonals**2).sum(axis=-1).T
+    return np.asarray(second > (1 + ALIKE) * first, dtype=np.int64)
 
 
 def unit_normals(corners: Array) -> Array:

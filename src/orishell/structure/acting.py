@@ -54,6 +54,8 @@ class Response:
         Which rows of :class:`~orishell.structure.held.Held` act (M,).
     forces
         Their forces (M,).
+    taken
+        What panels and hinges take (D,) of all freedoms; not numbers where it moves.
     motions
         What nothing resists, and the loads do not drive (n, k).
     """
@@ -62,6 +64,7 @@ class Response:
     displacements: Array
     acting: Booleans
     forces: Array
+    taken: Array
     motions: Array
 
     __repr__ = in_one_line
@@ -82,8 +85,9 @@ def respond(held: Held, loads: Array) -> Response:
     """
     moves = _moving(held, loads)
     if moves is not None:
-        still, nothing = np.full(len(loads), np.nan), np.full(len(held.rows), np.nan)
-        return Response(moves, still, np.zeros(len(nothing), dtype=bool), nothing, moves[:, None])
+        count, freedoms = held.every_row.shape
+        still, nothing, taken = (np.full(each, np.nan) for each in (len(loads), count, freedoms))
+        return Response(moves, still, np.zeros(count, dtype=bool), nothing, taken, moves[:, None])
     if not len(held.conditions):
         return _exact(held, loads, np.zeros(len(held.rows), dtype=bool))[0]
     for softer in SOFTER:
@@ -171,7 +175,7 @@ def _exact(held: Held, loads: Array, acting: Booleans) -> tuple[Response, bool]:
     """The response while some rows act (M,), and whether it is right."""
     count = len(held.conditions)
     motions = held.motions(acting)
-    found, gaps, forces = held.respond(loads, acting)
+    found, gaps, forces, taken = held.respond(loads, acting)
     found -= motions @ (motions.T @ found)
     unbalanced = np.linalg.norm(motions.T @ loads - (held.rows @ motions).T @ forces)
     total = float(np.abs(loads).sum())
@@ -179,4 +183,4 @@ def _exact(held: Held, loads: Array, acting: Booleans) -> tuple[Response, bool]:
     one_sided = np.arange(len(held.rows)) < count
     wrong = one_sided & ((acting & (forces < -least)) | (~acting & (gaps > open_)))
     right = bool(unbalanced <= BALANCED * total and not wrong.any())
-    return Response(None, found, acting, forces, motions), right
+    return Response(None, found, acting, forces, taken, motions), right

@@ -139,7 +139,7 @@ def _loaded(model: Model, case: LoadCase) -> CaseResult:
     if model.furthest(response.displacements) > model.size:
         return _moving(model, case, forces, response.displacements, soft=True)
     moved = model.moved(response.displacements)
-    residual = held.stiffness @ moved + held.pulls(response.forces)
+    residual = response.taken + held.pulls(response.forces)
     residual[: forces.size] -= forces.ravel()
     reactions, balance = _reactions(model, forces, residual, response)
     ties, flaps = len(model.ties()), len(model.flaps())

@@ -19,7 +19,7 @@ def crease_moments(mesh: SheetMesh, grid: Grid, section: Section, moved: Array) 
     moved
         Displacements and rotations (D,).
     """
-    forces = np.einsum("tij,tj->ti", mesh.facets.element_stiffness(section), moved[mesh.freedoms()])
+    forces = mesh.elements(section).forces(moved)
     moments = np.zeros((mesh.nodes.size, 3))
     np.add.at(moments, mesh.places, forces.reshape(-1, 3, 6)[..., 3:])
     edge, first, _, nodes = beside_creases(mesh, grid)

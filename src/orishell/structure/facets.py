@@ -1,4 +1,4 @@
-"""Flat triangles in space: stiffness of membrane and bending, assembled.
+"""Flat triangles in space: stiffness of membrane and bending.
 
 Every node has six freedoms, three translations and three rotations, in the world's axes.
 """
@@ -6,18 +6,15 @@ Every node has six freedoms, three translations and three rotations, in the worl
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Integers
+from orishell.structure.elements import Elements
 from orishell.structure.membrane import membrane_stiffness
 from orishell.structure.plate import plate_stiffness
 from orishell.structure.sections import Section
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
 
 FREEDOMS = 6
 IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
@@ -75,26 +72,21 @@ class Facets:
             turned[:, 3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = axes
         return np.asarray(turned.swapaxes(1, 2) @ local @ turned)
 
+    def elements(self, section: Section, freedoms: Integers, count: int) -> Elements:
+        """The triangles as elements.
+
+        Parameters
+        ----------
+        freedoms
+            Freedoms (T, 18) of their corners: displacements, then rotations, of each.
+        count
+            Number of all freedoms.
+        """
+        corners = self.points[self.triangles]
+        arms = corners[:, 1:] - corners[:, :1]
+        return Elements(self.element_stiffness(section), freedoms, arms, count)
+
     def freedoms(self) -> Integers:
         """Freedoms (T, 18) of the corners of every triangle, where no node has rotations apart."""
         places = FREEDOMS * self.triangles[..., None] + np.arange(FREEDOMS)
         return np.asarray(places.reshape(-1, 18))
-
-
-def assemble(elements: Array, freedoms: Integers, count: int) -> csr_array:
-    """The matrix (D, D) of elements.
-
-    Parameters
-    ----------
-    elements
-        Their matrices (T, k, k).
-    freedoms
-        Their freedoms (T, k).
-    count
-        Number of all freedoms D.
-    """
-    from scipy.sparse import coo_array
-
-    size = freedoms.shape[1]
-    rows, columns = np.repeat(freedoms, size, axis=1).ravel(), np.tile(freedoms, (1, size)).ravel()
-    return coo_array((elements.ravel(), (rows, columns)), shape=(count, count)).tocsr()

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -11,11 +10,9 @@ from orishell.errors import DesignError
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
 from orishell.structure.conditions import Conditions, put_rows
+from orishell.structure.elements import Elements
 from orishell.structure.held import Held
 from orishell.structure.sheet import SheetMesh
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
 
 LOOSE, LOOSEST = 3e-14, 3
 """A matrix is singular if some shape is less stiff than this share of its largest entry; iterations
@@ -27,7 +24,7 @@ SPRING = 1e-4
 
 
 def hold(
-    stiffness: csr_array,
+    elements: Sequence[Elements],
     mesh: SheetMesh,
     supported: Integers,
     conditions: Conditions,
@@ -37,8 +34,8 @@ def hold(
 
     Parameters
     ----------
-    stiffness
-        The matrix (D, D) of panels and hinges.
+    elements
+        Panels and hinges.
     mesh
         Its mesh.
     supported
@@ -56,9 +53,9 @@ def hold(
         If it swings in so many ways.
     """
     vertices = grid.vertices()
-    held = _sprung(stiffness, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
+    held = _sprung(elements, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
     if held is None and vertices.size <= SWINGING:
-        held = _sprung(stiffness, mesh, supported, conditions, vertices)
+        held = _sprung(elements, mesh, supported, conditions, vertices)
     if held is None:
         raise DesignError(
             "the shell is a mechanism of many ways to move: creases that do not fold at the target "
@@ -69,7 +66,7 @@ def hold(
 
 
 def _sprung(
-    stiffness: csr_array,
+    elements: Sequence[Elements],
     mesh: SheetMesh,
     supported: Integers,
     conditions: Conditions,
@@ -79,6 +76,8 @@ def _sprung(
     from scipy.sparse import csr_array
     from scipy.sparse.linalg import splu
 
+    first, *others = (each.assembled() for each in elements)
+    stiffness = sum(others, first)
     free = np.setdiff1d(np.arange(mesh.count), supported)
     ground = conditions.nodes[conditions.rough]
     axes, corners = np.eye(3), vertices.ravel()
@@ -105,7 +104,7 @@ def _sprung(
     spread += factors.solve(rows.T - sprung @ spread)
     flexibility = rows @ spread
     return Held(
-        stiffness,
+        tuple(elements),
         free,
         conditions,
         len(mesh.facets.points),

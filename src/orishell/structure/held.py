@@ -29,12 +29,15 @@ import numpy as np
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.conditions import Conditions
+from orishell.structure.elements import Elements
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 FREE = 1e-9
 """A motion that takes less than this share of the springs' energy is one that nothing resists."""
+STEPS = 3
+"""Each takes what those before left of the loads."""
 GIVE = 1e-7
 """What does not give at all gives by this share of the springs, so that of several which hold the
 same each bears its part."""
@@ -49,8 +52,8 @@ class Held:
 
     Parameters
     ----------
-    stiffness
-        The matrix K (D, D) of panels and hinges.
+    elements
+        Panels and hinges, whose matrix is K (D, D).
     free
         Freedoms (n,) that are not supported.
     conditions
@@ -69,7 +72,7 @@ class Held:
         C (M, M).
     """
 
-    stiffness: csr_array
+    elements: tuple[Elements, ...]
     free: Integers
     conditions: Conditions
     nodes: int
@@ -146,7 +149,13 @@ class Held:
         hard[: len(self.conditions)] = self.conditions.compliance == 0
         return hard
 
-    def respond(self, loads: Array, acting: Booleans) -> tuple[Array, Array, Array]:
+    def resisting(self, moved: Array) -> Array:
+        """Forces (D,) that panels and hinges take, of free freedoms moved (n,): K u."""
+        every = np.zeros(self.every_row.shape[1])
+        every[self.free] = moved
+        return np.asarray(np.sum([each.total(every) for each in self.elements], axis=0))
+
+    def respond(self, loads: Array, acting: Booleans) -> tuple[Array, Array, Array, Array]:
         """What loads do while some rows act.
 
         Parameters
@@ -159,19 +168,21 @@ class Held:
         Returns
         -------
         tuple
-            Displacements (n,), gaps (M,) and forces (M,) of the rows.
+            Displacements (n,), gaps (M,) and forces (M,) of the rows, and what panels and hinges
+            take (D,): that of all steps one by one, as displacements of all together are rounded.
         """
         law, rest = self.law(acting), loads
         moved, gaps, forces = np.zeros(len(loads)), *np.zeros((2, len(acting)))
-        for _ in range(2):  # the second time for what rounding left
+        taken = np.zeros(self.every_row.shape[1])
+        for _ in range(STEPS):
             direct = self.spring_solve(rest)
             p = law @ (self.rows @ direct)
             opened = self.rows @ direct + self.flexibility @ p
-            moved, gaps = moved + direct + self.spread @ p, gaps + opened
+            step = direct + self.spread @ p
+            moved, gaps, taken = moved + step, gaps + opened, taken + self.resisting(step)
             forces = forces + np.where(acting, self.springs * opened - p, 0.0)
-            sprung = self.rows.T @ (self.springs * (self.rows @ moved) - forces)
-            rest = loads - self._inner @ moved + sprung
-        return moved, gaps, forces
+            rest = loads - (taken + self.pulls(forces))[self.free]
+        return moved, gaps, forces, taken
 
     def law(self, acting: Booleans) -> Array:
         """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.

@@ -8,19 +8,13 @@ answer far too stiffly.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
-from orishell.structure.facets import assemble
+from orishell.structure.elements import Elements
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
-
 
 RIGID = 1e3
 """Stiffness of a rigid crease by that of a cell in bending."""
@@ -33,8 +27,8 @@ def rigid_stiffness(mesh: SheetMesh, section: Section) -> float:
     return float(RIGID * np.max(section.bending) / shortest)
 
 
-def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> csr_array:
-    """The matrix (D, D) of springs about all creases.
+def hinge_elements(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> Elements:
+    """Springs about all creases.
 
     Parameters
     ----------
@@ -58,7 +52,7 @@ def hinge_stiffness(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> cs
         turn[:, None, :, None] * turn[:, None, None]
     )
     freedoms = np.concatenate([first, second], axis=-1)
-    return assemble(elements.reshape(-1, 6, 6), freedoms.reshape(-1, 6), mesh.count)
+    return Elements(elements.reshape(-1, 6, 6), freedoms.reshape(-1, 6), None, mesh.count)
 
 
 def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:

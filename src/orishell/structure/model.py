@@ -19,10 +19,9 @@ from orishell.sheet.quads import area_vectors
 from orishell.solids import Built
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.exposure import Exposure
-from orishell.structure.facets import assemble
 from orishell.structure.factorise import hold
 from orishell.structure.held import Held
-from orishell.structure.hinges import hinge_stiffness, rigid_stiffness
+from orishell.structure.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.sections import Section, panel_sections
 from orishell.structure.settings import Structure
 from orishell.structure.sheet import SheetMesh, mesh_sheet
@@ -231,14 +230,12 @@ class Model:
     def held(self) -> Held:
         """The structure, factorised."""
         mesh = self.mesh
-        stiffness = assemble(
-            mesh.facets.element_stiffness(self.section), mesh.freedoms(), mesh.count
-        )
+        elements = [mesh.elements(self.section)]
         if self.stiffness:
             springs = min(self.stiffness, rigid_stiffness(mesh, self.section))
-            stiffness = stiffness + hinge_stiffness(mesh, self.grid, springs)
+            elements.append(hinge_elements(mesh, self.grid, springs))
         supported = self.supports.freedoms(mesh)
-        return hold(stiffness, mesh, supported, self.conditions(), self.grid)
+        return hold(elements, mesh, supported, self.conditions(), self.grid)
 
     def free_loads(self, forces: Array) -> Array:
         """Loads on free freedoms (n,) of forces on nodes (N, 3)."""

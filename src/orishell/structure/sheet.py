@@ -13,7 +13,9 @@ import numpy as np
 from orishell.conventions.formatting import in_one_line
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
+from orishell.structure.elements import Elements
 from orishell.structure.facets import Facets
+from orishell.structure.sections import Section
 
 CELLS = 4
 """Cells along every side of a panel, of two triangles each."""
@@ -63,6 +65,10 @@ class SheetMesh:
         """Freedoms (F, cells+1, cells+1, 3) of the panels' rotations at their nodes."""
         first = 3 * len(self.facets.points)
         return np.asarray(first + np.arange(3 * self.nodes.size).reshape(*self.nodes.shape, 3))
+
+    def elements(self, section: Section) -> Elements:
+        """Its triangles as elements."""
+        return self.facets.elements(section, self.freedoms(), self.count)
 
     def freedoms(self) -> Integers:
         """Freedoms (T, 18) of the corners of every triangle: translations, then rotations."""

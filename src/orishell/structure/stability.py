@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.facets import Facets, assemble
+from orishell.structure.elements import assemble
+from orishell.structure.facets import Facets
 from orishell.structure.inverse import Inverse, largest
 
 if TYPE_CHECKING:

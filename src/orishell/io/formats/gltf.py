@@ -12,7 +12,7 @@ from orishell.conventions.colours import MEANINGS, linear_rgb
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.io.format import Format
-from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles
+from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, singles
 from orishell.io.poses import find_frames, quaternions
 from orishell.io.settings import Settings
 from orishell.io.triangles import TRIANGLES, find_splits
@@ -97,7 +97,7 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
 
 
 def _nodes(document: Document, place: Array, origins: Array, axes: Array) -> list[dict[str, Any]]:
-    places, turns = origins.astype(np.float32), quaternions(axes).astype(np.float32)
+    places, turns = singles(origins), singles(quaternions(axes))
     root = {"name": document.title, "children": list(range(1, len(origins) + 1))}
     if place.any():
         root["translation"] = place.tolist()
@@ -147,7 +147,7 @@ def _meshes(
 
     ``shown`` (F,) says whose area is there.
     """
-    corners = buffers.add_bounded(local.astype(np.float32), "VEC3", target=VERTICES, byteStride=12)
+    corners = buffers.add_bounded(singles(local), "VEC3", target=VERTICES, byteStride=12)
     meshes: list[dict[str, Any]] = [{"primitives": []} for _ in local]
     if shown.any():
         upright = np.tile(np.array([0, 0, 1], dtype=np.float32), (1, 4, 1))
@@ -224,8 +224,8 @@ def _animation(
         drives.append(state.drive_deg)
     times = buffers.add_bounded(_times(drives)[None], "SCALAR")
     paths = {
-        "translation": buffers.add(np.stack(origins, axis=1).astype(np.float32), "VEC3"),
-        "rotation": buffers.add(np.stack(turns, axis=1).astype(np.float32), "VEC4"),
+        "translation": buffers.add(singles(np.stack(origins, axis=1)), "VEC3"),
+        "rotation": buffers.add(singles(np.stack(turns, axis=1)), "VEC4"),
     }
     panels = range(len(along))
     return {

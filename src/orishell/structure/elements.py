@@ -1,0 +1,95 @@
+"""Elements: what joins a few nodes elastically, assembled into a matrix, or asked for its forces.
+
+A shell that swings far strains its panels little. What a panel is moved as a whole costs no force,
+but entries of the assembled matrix are rounded, and cancel for no motion exactly: forces by that
+matrix miss its entries times whole displacements times 1e-16, which in a shell of thin panels on
+free hinges is 1e-9 of its loads. So forces are found element by element, as it is moved seen from
+its own first corner: what is left of displacements there are strains, and rounding is by them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.formatting import in_one_line
+from orishell.numerics.arrays import Array, Integers
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Elements:
+    """Elements of one kind.
+
+    Parameters
+    ----------
+    matrices
+        Their stiffness (T, k, k).
+    freedoms
+        Their freedoms (T, k), those of the first corner first: displacements, if they have any,
+        then rotations.
+    arms
+        From the first corner to each of the others (T, c - 1, 3); None if they have no
+        displacements.
+    count
+        Number of all freedoms D.
+    """
+
+    matrices: Array
+    freedoms: Integers
+    arms: Array | None
+    count: int
+
+    __repr__ = in_one_line
+
+    def assembled(self) -> csr_array:
+        """The matrix (D, D) of all."""
+        return assemble(self.matrices, self.freedoms, self.count)
+
+    def forces(self, moved: Array) -> Array:
+        """Forces (T, k) that move them.
+
+        Parameters
+        ----------
+        moved
+            Displacements and rotations (D,).
+        """
+        width = 3 if self.arms is None else 6
+        own = moved[self.freedoms].reshape(len(self.freedoms), -1, width)
+        seen = own[:, 1:] - own[:, :1]
+        if self.arms is not None:
+            seen[..., :3] -= np.cross(own[:, :1, 3:], self.arms)
+        strained = seen.reshape(len(seen), -1, 1)
+        others = (self.matrices[:, width:, width:] @ strained).reshape(seen.shape)
+        first = -others.sum(axis=1, keepdims=True)
+        if self.arms is not None:
+            first[:, 0, 3:] -= np.cross(self.arms, others[..., :3]).sum(axis=1)
+        return np.concatenate([first, others], axis=1).reshape(self.freedoms.shape)
+
+    def total(self, moved: Array) -> Array:
+        """Forces (D,) on all freedoms of all elements that are moved (D,)."""
+        found = np.bincount(self.freedoms.ravel(), self.forces(moved).ravel(), self.count)
+        return np.asarray(found, dtype=np.float64)
+
+
+def assemble(elements: Array, freedoms: Integers, count: int) -> csr_array:
+    """The matrix (D, D) of elements.
+
+    Parameters
+    ----------
+    elements
+        Their matrices (T, k, k).
+    freedoms
+        Their freedoms (T, k).
+    count
+        Number of all freedoms D.
+    """
+    from scipy.sparse import coo_array
+
+    size = freedoms.shape[1]
+    rows, columns = np.repeat(freedoms, size, axis=1).ravel(), np.tile(freedoms, (1, size)).ravel()
+    return coo_array((elements.ravel(), (rows, columns)), shape=(count, count)).tocsr()
