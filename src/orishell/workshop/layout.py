@@ -17,7 +17,7 @@ from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Integers
 from orishell.workshop.clipped import with_clipped
-from orishell.workshop.fitting import CutSheet, find_turns, require_panels_fit
+from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.outline import whole_sheet
@@ -92,6 +92,21 @@ def require_stock(document: Document, workshop: Workshop) -> None:
     if not len(find_turns(np.concatenate(whole_sheet(everything).outlines), width, height)):
         tabs = choose_joint_width(everything, workshop) if workshop.joint == "tabs" else 0.0
         require_panels_fit(everything, CutSheet.of(everything, width, height, tabs))
+
+
+def find_oversize(document: Document, workshop: Workshop) -> float:
+    """How much larger than the stock, as a factor, a panel is; 1 where all fit, with their tabs.
+
+    Raises
+    ------
+    InputError
+        If the margins leave nothing of the stock.
+    """
+    try:
+        require_stock(document, workshop)
+    except OversizeError as error:
+        return error.factor
+    return 1.0
 
 
 @dataclass(frozen=True, slots=True)
