@@ -142,13 +142,11 @@ class _Search(Generic[V]):
     def run(self) -> tuple[V, Choice]:
         """Find any sheet that does, then all with fewer panels that may."""
         while True:
-            self._first()
-            if not self.tried:  # f or g rule out all: how near do the finest come?
-                self.bounded = False
-                self._first()
+            self._look()
+            if not self.found and not any(self._fits(each) for _, each in self.tried):
+                self.bounded = False  # f or g rule out all that fit: how near do these come?
+                self._look()
                 self.bounded = not self.found
-            elif not self.found and self.tolerance.limits_edges:
-                self._cross()
             for rows in self._rows():
                 self._fewest_columns(rows)
             if not self.found:
@@ -169,13 +167,15 @@ class _Search(Generic[V]):
         """Sheets with fewer panels than this are looked for."""
         return min((trial.panels for _, trial in self.found), default=FEW + 1)
 
-    def _first(self) -> None:
-        """A sheet that does, if ever finer ones come to it."""
+    def _look(self) -> None:
+        """Look for any sheet that does, along ladders of ever finer ones first."""
         rows, columns = size_ladder(self.sizes.most)
         # Where g is straight more columns are of no use.
         for ladder in (zip(rows, repeat(2)), zip(rows, columns, strict=True)):
             if not self.found:
                 self._climb(ladder)
+        if not self.found and self.tolerance.limits_edges:
+            self._cross()
 
     def _climb(self, ladder: Iterable[tuple[int, int]]) -> None:
         """Try the sheets of a ladder until one does, or finer ones come no nearer."""
@@ -201,7 +201,7 @@ class _Search(Generic[V]):
                 return
             if any(place[0] >= m and place[1] >= n for m, n in small):
                 continue
-            if self._within_reach(place[1]):
+            if not self.bounded or self._within_reach(place[1]):
                 tried = self._try(*place, widely=False)
                 refused = refused + 1 if tried.off == math.inf else 0
                 if tried.small > 1:
