@@ -27,6 +27,8 @@ GROWTH = 1.6
 """Factor from one size to the next in the first, coarse search."""
 STALE = 3
 """Steps of the coarse search that come no nearer, after which it is given up."""
+NEARLY = 1.5
+"""Sheets off by so much are worth trying unlike rows and columns for."""
 FEW = 40
 """Where none is found, all sizes of up to so many panels are tried."""
 REFUSALS, CROSSED = 12, 60
@@ -134,6 +136,7 @@ class _Search(Generic[V]):
     large: list[Trial] = field(default_factory=list)
     bounded: bool = True
     careful: bool = False
+    least: float = math.inf
     known: dict[tuple[int, int], _Tried[V]] = field(default_factory=dict)
     reached: dict[int, bool] = field(default_factory=dict)
     refusal: DesignError | None = None
@@ -174,7 +177,7 @@ class _Search(Generic[V]):
         for ladder in (zip(rows, repeat(2)), zip(rows, columns, strict=True)):
             if not self.found:
                 self._climb(ladder)
-        if not self.found and self.tolerance.limits_edges:
+        if not self.found and (self.tolerance.panel_min or self.least <= NEARLY):
             self._cross()
 
     def _climb(self, ladder: Iterable[tuple[int, int]]) -> None:
@@ -188,6 +191,7 @@ class _Search(Generic[V]):
                 return
             stale = 0 if tried.off < 0.9 * least else stale + 1
             least = min(least, tried.off)
+            self.least = min(self.least, least)
             if math.isfinite(least) and (stale == STALE or tried.small > 1):
                 return
 
