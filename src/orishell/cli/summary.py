@@ -30,7 +30,7 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
     if report.chosen is not None:
         yield (
             f"chosen    for {report.chosen.tolerance:g} {unit} from the surface, with the fewest "
-            f"panels of {report.chosen.designs_tried} designs tried"
+            f"panels of {report.chosen.designs_tried} designs tried{_on_stock(shell)}"
         )
     yield (
         f"sheet     {plain(sheet.width)} x {plain(sheet.height)} {unit}, area "
@@ -55,6 +55,18 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
         yield from brief_structure(report.structure, unit)
     yield from (f"wrote     {text}" for text in shortened(written))
     yield from (f"removed   {text}, from an earlier run" for text in shortened(removed))
+
+
+def _on_stock(shell: Shell) -> str:
+    """That panels were chosen to fit the stock, without its margins."""
+    from orishell.workshop.layout import usable_stock
+
+    workshop = shell.file.workshop
+    if workshop.stock is None:
+        return ""
+    wide, high = usable_stock(workshop)
+    unit = shell.report.unit
+    return f" whose panels fit {wide:g} x {high:g} {unit}, the stock without its margins"
 
 
 def _standing(report: Report) -> str:

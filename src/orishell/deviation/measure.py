@@ -175,15 +175,15 @@ def find_excess(design: Design, limit: float, *, samples: int) -> float:
     Returns
     -------
     float
-        A distance that is attained, either way. If it exceeds the limit, so does the largest one;
-        if not, none was found that does.
+        A distance that is attained, either way, however coarse the surface's mesh is. If it exceeds
+        the limit, so does the largest one; if not, none was found that does.
     """
     ways = _both_ways(locked_shell(design), design.surface, samples, least=1)
-    attained = [float(way.found.distances.max()) for way in ways]
+    attained = [float(way.found.distances.max()) - way.sagitta for way in ways]
     for number, way in enumerate(ways):
         if max(attained) > limit:
             break
-        attained[number] = way.search(SEARCHED * samples, limit)[0]
+        attained[number] = way.search(SEARCHED * samples, limit + way.sagitta)[0] - way.sagitta
     return max(attained)
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Self, TypeVar
+from typing import Annotated, Any, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
 
+from orishell.conventions.formatting import in_one_line
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design import Design
@@ -25,6 +27,7 @@ from orishell.families.parameters import (
 )
 
 P = TypeVar("P", bound="Pattern")
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +46,30 @@ class Tolerance:
     panel_min: float = 0.0
     panel_max: float = float("inf")
 
+    @property
+    def limits_edges(self) -> bool:
+        """Whether edges may not have any length."""
+        return self.panel_min > 0 or self.panel_max < float("inf")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Variants(Generic[T]):
+    """What may be filled in for what a design leaves open.
+
+    Parameters
+    ----------
+    telling
+        What is to be preferred, first, and what differs from it the most: if none of these nearly
+        does, no other does.
+    others
+        Everything else that is tried.
+    """
+
+    telling: Sequence[T]
+    others: Sequence[T] = ()
+
+    __repr__ = in_one_line
+
 
 class Pattern(Table):
     """What every family asks for: rows and columns of inner vertices, and flaps."""
@@ -54,6 +81,13 @@ class Pattern(Table):
 
     most: ClassVar[int] = 201
     """The largest number of rows, and of columns, that is tried to meet a tolerance."""
+    row_step: ClassVar[int] = 2
+    """Numbers of rows that the family makes are 1 and so many more, again and again."""
+    ripple: ClassVar[float] = 1.5
+    """A shell is farther from its surface than one with fewer columns by such a factor at most."""
+    orderly: ClassVar[bool] = False
+    """Whether that holds for fewer rows as well, and none is nearer whose column 1 is farther from
+    f."""
     closing: ClassVar[Remedy | None] = None
     """A change with which all creases of a shell without flaps may close together."""
     needs_target: ClassVar[bool] = True
@@ -90,9 +124,46 @@ class Pattern(Table):
         """The same pattern with other numbers of rows and columns."""
         return self.model_copy(update={"rows": rows, "columns": columns})
 
-    def variants(self, tolerance: Tolerance) -> list[Self]:
-        """Patterns that fill in what the file leaves open so as to need few panels."""
-        return [self]
+    def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
+        """Patterns of as many rows that fill in what the file leaves open.
+
+        Parameters
+        ----------
+        f
+            The swept curve.
+        tolerance
+            What is to be met.
+
+        Raises
+        ------
+        DesignError
+            If f cannot be followed at all.
+        """
+        return Variants([self])
+
+    def distance_from_f(self, f: Curve) -> float:
+        """A distance (length) at which column 1 is from f at least, however many columns there are.
+
+        0 where none is known before the sheet is made.
+
+        Raises
+        ------
+        DesignError
+            If there is no such column.
+        """
+        return 0.0
+
+    def distance_from_g(self, g: Curve) -> float:
+        """A distance (length) at which the middle row is from g at least, however many rows are.
+
+        0 where none is known before the sheet is made.
+
+        Raises
+        ------
+        DesignError
+            If there is no such row.
+        """
+        return 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +201,10 @@ def placement_variants(pattern: P, tolerance: Tolerance) -> list[P]:
     """
     given = pattern.model_fields_set
     best = {"placement": "balanced", "spacing": "curvature"}
-    ways = [{key: value for key, value in best.items() if key not in given}]
-    if "spacing" not in given and tolerance.panel_max < np.inf:
-        ways.append({**ways[0], "spacing": "equal"})
-    return [pattern.model_copy(update=way) for way in ways]
+    ways = [best]
+    if tolerance.panel_max < np.inf:
+        ways.append({**best, "spacing": "equal"})
+    ways.append({**best, "placement": "inscribed"})
+    left_open = [{key: way[key] for key in way if key not in given} for way in ways]
+    distinct = [way for k, way in enumerate(left_open) if way not in left_open[:k]]
+    return [pattern.model_copy(update=way) for way in distinct]

@@ -1,9 +1,20 @@
 """Polylines that follow curves: staircases, zigzags, chords."""
 
 from orishell.polylines.chords import Chords, Placement, Spacing, measure_chords, place_chords
-from orishell.polylines.closeness import Closeness, measure_closeness, warn_of_coarse_row
+from orishell.polylines.closeness import (
+    Closeness,
+    distances_to_polyline,
+    measure_closeness,
+    warn_of_coarse_row,
+)
 from orishell.polylines.staircase import Staircase, fit_staircase
-from orishell.polylines.staircase_angles import choose_theta, choose_xi, theta_interval, xi_limit
+from orishell.polylines.staircase_angles import (
+    choose_theta,
+    choose_xi,
+    theta_interval,
+    widest_angle,
+    xi_limit,
+)
 from orishell.polylines.zigzag import (
     Zigzag,
     alternating,
@@ -24,6 +35,7 @@ __all__ = [
     "choose_depth",
     "choose_theta",
     "choose_xi",
+    "distances_to_polyline",
     "fit_staircase",
     "measure_chords",
     "measure_closeness",
@@ -33,5 +45,6 @@ __all__ = [
     "smallest_radius",
     "theta_interval",
     "warn_of_coarse_row",
+    "widest_angle",
     "xi_limit",
 ]

@@ -49,6 +49,17 @@ def xi_limit(low: float, high: float) -> float:
     return float(np.pi - 2 * max(abs(low), abs(high)))
 
 
+def widest_angle(low: float, high: float) -> float:
+    """The widest angle that "auto" may take, whatever the edges' lengths (radians).
+
+    Parameters
+    ----------
+    low, high
+        Range of the curve's tangent directions, measured from the x axis (radians).
+    """
+    return min(xi_limit(low, high) * (1 - MARGIN), float(WIDEST_XI))
+
+
 def theta_interval(low: float, high: float, xi: float) -> tuple[float, float]:
     """Rotations theta for which a staircase of angle ``xi`` exists.
 
@@ -88,7 +99,7 @@ def choose_xi(trace: Trace, edges: int, accuracy: float = XI_ACCURACY) -> float:
 
 def _search_xi(trace: Trace, edges: int, accuracy: float) -> Search[Staircase]:
     """The staircase of the angle that :func:`choose_xi` chooses."""
-    widest = min(xi_limit(*trace.heading_range()) * (1 - MARGIN), WIDEST_XI)
+    widest = widest_angle(*trace.heading_range())
     tried: list[Staircase] = []
     for trial in np.linspace(widest, 0.1 * widest, 13):
         tried.append((yield from search_staircase(trace, float(trial), edges)))

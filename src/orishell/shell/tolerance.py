@@ -2,22 +2,33 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass, replace
+from functools import cache
+
 import numpy as np
 
-from orishell.conventions.progress import Progress, stretch, unwatched
+from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.design_file import DesignFile, require_memory
 from orishell.deviation import SAMPLES as CAREFUL
 from orishell.deviation import find_excess, measure_deviation
+from orishell.document import Document
+from orishell.document.from_design import document_of_design
 from orishell.errors import DesignError
 from orishell.families.pattern import Pattern as FamilyPattern
-from orishell.families.pattern import Tolerance
+from orishell.families.pattern import Tolerance, Variants
 from orishell.sheet.quads import lengths
 from orishell.shell.choice import Choice, Measured
-from orishell.shell.size_search import choose
+from orishell.shell.designed import designed
+from orishell.shell.size_search import Sizes, choose
+from orishell.workshop.fitting import SLACK, OversizeError
+from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 
 QUICK = 1_000
 """Samples each way during the search; the result is measured with as many as for the report."""
+SIZE_KEYS = frozenset({"pattern.rows", "pattern.columns"})
+"""What may not be given beside a tolerance, so that no remedy names it."""
 NOTHING_ALLOWED = Tolerance(0.0)
 
 
@@ -38,29 +49,90 @@ def meet_tolerance(
     InputError
         If the pattern would be too large for its frames.
     """
-    found: list[tuple[FamilyPattern, Choice]] = []
-    refusals: list[DesignError] = []
-    variants = file.pattern.variants(tolerance)
-    for number, variant in enumerate(variants):
-
-        def make(rows: int, columns: int, variant: FamilyPattern = variant) -> Design:
-            return variant.sized(rows, columns).design(file.f, file.g)
-
-        def measured(design: Design, careful: bool) -> Measured:
-            return measure(design, careful, tolerance)
-
-        part = stretch(progress, number / len(variants), (number + 1) / len(variants))
-        try:
-            choice = choose(make, measured, tolerance, part, most=variant.most)
-        except DesignError as error:
-            refusals.append(error)
-            continue
-        found.append((variant.sized(choice.trial.rows, choice.trial.columns), choice))
-    if not found:
-        raise refusals[0]
-    pattern, choice = min(found, key=lambda each: each[1].trial.panels)
+    sheets = _Sheets(file, tolerance)
+    try:
+        pattern, choice = choose(sheets.sizes(), sheets.limits(), progress)
+    except DesignError as refusal:
+        if file.workshop.stock is not None:
+            return _with_any_stock(file, tolerance, progress)
+        refusal.candidates = (
+            each for each in refusal.candidates if not each.changes.keys() & SIZE_KEYS
+        )
+        raise
+    pattern = pattern.sized(choice.trial.rows, choice.trial.columns)
     require_memory(file.path, pattern, file.frames)
     return pattern, choice
+
+
+def _with_any_stock(
+    file: DesignFile, tolerance: Tolerance, progress: Progress
+) -> tuple[FamilyPattern, Choice]:
+    """What meets a tolerance if stock is as large as needed: it is refused for that, or at all."""
+    anywhere = replace(file, workshop=replace(file.workshop, stock=None))
+    pattern, choice = meet_tolerance(anywhere, tolerance, progress)
+    try:
+        require_stock(_document(file, pattern), file.workshop)
+    except OversizeError as error:
+        error.remedy = (
+            "larger stock, or another distance in [tolerance]: no sheet was found that comes "
+            f"within {tolerance.surface:g} of the surface and whose panels fit"
+        )
+        raise
+    return pattern, choice
+
+
+def _document(file: DesignFile, pattern: FamilyPattern) -> Document:
+    return document_of_design(designed(replace(file, pattern=pattern)), file.unit)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Sheets:
+    """The sheets that a design file leaves to choose from."""
+
+    file: DesignFile
+    tolerance: Tolerance
+
+    def limits(self) -> Tolerance:
+        """The tolerance, and no edge longer than the stock's diagonal."""
+        workshop = self.file.workshop
+        if workshop.stock is None:
+            return self.tolerance
+        longest = (1 + SLACK) * math.hypot(*usable_stock(workshop))
+        return replace(self.tolerance, panel_max=min(self.tolerance.panel_max, longest))
+
+    def sizes(self) -> Sizes[FamilyPattern]:
+        """What the search asks of them."""
+        file, pattern = self.file, self.file.pattern
+        limits = self.limits()
+
+        @cache
+        def in_rows(rows: int) -> Variants[FamilyPattern]:
+            return pattern.sized(rows, 2).variants(file.f, limits)
+
+        def measured(variant: FamilyPattern, columns: int, careful: bool) -> Measured:
+            return measure(
+                variant.sized(variant.rows, columns).design(file.f, file.g), careful, limits
+            )
+
+        return Sizes(
+            variants=in_rows,
+            distance_from_f=lambda variant: variant.distance_from_f(file.f),
+            distance_from_g=lambda columns: (
+                in_rows(1).telling[0].sized(1, columns).distance_from_g(file.g)
+            ),
+            measure=measured,
+            oversize=lambda variant, columns: self._oversize(variant.sized(variant.rows, columns)),
+            most=pattern.most,
+            step=pattern.row_step,
+            ripple=pattern.ripple,
+            orderly=pattern.orderly,
+        )
+
+    def _oversize(self, pattern: FamilyPattern) -> float:
+        """How much larger the largest panel is than the stock without its margins."""
+        if self.file.workshop.stock is None:
+            return 0.0
+        return find_oversize(_document(self.file, pattern), self.file.workshop)
 
 
 def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Measured:

@@ -10,7 +10,6 @@ from typing import Any
 from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, followed, stretch, unwatched
 from orishell.conventions.quantities import plain
-from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.errors import DesignError, OrishellError
 from orishell.families.pattern import Tolerance
@@ -70,19 +69,20 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
         If the family refuses all sizes, or no sheet has edges as long as they may be.
     """
     limits = file.tolerance or Tolerance(math.inf)
-    pattern = file.pattern.variants(Tolerance(math.inf, limits.panel_min, limits.panel_max))[0]
+    free = Tolerance(math.inf, limits.panel_min, limits.panel_max)
+    pattern = file.pattern.variants(file.f, free).telling[0]
     left_open = pattern.model_fields_set - file.pattern.model_fields_set
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}
 
-    def make(rows: int, columns: int) -> Design:
-        return pattern.sized(rows, columns).design(file.f, file.g)
+    def trial(size: tuple[int, int], *, careful: bool) -> Trial:
+        return trial_of(size, measure(pattern.sized(*size).design(file.f, file.g), careful))
 
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []
     refusal: OrishellError | None = None
     for size in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
         try:
-            tried.append(trial_of(make, measure, size, careful=False))
+            tried.append(trial(size, careful=False))
         except OrishellError as error:  # lists of lengths fit their own size only
             refusal = refusal or error
     if refusal is not None and not tried:
@@ -96,8 +96,8 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
         raise _no_such_edges(tried, limits)
     quick = unbeaten(fitting)
     careful = [
-        trial_of(make, measure, (trial.rows, trial.columns), careful=True)
-        for trial in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
+        trial((each.rows, each.columns), careful=True)
+        for each in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
     ]
     tried.sort(key=lambda trial: (trial.panels, trial.error))
     best = _told_apart(unbeaten(careful))

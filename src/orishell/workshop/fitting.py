@@ -154,12 +154,20 @@ class CutSheet:
         return len(find_turns(points, self.width, self.height)) > 0
 
 
+class OversizeError(InputError):
+    """Panels that the stock is too small for, the largest by a factor (more than 1)."""
+
+    def __init__(self, what: str, factor: float, **facts: str) -> None:
+        super().__init__(what, **facts)
+        self.factor = factor
+
+
 def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     """Refuse a sheet with a panel that is larger than the stock.
 
     Raises
     ------
-    InputError
+    OversizeError
         With a size that every panel fits.
     """
     import shapely
@@ -175,8 +183,10 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     sides = np.sort([np.hypot(*np.diff(box[:3], axis=0).T) for box in boxes], axis=1)
     short, long = sides.max(axis=0).tolist()
     largest = document.panel_name(wrong[int(np.argmax(sides[:, 1]))])
-    raise InputError(
+    stock = sorted((sheet.width, sheet.height))
+    raise OversizeError(
         f"{len(wrong)} of {len(sheet.corners)} panels do not fit the stock",
+        max(short / stock[0], long / stock[1], 1 + SLACK),
         where="[workshop] stock",
         got=f"{sheet.width:.6g} x {sheet.height:.6g} without its margins",
         expected=f"at least {_above(long)} x {_above(short)}, in which each of them fits; "

@@ -18,7 +18,7 @@ from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.board_outlines import seen_from_outside
 from orishell.workshop.clipped import with_clipped
-from orishell.workshop.fitting import CutSheet, find_turns, require_panels_fit
+from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
 from orishell.workshop.glue import has_sheet
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import nest_parts
@@ -105,6 +105,21 @@ def _solid_outlines(document: Document) -> Array:
     outlines = np.pad(corners, ((0, 0), (0, seen.outlines.shape[1] - 4), (0, 0)), mode="edge")
     outlines[seen.panels] = seen.outlines
     return outlines
+
+
+def find_oversize(document: Document, workshop: Workshop) -> float:
+    """How much larger than the stock, as a factor, a panel is; 1 where all fit, with their tabs.
+
+    Raises
+    ------
+    InputError
+        If the margins leave nothing of the stock.
+    """
+    try:
+        require_stock(document, workshop)
+    except OversizeError as error:
+        return error.factor
+    return 1.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,17 +18,25 @@ from orishell.families.longitudinal_linear_repeating.design import (
 )
 from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
+from orishell.families.longitudinal_linear_repeating.variants import (
+    distance_from_f,
+    open_sectors,
+    open_stages,
+)
 from orishell.families.parameters import Auto, Knob, Length
-from orishell.families.pattern import Family, Pattern
+from orishell.families.pattern import Family, Pattern, Tolerance, Variants
 from orishell.families.slips import forgiving
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
+STAGED = 3
+"""Sector angles, the first that are tried, for which other stages are tried, too."""
 
 
 class LongitudinalPattern(Pattern):
     """Parameters of the longitudinal linear repeating family."""
 
     most: ClassVar[int] = 25
+    row_step: ClassVar[int] = 1
     needs_target: ClassVar[bool] = False
 
     sector_deg: Annotated[
@@ -79,6 +87,26 @@ class LongitudinalPattern(Pattern):
         values = super().arguments()
         del values["sector"]
         return {**values, "sectors": angles if angles == "auto" else Sectors.from_degrees(angles)}
+
+    def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
+        """Sector angles that "auto" chooses from, and stages about column 1's own."""
+        angles = [self]
+        if self.sector_deg == "auto":
+            angles += [self.model_copy(update={"sector_deg": each}) for each in open_sectors()]
+        if self.stage_deg != "auto":
+            return Variants(angles[:2], angles[2:])
+        # Column 1 comes as near to f with all of them, but the others follow it better near 90.
+        known = [each for each in angles if each.sector_deg != "auto"]
+        stages = [
+            each.model_copy(update={"stage_deg": stage})
+            for each in known[:STAGED]
+            for stage in open_stages(f, each.arguments())
+        ]
+        return Variants([*angles[:2], *stages[:2]], [*angles[2:], *stages[2:]])
+
+    def distance_from_f(self, f: Curve) -> float:
+        """Distance of column 1 from f; 0 where its sector angles are chosen with the sheet."""
+        return 0.0 if self.sector_deg == "auto" else distance_from_f(f, self.arguments())
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""

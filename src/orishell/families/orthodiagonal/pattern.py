@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
 
 from orishell.conventions.table import Number
-from orishell.curves import Curve
+from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
 from orishell.errors import Remedy
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
-from orishell.families.orthodiagonal.row import RowKind, require_one_kind
+from orishell.families.orthodiagonal.profile import zigzag_distance
+from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind
 from orishell.families.parameters import (
     FLAP_SIDE,
     PLACEMENT,
@@ -23,9 +25,17 @@ from orishell.families.parameters import (
     Length,
     OddRowCount,
 )
-from orishell.families.pattern import Family, Pattern, Tolerance, placement_variants
+from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
 from orishell.families.slips import forgiving
 from orishell.polylines import Placement, Spacing
+
+G_SHARE = 0.8
+"""A shell is at such a share of the distance from its surface at least that the middle row has from
+g: of 270 random ones none was nearer than 0.83 of it."""
+DEPTH_SHARES = (0.9, 0.3, 0.6, 0.99, 0.95, 0.8, 0.7, 0.5, 0.4, 0.2, 0.1)
+"""Depths that are tried beside "auto" to meet a tolerance, as shares of it."""
+TELLING = 4
+"""So many of them tell whether others may do."""
 
 
 class OrthodiagonalPattern(Pattern):
@@ -75,16 +85,30 @@ class OrthodiagonalPattern(Pattern):
         require_one_kind("row_angle_deg")(self)
         return self
 
-    def variants(self, tolerance: Tolerance) -> list[Self]:
-        """As for parallel repeating, and with zigzags somewhat less deep than the tolerance."""
+    def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
+        """As for parallel repeating, and zigzags of any depth below the tolerance."""
         ways = [self] if self.row == "zigzag" else placement_variants(self, tolerance)
-        if "depth" in self.model_fields_set:
-            return ways
-        depths = [share * tolerance.surface for share in (0.9, 0.7)]
-        return [
-            *ways,
-            *(each.model_copy(update={"depth": depth}) for each in ways for depth in depths),
-        ]
+        if self.depth != "auto":
+            return Variants(ways[:1], ways[1:])
+        shares = DEPTH_SHARES if math.isfinite(tolerance.surface) else ()
+        depths = ["auto", *(share * tolerance.surface for share in shares)]
+        every = [way.model_copy(update={"depth": depth}) for way in ways for depth in depths]
+        return Variants(every[:TELLING], every[TELLING:])
+
+    def distance_from_f(self, f: Curve) -> float:
+        """Distance of column 1 from f, whichever zigzag it follows."""
+        return zigzag_distance(
+            run_along_axis(trace_curve(f, "f").in_own_frame()), self.rows, self.depth
+        )
+
+    def distance_from_g(self, g: Curve) -> float:
+        """Most of the distance of the middle row from g, which may leave f's plane obliquely."""
+        asked = self.arguments()
+        if self.row == "zigzag":
+            row = Row.of_zigzag(g, self.columns, asked["heading"], asked["row_angle"])
+        else:
+            row = Row.of_chords(g, self.columns, asked["heading"], self.spacing, self.placement)
+        return G_SHARE * row.closeness.max
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
-from orishell.curves import Trace
+from orishell.curves import Trace, remembered
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import values
 from orishell.families.parameters import Auto
@@ -20,6 +20,7 @@ from orishell.polylines import (
     Zigzag,
     alternating,
     choose_depth,
+    distances_to_polyline,
     place_zigzag,
     place_zigzags,
     smallest_radius,
@@ -31,6 +32,8 @@ MOST_ROWS = 4097
 """Rows tried in search of a zigzag."""
 MORE_ROWS = (1.3, 2.0)
 """Shares of the fewest rows that have a zigzag, where no shell follows from these."""
+POINTS = 200
+"""Points of f that are looked at, about."""
 STEEP = np.deg2rad(30.0)
 """Where f reaches its end flatter than this, no level plane cuts the shell off."""
 TRIM_RANGE = (0.2, 3.0)
@@ -70,6 +73,23 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
         candidates=candidates,
         excess=angles[row - 1] / np.pi - 1,
     )
+
+
+@remembered
+def zigzag_distance(trace: Trace, rows: int, depth: float | Auto) -> float:
+    """Distance from f at which every zigzag of this depth is at least (length).
+
+    That of some of f's points from the nearest of them; inner vertices are at ``depth``.
+
+    Raises
+    ------
+    DesignError
+        If there is none.
+    """
+    zigzags = require_zigzags(trace, rows, depth)
+    points = trace.points[:: max(1, len(trace.points) // POINTS)]
+    reached = (float(distances_to_polyline(points, each.vertices).max()) for each in zigzags)
+    return max(min(reached), zigzags[0].depth)
 
 
 def sound_zigzags(trace: Trace, rows: int, depth: float) -> list[Zigzag]:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
+from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
-from orishell.curves import Curve
+from orishell.curves import Curve, trace_curve
 from orishell.design import Design, FlapSide
 from orishell.errors import Remedy
 from orishell.families.parallel_repeating.design import (
@@ -19,6 +21,7 @@ from orishell.families.parallel_repeating.design import (
     design_parallel_repeating,
     require_square,
 )
+from orishell.families.parallel_repeating.profile import fit_profile, widest_xi
 from orishell.families.parallel_repeating.row import Planes
 from orishell.families.parameters import (
     FLAP_SIDE,
@@ -29,15 +32,26 @@ from orishell.families.parameters import (
     Knob,
     OddRowCount,
 )
-from orishell.families.pattern import Family, Pattern, Tolerance, placement_variants
+from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
 from orishell.families.slips import forgiving
-from orishell.polylines import Placement, Spacing
+from orishell.polylines import Placement, Spacing, measure_chords, place_chords
+
+XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)
+"""Angles xi that are tried to meet a tolerance, as shares of the widest: beside that and "auto",
+which keeps edges even."""
+NARROWER = 3
+"""So many of them where edges may have any length."""
+WIDER = 1e-3
+"""The widest is tried where it is wider than "auto" by this share."""
 
 
 class ParallelRepeatingPattern(Pattern):
     """Parameters of the parallel repeating family."""
 
     closing: ClassVar[Remedy | None] = Remedy({"pattern.plane": "bisector"})
+
+    ripple: ClassVar[float] = 1.15
+    orderly: ClassVar[bool] = True
 
     rows: Annotated[OddRowCount, ROWS]
     flap_side: Annotated[
@@ -82,9 +96,35 @@ class ParallelRepeatingPattern(Pattern):
         angle = float(np.deg2rad(self.plane_deg))
         return {**super().arguments(), "planes": self.plane, "plane": angle}
 
-    def variants(self, tolerance: Tolerance) -> list[Self]:
-        """Vertices of g balanced; where panels must not be long, also equally far apart."""
-        return placement_variants(self, tolerance)
+    def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
+        """Vertices of g in the best ways, and angles xi up to the widest that f admits."""
+        ways = placement_variants(self, tolerance)
+        if self.xi_deg != "auto":
+            return Variants(ways[:1], ways[1:])
+        theta = self.arguments()["theta"]
+        widest, own = widest_xi(f, theta), fit_profile(f, self.rows + 1, "auto", theta).staircase.xi
+        wide = [tidy_degrees(widest)] if widest > own * (1 + WIDER) else []
+        # Narrower angles are farther from f, but their edges are more alike.
+        limited = tolerance.limits_edges
+        shares = XI_SHARES if limited else XI_SHARES[:NARROWER]
+        angles = ["auto", *wide, *(tidy_degrees(share * widest) for share in shares)]
+        every = [way.model_copy(update={"xi_deg": xi}) for way in ways for xi in angles]
+        telling = every[: 1 + len(wide)]
+        if limited:
+            evenly = every[len(angles) :] if tolerance.panel_max < math.inf else every
+            telling += evenly[: 1 + len(wide) + NARROWER]
+        return Variants(telling, [each for each in every if each not in telling])
+
+    def distance_from_f(self, f: Curve) -> float:
+        """Distance of column 1 from f."""
+        asked = self.arguments()
+        return fit_profile(f, self.rows + 1, asked["xi"], asked["theta"]).staircase.distance
+
+    def distance_from_g(self, g: Curve) -> float:
+        """Distance of the middle row from g."""
+        trace = trace_curve(g, "g").in_own_frame()
+        chords = place_chords(trace, self.columns, self.spacing, self.placement)
+        return measure_chords(trace, chords).max
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""

@@ -10,7 +10,13 @@ from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curv
 from orishell.errors import Remedy
 from orishell.families.parameters import Auto
 from orishell.families.staircases import Followed
-from orishell.polylines import Closeness, Staircase, choose_theta, measure_closeness
+from orishell.polylines import (
+    Closeness,
+    Staircase,
+    choose_theta,
+    measure_closeness,
+    widest_angle,
+)
 
 ORTHODIAGONAL = Remedy(
     {
@@ -73,3 +79,11 @@ def fit_profile(f: Curve, edges: int, xi: float | Auto, theta: float | Auto) -> 
     trace = trace.rotated(theta)
     staircase = F.fit(trace, theta, angle, edges)
     return Profile(trace, theta, staircase, measure_closeness(trace, staircase.vertices))
+
+
+def widest_xi(f: Curve, theta: float | Auto) -> float:
+    """The widest angle xi that f admits, rotated by theta or as is best for it (radians)."""
+    trace = run_along_axis(trace_curve(f, "f").in_own_frame(), 0.0 if theta == "auto" else theta)
+    low, high = trace.heading_range()
+    turned = 0.5 * (low + high) if theta == "auto" else -theta
+    return widest_angle(low - turned, high - turned)

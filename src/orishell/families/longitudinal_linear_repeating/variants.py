@@ -1,0 +1,89 @@
+"""Sector angles and stages that are tried where the design leaves them open, and what they come to.
+
+Only column 1 is made here: how near it comes to f does not depend on the columns beside it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from orishell.curves import Curve, trace_curve
+from orishell.errors import DesignError
+from orishell.families.longitudinal_linear_repeating.equation.choice import (
+    AUTO_SHARES,
+    auto_sectors,
+    choose_solution,
+)
+from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.target import Profile
+from orishell.families.longitudinal_linear_repeating.target_state import (
+    TargetState,
+    find_target_state,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import repeat_columns
+from orishell.polylines import measure_closeness
+
+STAGE_SHARES = (1.1, 0.9, 1.2, 0.8, 1.05, 0.95, 1.3, 0.7, 1.4, 0.6)
+"""Stages that are tried, as shares of the one at which column 1 turns as much as f."""
+
+
+def open_sectors() -> list[list[float]]:
+    """Sector angles (degrees) that "auto" chooses from: very near to 90, half way, the others."""
+    apart = AUTO_SHARES[-3::-4]
+    shares = (*apart, *(share for share in AUTO_SHARES if share not in apart))
+    return [[float(angle) for angle in auto_sectors(share).degrees] for share in shares]
+
+
+def open_stages(f: Curve, asked: dict[str, Any]) -> list[float]:
+    """Stages to try (degrees); none where column 1 has no stage of its own.
+
+    Parameters
+    ----------
+    f
+        The swept curve.
+    asked
+        Arguments of the function that designs, with sector angles.
+    """
+    try:
+        own = _column(_profile(f), asked).drive
+    except DesignError:
+        return []
+    return [float(np.rad2deg(share * own)) for share in STAGE_SHARES]
+
+
+def distance_from_f(f: Curve, asked: dict[str, Any]) -> float:
+    """Distance of column 1 from f.
+
+    Parameters
+    ----------
+    f
+        The swept curve.
+    asked
+        Arguments of the function that designs, with sector angles.
+
+    Raises
+    ------
+    DesignError
+        If no column 1 of these angles follows f.
+    """
+    profile = _profile(f)
+    return measure_closeness(profile.trace, _column(profile, asked).polygon).max
+
+
+def _profile(f: Curve) -> Profile:
+    return Profile.of(trace_curve(f, "f").in_own_frame())
+
+
+def _column(profile: Profile, asked: dict[str, Any]) -> TargetState:
+    sectors, stage, lengths = (asked[key] for key in ("sectors", "stage", "column_lengths"))
+    assert isinstance(sectors, Sectors)
+    return find_target_state(
+        profile,
+        repeat_columns(choose_solution(sectors, asked["solution"]), 2),
+        asked["rows"],
+        asked["first_row"],
+        drive=None if stage == "auto" else stage,
+        lengths=None if lengths == "auto" else np.array(lengths),
+    )
