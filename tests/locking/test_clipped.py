@@ -88,15 +88,15 @@ def random_design(number: int) -> Tables:
     def some(low: float, high: float) -> float:
         return round(float(draw.uniform(low, high)), 3)
 
-    height, bend, turn = some(0.3, 1.5), some(0.05, 0.35), some(0.5, 1.6)
+    height, bend, turn = some(0.5, 1.5), some(0.1, 0.3), some(1.0, 1.7)
     f = [
         formula(f"-{height}*x**2", -1, 1),
         formula(["cos(t)", f"{height}*sin(t)"], some(0.2, 0.5), some(2.64, 2.94)),
         formula(f"-{height}*x**2 + 0.15*x**3", -1, 0.9),
     ][draw.integers(3)]
     g = [
-        formula(f"{bend}*sin({turn}*x)", 0, some(2, 6)),
-        formula(["2.5*cos(t)", "2.5*sin(t)"], 0, some(0.6, 3)),
+        formula(f"{bend}*sin({turn}*x)", 0, some(2, 5)),
+        formula(["2.5*cos(t)", "2.5*sin(t)"], 0, some(0.6, 5.5)),
         formula(f"{bend}*x**2", -1.5, 2),
     ][draw.integers(3)]
     rows, columns = 2 * int(draw.integers(1, 5)) + 1, int(draw.integers(3, 14))
@@ -104,16 +104,16 @@ def random_design(number: int) -> Tables:
     pattern = {
         "rows": rows,
         "columns": columns,
-        "flap": ["auto", some(0.1, 1) * size][draw.integers(2)],
+        "flap": ["auto", some(0.3, 4) * size][draw.integers(2)],
     }
     family = ["orthodiagonal", "parallel-repeating"][number % 2]
     if family == "orthodiagonal":
-        pattern["depth"] = ["auto", some(0.2, 0.8) * size][draw.integers(2)]
+        pattern["depth"] = ["auto", some(0.4, 0.7) * size][draw.integers(2)]
     else:
         pattern["flap_side"] = ["start", "end"][draw.integers(2)]
-    panel: Tables = {"thickness": round(size * some(0.01, 0.12), 4)}
+    panel: Tables = {"thickness": round(size * some(0.03, 0.12), 4)}
     if number // 2 % 2:
-        panel |= {"construction": "bevel", "gap": round(panel["thickness"] * some(0.02, 0.3), 5)}
+        panel |= {"construction": "bevel", "gap": round(panel["thickness"] * some(0.02, 0.1), 5)}
     else:
         panel |= {"membrane": round(panel["thickness"] * some(0.02, 0.2), 5)}
     return {**tables(family, f, g, **pattern), **CLIPPED, "panel": panel}

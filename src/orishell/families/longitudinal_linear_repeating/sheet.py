@@ -183,7 +183,7 @@ def _is_convex_at_sides(mechanism: LongitudinalLinearRepeating) -> bool:
 def _corner_turns(mechanism: LongitudinalLinearRepeating) -> Array:
     """Sines of the turns at all panels' corners (m+1, n+1, 4), positive where they are convex.
 
-    They are not a number where an edge is nothing beside the size of the sheet, or too long for one.
+    They are no numbers where an edge is nothing beside the size of the sheet, or too long for one.
     """
     flat = mechanism.positions(0.0)[..., :2] @ np.array([1, 1j])
     corners = np.stack([flat[:-1, :-1], flat[1:, :-1], flat[1:, 1:], flat[:-1, 1:]], axis=-1)
