@@ -353,8 +353,8 @@ class _Search(Generic[V]):
             f"no shell of this family comes within {limits.surface:g} of the surface",
             place=f"with {edges if limits.limits_edges else ''}at most {self.sizes.most} rows and "
             "columns",
-            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is {plain(nearest.error)} "
-            f"away, with edges from {plain(nearest.shortest)} to {plain(nearest.longest)}",
+            size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
+            f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to {plain(nearest.longest)}",
             candidates=[Remedy({"tolerance.surface": rounded(share * nearest.error)})]
             if allowed
             else (),
