@@ -27,7 +27,7 @@ def require_uncrossed(design: Design) -> None:
     column = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns.start]
     centred = column - column.mean(axis=0)
     flat = centred @ np.linalg.svd(centred, full_matrices=False)[2][:2].T
-    pieces = shapely.linestrings(np.stack([flat[:-1], flat[1:]], axis=1))
+    pieces = np.asarray(shapely.linestrings(np.stack([flat[:-1], flat[1:]], axis=1)))
     first, second = shapely.STRtree(pieces).query(pieces, predicate="crosses")
     if not len(first):
         return
