@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, cast
 
 import typer
 
 from orishell.cli.files import FILE_HELP, STATE_HELP, shortened, state_named
 from orishell.cli.printing import say
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.units import MILLIMETRES, Unit
 from orishell.errors import InputError
 
 
@@ -47,7 +47,7 @@ def convert(
         state_named(state), DEFAULT if workshop is None else read_workshop(workshop)
     )
     try:
-        written = convert_fold(file, out, settings, unit)
+        written = convert_fold(file, out, settings, cast("Unit | None", unit))
     except InputError as error:
         if error.where.endswith(" unit"):
             error.add_note("--unit says which it is.")

@@ -354,7 +354,8 @@ class _Search(Generic[V]):
             place=f"with {edges if limits.limits_edges else ''}at most {self.sizes.most} rows and "
             "columns",
             size=f"the nearest found, {nearest.rows} x {nearest.columns}, is "
-            f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to {plain(nearest.longest)}",
+            f"{plain(nearest.error)} away, with edges from {plain(nearest.shortest)} to "
+            f"{plain(nearest.longest)}",
             candidates=[Remedy({"tolerance.surface": rounded(share * nearest.error)})]
             if allowed
             else (),
