@@ -81,8 +81,8 @@ def test_any_sheet_whose_flaps_have_a_stop(request: Request, share: float, seed:
     random = np.random.default_rng(seed)
     drives = np.concatenate([[target, end], random.uniform(0, end, 8)])
     states, folds = stopped.positions(drives), stopped.fold_angles(drives)
-    # Corners are sums along a row and a column: two of them are off by sqrt(3) eps for each summand,
-    # and by some more for the rotations of the first.
+    # Corners are sums along a row and a column: two of them are off by sqrt(3) eps for each
+    # summand, and by some more for the rotations of the first.
     rounding = 2 * (sum(flat.shape[:2]) + 8) * np.finfo(float).eps * size
     assert np.abs(panel_distances(states) - panel_distances(flat)).max() < rounding
     measured = measure_fold_angles(states)

@@ -61,6 +61,8 @@ def test_clients_drag(
     clients: int, seconds: float, record_property: Callable[[str, object], None]
 ) -> None:
     async def scene(address: str, process: int) -> tuple[list[int], list[int]]:
+        # Memory grows until all processes have worked: that is before.
+        await asyncio.gather(*(drag(address, k, 0.0) for k in range(clients)))
         end = asyncio.get_running_loop().time() + seconds
         tasks = [asyncio.create_task(drag(address, k, end)) for k in range(clients)]
         sizes = []
