@@ -47,8 +47,13 @@ def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
     pattern, choice = meet_tolerance(file, file.tolerance)
     deviation = measure_deviation(pattern.design(file.f, file.g))
     assert deviation.max <= 0.05 + deviation.sample_spacing
-    keys = {"xi_deg": 50.0, "spacing": "equal", "placement": "inscribed"}
-    plain = file.changed({f"pattern.{key}": value for key, value in keys.items()})
+    plain = file.changed(
+        {
+            "pattern.xi_deg": 50.0,
+            "pattern.spacing": "equal",
+            "pattern.placement": "inscribed",
+        }
+    )
     _, other = meet_tolerance(plain, file.tolerance)
     assert other.trial.panels > 2.5 * choice.trial.panels
 
