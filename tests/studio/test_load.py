@@ -43,15 +43,10 @@ async def drag(studio: Studio, number: int, end: float) -> int:
     design["target"]["f"] = {"points": points, "smooth": True}
     answers = 0
     loop = asyncio.get_running_loop()
-<<<<<<< HEAD
     async with httpx.AsyncClient(
         base_url=studio.address, cookies=studio.cookies, timeout=60
     ) as client:
-        while loop.time() < end:
-=======
-    async with httpx.AsyncClient(base_url=address, timeout=60) as client:
         while loop.time() < end or answers < LEAST:  # a busy machine may take longer
->>>>>>> ports
             moved = copy.deepcopy(design)
             moved["target"]["f"]["points"][2][1] += 0.01 * ((answers + number) % 20)
             answer = await client.post("/api/design", json={"design": moved, "states": 13})
@@ -67,13 +62,9 @@ async def drag(studio: Studio, number: int, end: float) -> int:
 def test_clients_drag(
     clients: int, seconds: float, record_property: Callable[[str, object], None]
 ) -> None:
-<<<<<<< HEAD
     async def scene(studio: Studio) -> tuple[list[int], list[int]]:
-=======
-    async def scene(address: str, process: int) -> tuple[list[int], list[int]]:
         # Memory grows until all processes have worked: that is before.
-        await asyncio.gather(*(drag(address, k, 0.0) for k in range(clients)))
->>>>>>> ports
+        await asyncio.gather(*(drag(studio, k, 0.0) for k in range(clients)))
         end = asyncio.get_running_loop().time() + seconds
         tasks = [asyncio.create_task(drag(studio, k, end)) for k in range(clients)]
         sizes = []
