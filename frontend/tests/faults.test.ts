@@ -39,8 +39,9 @@ describe("a remedy changes", () => {
     expect(DESIGN.pattern["rows"]).toBe(9);
   });
 
-  test("a curve to a formula, whose points are then gone", () => {
-    const { target } = mended(DESIGN, { text: "", changes: { "target.f.formula": "x**2" } });
+  test("a curve to a formula, and removes its points", () => {
+    const gone = { "target.f.points": null, "target.f.smooth": null };
+    const { target } = mended(DESIGN, { text: "", changes: { "target.f.formula": "x**2", ...gone } });
     expect(target.f).toEqual({ formula: "x**2", scale: 2 });
   });
 

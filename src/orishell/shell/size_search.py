@@ -147,6 +147,8 @@ class _Search(Generic[V]):
         """Find any sheet that does, then all with fewer panels that may."""
         while True:
             self._look()
+            if self._all_too_long():
+                raise self._refused()
             if not self.found and not any(self._fits(each) for _, each in self.tried):
                 self.bounded = False  # f or g rule out all that fit: how near do these come?
                 self._look()
@@ -211,6 +213,11 @@ class _Search(Generic[V]):
                 refused = refused + 1 if tried.off == math.inf else 0
                 if tried.small > 1:
                     small.append(place)
+
+    def _all_too_long(self) -> bool:
+        """Whether edges are too long in all sheets: sheets with few panels have longer ones."""
+        longest = self.tolerance.panel_max
+        return bool(self.tried) and all(each.longest > longest for _, each in self.tried)
 
     def _rows(self) -> Iterator[int]:
         """Numbers of rows for which there may be fewer panels, those of the best one first."""
