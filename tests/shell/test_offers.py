@@ -95,7 +95,8 @@ def building(draw: Draw) -> Tables:
     wanted: Tables = {"deployment": {}}
     if draw.chance(0.6):
         thickness = draw.one(draw.number(0.005, 0.03), draw.number(0.03, 0.4))
-        made = draw.one({"membrane": 0.001, "membrane_density": 1000}, {"construction": "bevel", "gap": 0.002})
+        sandwich = {"membrane": 0.001, "membrane_density": 1000}
+        made = draw.one(sandwich, {"construction": "bevel", "gap": 0.002})
         wanted["panel"] = {"thickness": thickness, "density": 200} | made
         if draw.chance(0.4):
             support = {"at": draw.one("feet", "ends"), "kind": "pinned"}
