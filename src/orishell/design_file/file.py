@@ -60,6 +60,8 @@ class DesignFile:
         Distance at which panels touch, relative to the diagonal of the flat sheet.
     workshop
         How the flat sheet is drawn and cut.
+    tables
+        What the file says, table by table.
     ground
         Where a shell that can stand is put.
     deployment
@@ -70,8 +72,6 @@ class DesignFile:
         How it is analysed as a structure; None if that was not asked for.
     search
         What is searched for among its variants; None if nothing is.
-    tables
-        What the file says, table by table.
     files
         Whether its curves may come from files.
     """
@@ -85,12 +85,12 @@ class DesignFile:
     frames: int
     contact_tolerance: float
     workshop: Workshop
+    tables: dict[str, Any] = field(repr=False)
     ground: Ground = "z0"
     deployment: Deployment = FROM_FLAT
     panel: PanelBuild | None = None
     structure: Structure | None = None
     search: Search | None = None
-    tables: dict[str, Any] = field(default_factory=dict, repr=False)
     files: bool = True
 
     __repr__ = in_one_line
