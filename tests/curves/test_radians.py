@@ -31,6 +31,7 @@ def test_a_range_in_degrees(ends: tuple[int, int]) -> None:
         ("cos(t)", "sin(t)", (0, 6)),
         ("cos(pi*t/180)", "sin(pi*t/180)", (10, 170)),  # says itself that they are degrees
         ("exp(t/9)*cos(t)", "exp(t/9)*sin(t)", (0, 20)),  # a spiral
+        ("0.05*t*cos(t)", "0.05*t*sin(t)", (60, 90)),  # one between whole numbers far apart
         ("t", "3*sin(t/20)", (0, 180)),
         ("t", "3*sin(t)", (0, 180)),  # 28 waves, and no turn in all
         ("10*cos(t/30)", "10*sin(t/30)", (0, 90)),

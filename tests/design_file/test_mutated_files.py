@@ -374,6 +374,7 @@ def test_mutated_files_are_made_or_refused(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-W", "default", __file__, str(tmp_path), "0", str(FILES)],
         capture_output=True,
+        env=os.environ | {"PYTHONPATH": str(Path(__file__).parents[1])},
         text=True,
         timeout=FILES * 4 * MAKING,
         check=False,

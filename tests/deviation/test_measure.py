@@ -324,8 +324,9 @@ def test_a_mesh_of_a_flat_surface_ends_short_of_a_curved_border() -> None:
         assert 1e-6 < away <= short * (1 + 1e-6)
 
 
-@pytest.mark.parametrize("share", [0.5, 0.9, 0.99, 1.01, 1.1, 2.0])
+@pytest.mark.parametrize("share", [0.5, 0.9, 0.98, 1.0, 1.01, 1.1, 2.0])
 def test_whether_a_limit_is_exceeded(share: float) -> None:
+    """Below it by more than the sagitta of the quick mesh, 1.2 % of the distance; never above."""
     design = figure_1()
     deviation = measure_deviation(design)
     limit = share * deviation.max

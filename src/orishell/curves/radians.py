@@ -1,4 +1,4 @@
-"""Curves whose formulas were given degrees: they wind many times about themselves."""
+"""Curves whose formulas were given degrees: they run along themselves many times."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from orishell.errors import CurveError
 from orishell.numerics.arrays import Array
 
 WINDINGS = 4
-"""A curve that turns by more turns than these in radians, and by at most one in degrees, was meant
-in degrees: no family takes one that turns so often."""
+"""A curve that turns by more turns than these in radians, each along the last one, and by at most
+one in degrees, was meant in degrees: no family takes one that runs along itself. A spiral may be
+meant."""
+AGAIN = 1e-9
+"""A turn leaves the last one by less than this share of its size where it runs along it."""
 ONE = 1 + 1e-6
 """A whole turn, and its rounding."""
 SPAN, LARGEST = 30, 720
@@ -36,15 +39,17 @@ def require_radians(jet: Jet, start: float, stop: float) -> None:
     Raises
     ------
     CurveError
-        If its range looks like degrees, and the curve winds too often for any shell in radians.
+        If its range looks like degrees, and the curve runs along itself in radians.
     """
     if not look_like_degrees(start, stop):
         return
     turns = _turns(jet, start, stop)
     if turns <= WINDINGS or _turns(jet, np.deg2rad(start), np.deg2rad(stop)) > ONE:
         return
+    if not _runs_again(jet, start, stop):
+        return
     raise CurveError(
-        f"the curve turns {turns:.0f} times about itself, because formulas take radians",
+        f"the curve runs {turns:.0f} times along itself, because formulas take radians",
         where="range",
         got=f"[{start:g}, {stop:g}], which look like degrees",
         expected="radians",
@@ -71,3 +76,10 @@ def _turns(jet: Jet, start: float, stop: float) -> float:
         return 0.0
     turned = np.unwrap(np.arctan2(first[:, 1], first[:, 0]))
     return float(abs(turned[-1] - turned[0]) / (2 * np.pi))
+
+
+def _runs_again(jet: Jet, start: float, stop: float) -> bool:
+    """Whether each turn of a curve, a whole one in radians, runs along the last one."""
+    one = np.linspace(start, stop - 2 * np.pi, CELLS + 1)
+    here, there = jet(one)[0], jet(one + 2 * np.pi)[0]
+    return bool(np.abs(there - here).max() <= AGAIN * np.ptp(here, axis=0).max())
