@@ -7,6 +7,7 @@ import os
 import random
 import signal
 import time
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -46,7 +47,7 @@ def test_a_member_s_file_makes_what_the_front_says(
 ) -> None:
     first = whole["front.csv"].decode().splitlines()[1].split(",")
     text = whole[first[0]].decode()
-    assert "[search]" not in text
+    assert "search" not in tomllib.loads(text)
     assert "# the curve that is swept" in text  # comments are kept
     (tmp_path / first[0]).write_text(text, encoding="utf-8")
     done = orishell("design", tmp_path / first[0], "--out", tmp_path / "out")
