@@ -7,7 +7,7 @@ the family cannot reach (exit status 1).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Self
 
@@ -187,7 +187,8 @@ class DesignError(OrishellError):
     excess
         By how much the condition fails: 0 at its limit, and more the farther from it, so that a
         search finds its way back. A share of the limit, of an angle the share of half a turn; None
-        where no size is known, or the limit is zero.
+        where no size is known, or the limit is zero. What takes time to find is found when it is
+        asked for.
     """
 
     exit_status = 1
@@ -202,7 +203,7 @@ class DesignError(OrishellError):
         candidates: Iterable[Remedy] = (),
         remedies: tuple[Remedy, ...] = (),
         limit: str = "",
-        excess: float | None = None,
+        excess: float | Callable[[], float | None] | None = None,
     ) -> None:
         super().__init__(condition)
         self.condition, self.keys = condition, keys
@@ -211,7 +212,14 @@ class DesignError(OrishellError):
         self.candidates = candidates
         self.remedies = remedies
         self.limit = limit
-        self.excess = None if excess is None else max(0.0, float(excess))
+        self._excess = excess
+
+    @property
+    def excess(self) -> float | None:
+        """By how much the condition fails; None if that is not known."""
+        if callable(self._excess):
+            self._excess = self._excess()
+        return None if self._excess is None else max(0.0, float(self._excess))
 
     def __str__(self) -> str:
         sentence = self.condition

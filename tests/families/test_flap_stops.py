@@ -84,11 +84,15 @@ def test_any_sheet_whose_flaps_have_a_stop(request: Request, share: float, seed:
     # Corners are sums along a row and a column: two of them are off by sqrt(3) eps for each
     # summand, and by some more for the rotations of the first.
     rounding = 2 * (sum(flat.shape[:2]) + 8) * np.finfo(float).eps * size
-    assert np.abs(panel_distances(states) - panel_distances(flat)).max() < rounding
+    # At the end the tightest column is folded flat. The slope of another that is hardly wider is
+    # the root of a difference there, and has half of its digits.
+    half = np.where(drives == end, np.sqrt(np.finfo(float).eps), 0.0)
+    off = np.abs(panel_distances(states) - panel_distances(flat)).reshape(len(drives), -1)
+    assert (off.max(axis=1) < rounding + half * size).all()
     measured = measure_fold_angles(states)
     for closed, found in ((folds.row, measured.row), (folds.column, measured.column)):
-        difference = (closed - found + np.pi) % (2 * np.pi) - np.pi
-        assert np.abs(difference).max(initial=0) < 1e-11
+        difference = np.abs((closed - found + np.pi) % (2 * np.pi) - np.pi)
+        assert (difference.reshape(len(drives), -1).max(axis=1, initial=0) < 1e-11 + half).all()
 
     # The flap crease that folds most is open by twice the stop; none turns over.
     of_flaps = np.abs(stopped.fold_angles(target).row)[:, list(stopped.flap_columns)]

@@ -26,7 +26,7 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
-from samples import examples
+from samples import THOROUGH, examples
 from strategies import (
     Request,
     graph,
@@ -82,7 +82,7 @@ def test_parallel_repeating_designs() -> None:
 
     every()
     assert seen["flaps"] > 0.4 * examples(75)
-    assert seen["clash"] > 0
+    assert seen["clash"] > 0 or not THOROUGH  # one in some dozens
 
 
 @pytest.mark.slow

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import chain
 from typing import Annotated, Any, Final
 
@@ -272,15 +273,26 @@ class _Target:
             wanted = replace(free, advance=(weights, length))
             return find_even_lengths(directions, wanted) is not None
 
-        # The range is that of sheets in proportion; others are made, too.
-        start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
-        share = None if start is None else bisect(works, start, self.line.length) / self.line.length
-        g = self.line.trace.curve
+        @cache
+        def share() -> float | None:
+            """How long g may be, of what it is; None if no length is found that works."""
+            # The range is that of sheets in proportion; others are made, too.
+            start = next((each for each in (works_at, 0.5 * (low + high)) if works(each)), None)
+            return start and bisect(works, start, self.line.length) / self.line.length
+
+        def candidates() -> Iterator[Remedy]:
+            if (found := share()) is not None:
+                yield from sizes("g", self.line.trace.curve, found)
+            yield AUTO_SECTORS
+
+        def excess() -> float | None:
+            found = share()
+            return None if found is None else max(found, 1 / found) - 1
 
         raise DesignError(
             "a sheet with a middle row as long as g would have creases of zero or negative length",
             size=f"g is {self.line.length:.6g} long, and with column 1 following f the middle row "
             f"may be {low:.6g} to {high:.6g} long",
-            candidates=chain(() if share is None else sizes("g", g, share), [AUTO_SECTORS]),
-            excess=None if share is None else max(share, 1 / share) - 1,
+            candidates=candidates(),
+            excess=excess,
         )

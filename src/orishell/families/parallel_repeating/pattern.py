@@ -102,13 +102,17 @@ class ParallelRepeatingPattern(Pattern):
         if self.xi_deg != "auto":
             return Variants(ways[:1], ways[1:])
         theta = self.arguments()["theta"]
-        widest, own = widest_xi(f, theta), fit_profile(f, self.rows + 1, "auto", theta).staircase.xi
-        wide = [tidy_degrees(widest)] if widest > own * (1 + WIDER) else []
+        best = fit_profile(f, self.rows + 1, "auto", theta)
+        widest, own = widest_xi(f, theta), best.staircase.xi
+        wide = [{"xi_deg": tidy_degrees(widest)}] if widest > own * (1 + WIDER) else []
         # Narrower angles are farther from f, but their edges are more alike.
         limited = tolerance.limits_edges
         shares = XI_SHARES if limited else XI_SHARES[:NARROWER]
-        angles = ["auto", *wide, *(tidy_degrees(share * widest) for share in shares)]
-        every = [way.model_copy(update={"xi_deg": xi}) for way in ways for xi in angles]
+        # The rotation is chosen once for all of these: it is what takes the time.
+        turned = {"theta_deg": tidy_degrees(best.theta)} if theta == "auto" else {}
+        narrow = ({"xi_deg": tidy_degrees(share * widest)} | turned for share in shares)
+        angles = [{}, *wide, *narrow]
+        every = [way.model_copy(update=each) for way in ways for each in angles]
         telling = every[: 1 + len(wide)]
         if limited:
             evenly = every[len(angles) :] if tolerance.panel_max < math.inf else every
