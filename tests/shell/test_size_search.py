@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from orishell.errors import DesignError
 from orishell.families.pattern import Tolerance, Variants
 from orishell.shell.choice import Measured
-from orishell.shell.size_search import MOST, Sizes, choose
+from orishell.shell.size_search import choose
+from orishell.shell.size_trials import MOST, Sizes
 
 Error = Callable[[int, int], float]
 

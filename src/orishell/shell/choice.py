@@ -48,6 +48,12 @@ class Trial:
     shortest: float
     longest: float
 
+    @classmethod
+    def of(cls, rows: int, columns: int, measured: Measured) -> Trial:
+        """What was measured of a sheet of so many inner vertices."""
+        panels = (rows + 1) * (columns - 1)
+        return cls(rows, columns, panels, measured.error, measured.shortest, measured.longest)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Choice:

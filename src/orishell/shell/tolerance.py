@@ -21,7 +21,8 @@ from orishell.families.pattern import Tolerance, Variants
 from orishell.sheet.quads import lengths
 from orishell.shell.choice import Choice, Measured
 from orishell.shell.designed import designed
-from orishell.shell.size_search import Sizes, choose
+from orishell.shell.size_search import choose
+from orishell.shell.size_trials import Sizes
 from orishell.workshop.fitting import SLACK, OversizeError
 from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 

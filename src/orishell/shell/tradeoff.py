@@ -14,7 +14,7 @@ from orishell.design_file import DesignFile
 from orishell.errors import DesignError, OrishellError
 from orishell.families.pattern import Tolerance
 from orishell.shell.choice import Trial, unbeaten
-from orishell.shell.size_search import size_ladder, trial_of
+from orishell.shell.size_search import size_ladder
 from orishell.shell.tolerance import measure
 
 MOST_PANELS = 1_000
@@ -75,7 +75,7 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}
 
     def trial(size: tuple[int, int], *, careful: bool) -> Trial:
-        return trial_of(size, measure(pattern.sized(*size).design(file.f, file.g), careful))
+        return Trial.of(*size, measure(pattern.sized(*size).design(file.f, file.g), careful))
 
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []

@@ -1,0 +1,201 @@
+"""Sheets that are made to see how near they come to their surface, with which panels."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Generic, TypeVar
+
+from orishell.conventions.progress import Progress
+from orishell.errors import DesignError
+from orishell.families.pattern import Tolerance, Variants
+from orishell.shell.choice import Measured, Trial
+
+MOST = 201
+"""Rows and columns tried at most, unless said otherwise."""
+LEAST = 0.95
+"""A shell is at such a share of the distance from its surface at least that column 1 has from f, or
+the middle row from g: of 1,100 random shells of three families none was nearer than 0.98 of it."""
+NEAR = 1.15
+"""Sizes off by such a factor with the variants that are telling leave no hope for others,"""
+ALIKE, SAME = 1.01, 3
+"""nor do so many variants that are off by the same factor, or nearly: they make no difference."""
+GIVEN_UP = 3
+"""A variant that was refused at so many sizes, and never made, is not tried again."""
+CHOOSING = "choosing rows and columns"
+USUAL = 60
+"""Designs that a search tries, about: for its progress."""
+
+V = TypeVar("V")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sizes(Generic[V]):
+    """The sheets that a tolerance is to be met with: variants with numbers of rows and columns.
+
+    Parameters
+    ----------
+    variants
+        The variants for a number of rows.
+    distance_from_f
+        A distance at which column 1 of a variant is from f at least.
+    distance_from_g
+        A distance at which the middle row of so many columns is from g at least.
+    measure
+        Makes a variant with so many columns, and measures it, carefully or quickly.
+    oversize
+        How much larger than the boards the largest panel of it is: 1 or less if all fit.
+    most, step
+        The largest number of rows and of columns; the step from one number of rows to the next.
+    ripple, orderly
+        By which factor a shell may be farther from its surface than one with fewer columns; whether
+        that holds for rows as well, and no shell is nearer whose column 1 is farther from f.
+    """
+
+    variants: Callable[[int], Variants[V]]
+    distance_from_f: Callable[[V], float]
+    distance_from_g: Callable[[int], float]
+    measure: Callable[[V, int, bool], Measured]
+    oversize: Callable[[V, int], float] = lambda _variant, _columns: 0.0
+    most: int = MOST
+    step: int = 2
+    ripple: float = 1.15
+    orderly: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Tried(Generic[V]):
+    """What was found out of a size: how far it is off with its best variant, as factors.
+
+    ``off`` is that of its distance from the surface and of edges or panels that are too long,
+    which more columns may mend, infinite where all variants are refused; ``small`` that of edges
+    that are too short. ``variant`` is one that does.
+    """
+
+    off: float
+    small: float
+    variant: V | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Trials(Generic[V]):
+    """Makes sheets of one size after another.
+
+    Parameters
+    ----------
+    sizes, tolerance, progress
+        What there is to choose from, what is to be met, and who is told.
+    made
+        All that could be made.
+    large
+        Those whose panels do not fit the boards.
+    found
+        Those that meet the tolerance.
+    refusal
+        Why the first was refused, if any was.
+    bounded
+        Whether sheets that f or g rule out are left out.
+    careful
+        Whether those that do are measured carefully at once.
+    reached
+        Numbers of columns, and whether g allows them.
+    refused, possible
+        How often each variant was refused, by its place among all; those that were made.
+    """
+
+    sizes: Sizes[V]
+    tolerance: Tolerance
+    progress: Progress
+    made: list[tuple[V, Trial]] = field(default_factory=list)
+    large: list[Trial] = field(default_factory=list)
+    found: list[tuple[V, Trial]] = field(default_factory=list)
+    refusal: DesignError | None = None
+    bounded: bool = True
+    careful: bool = False
+    reached: dict[int, bool] = field(default_factory=dict)
+    refused: Counter[int] = field(default_factory=Counter)
+    possible: set[int] = field(default_factory=set)
+
+    def within_reach(self, columns: int) -> bool:
+        """Whether g allows so few columns."""
+        if columns not in self.reached:
+            try:
+                least = LEAST * self.sizes.distance_from_g(columns)
+                self.reached[columns] = least <= self.tolerance.surface
+            except DesignError as error:
+                self.refusal, self.reached[columns] = self.refusal or error, False
+        return self.reached[columns]
+
+    def make(self, rows: int, columns: int, widely: bool) -> Tried[V]:
+        """Try the telling variants of a size until one does; all of them, if that is worth it."""
+        off = small = too_far = math.inf
+        excesses: list[float] = []
+        try:
+            variants = self.sizes.variants(rows)
+        except DesignError as error:
+            self.refusal = self.refusal or error
+            return Tried(off, small)
+        for number, variant in enumerate((*variants.telling, *variants.others)):
+            if number >= len(variants.telling):
+                if not (widely and _worth_more(excesses)):
+                    break
+                if self.refused[number] >= GIVEN_UP and number not in self.possible:
+                    continue
+            try:
+                least = LEAST * self.sizes.distance_from_f(variant) / self.tolerance.surface
+                if self.bounded and least > 1:
+                    off = min(off, least)
+                    excesses.append(least)
+                    continue
+                if self.sizes.orderly and least > too_far:
+                    continue
+                trial = self._measured(variant, rows, columns)
+                oversize = self.sizes.oversize(variant, columns) if self.does(trial) else 0.0
+            except DesignError as error:
+                self.refusal = self.refusal or error
+                self.refused[number] += 1
+                continue
+            self.possible.add(number)
+            if oversize > 1:
+                self.large.append(trial)
+            limits = self.tolerance
+            excess = max(trial.error / limits.surface, trial.longest / limits.panel_max, oversize)
+            short = limits.panel_min / trial.shortest
+            if max(excess, short) <= 1:
+                self.found.append((variant, trial))
+                return Tried(1.0, 1.0, variant)
+            if trial.error > limits.surface:
+                too_far = min(too_far, least)
+            off, small = min(off, excess), min(small, short)
+            excesses.append(max(excess, short))
+        return Tried(off, small if small < math.inf else 0.0)
+
+    def carefully(self, variant: V, quick: Trial) -> Trial:
+        """The same sheet with its error as the report has it."""
+        return Trial.of(quick.rows, quick.columns, self.sizes.measure(variant, quick.columns, True))
+
+    def does(self, trial: Trial) -> bool:
+        """Whether it meets the tolerance, boards aside."""
+        return self.fits(trial) and trial.error <= self.tolerance.surface
+
+    def fits(self, trial: Trial) -> bool:
+        """Whether its edges have the lengths asked for."""
+        limits = self.tolerance
+        return limits.panel_min <= trial.shortest and trial.longest <= limits.panel_max
+
+    def _measured(self, variant: V, rows: int, columns: int) -> Trial:
+        """A quick measure of a design, and a careful one if quick ones were too kind before."""
+        self.progress(0.95 * (1 - math.exp(-len(self.made) / USUAL)), CHOOSING)
+        trial = Trial.of(rows, columns, self.sizes.measure(variant, columns, False))
+        if self.careful and self.does(trial):
+            trial = self.carefully(variant, trial)
+        self.made.append((variant, trial))
+        return trial
+
+
+def _worth_more(excesses: list[float]) -> bool:
+    """Whether others than the telling variants may do, which are off by such factors."""
+    least = min(excesses, default=1.0)
+    return least <= NEAR and sum(each <= ALIKE * least for each in excesses) < SAME
