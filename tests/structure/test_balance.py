@@ -132,11 +132,16 @@ def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     mirror = np.array([-1, 1, 1])
     away, other = cKDTree(points).query(np.asarray(middle + (points - middle) * mirror))
-    assert np.max(away) < 1e-9
+    unlike = np.max(away) / np.ptp(points)
+    assert unlike < 1e-14  # 2e-15 seen
     for case in found.cases:
         moved = case.displacements
         difference = np.abs(moved[other] - moved * mirror).max()
-        assert difference < 1e-9 * np.abs(moved).max()
+        # What a matrix whose entries differ by so much may do: its stiffest node, where some six
+        # triangles of E t meet, against the shape that it is bent into. A ninth of it is seen.
+        softest = np.sum(case.loads * moved) / np.sum(moved**2)
+        stiffest = 20 * STRUCTURE.modulus * STRUCTURE.thickness
+        assert difference < unlike * stiffest / softest * np.abs(moved).max()
         assert case.balance.residual < 1e-12
 
 
