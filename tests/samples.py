@@ -8,6 +8,8 @@ fewer of them, not the first ones of all: a quarter that passes says nothing of 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from typing import Any
 
 import pytest
 
@@ -22,3 +24,15 @@ thorough = pytest.mark.skipif(not THOROUGH, reason=LEFT_OUT)
 def examples(count: int) -> int:
     """Of so many in all."""
     return count if THOROUGH else min(count, max(count // 4, LEAST))
+
+
+def led_by(values: Iterable[Any], count: int = 1) -> list[Any]:
+    """Parameters of a test: the first few run always, the others only in ``make thorough``."""
+    return [
+        value if number < count else pytest.param(*as_tuple(value), marks=thorough)
+        for number, value in enumerate(values)
+    ]
+
+
+def as_tuple(value: Any) -> tuple[Any, ...]:
+    return value if isinstance(value, tuple) else (value,)

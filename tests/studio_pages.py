@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 SIZES: dict[str, dict[str, Any]] = {
     "laptop": {"width": 1280, "height": 720},
-    "desktop": {"width": 1920, "height": 1080},
-    "tablet": {"width": 820, "height": 1180, "has_touch": True},
     "phone": {"width": 390, "height": 844, "has_touch": True, "is_mobile": True},
+    "tablet": {"width": 820, "height": 1180, "has_touch": True},
+    "desktop": {"width": 1920, "height": 1080},
 }
-"""Sizes at which the studio is tested, as arguments of :func:`opened`."""
+"""Sizes at which the studio is tested, as arguments of :func:`opened`, unlike ones first."""
 IDLE = "window.__orishell !== undefined && window.__orishell.idle"
 DRAWN = "window.__orishell.store.freshness.value !== 'computing'"
 READ = "window.__orishell.store.files.value === 0"

@@ -90,7 +90,7 @@ def test_planes_that_bisect_make_any_g_flat_foldable(request: Request) -> None:
 
 def test_a_zigzag_row_makes_any_g_flat_foldable() -> None:
     rng, refused = np.random.default_rng(3), list[str]()
-    for _ in range(200):
+    for _ in range(examples(200)):
         a, b, c, d = rng.uniform(-0.3, 0.3, 4).round(4)
         half = rng.uniform(0.5, 2)
         g = graph(f"{a}*x + {b}*x**2/2 + {c}*x**3/6 + {d}*sin(2*x)", -half, half)

@@ -9,7 +9,7 @@ import pytest
 
 from design_tables import Tables, formula, made, mended, refused, tables
 from orishell.errors import DesignError
-from samples import examples
+from samples import THOROUGH
 
 UNIT_ARC = formula(["cos(t)", "sin(t)"], 0.3, 2.8416)
 PARABOLA = formula("-x**2", -1, 1)
@@ -124,7 +124,7 @@ def random_design(rng: np.random.Generator) -> Tables:
 
 
 SHARES = 6
-REFUSALS = examples(300) // SHARES
+REFUSALS = 50 if THOROUGH else 4
 
 
 @pytest.mark.slow

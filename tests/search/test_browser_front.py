@@ -13,6 +13,7 @@ from orishell.search import Found, Problem, alone, journal_in_memory, search_des
 from orishell.search import page as pages
 from orishell.search.page import write_page
 from page_checks import MISPLACED, serious_findings
+from samples import led_by
 from search.problems import small_problem
 from studio_pages import SIZES
 from viewer_pages import (
@@ -207,7 +208,7 @@ def test_two_are_compared_at_one_scale_with_one_slider(
         assert page.evaluate("orishell.pinned") == 0
 
 
-@pytest.mark.parametrize("size", [*SIZES, "narrow"])
+@pytest.mark.parametrize("size", led_by(["narrow", *SIZES], 2))
 def test_the_page_at_every_size(browser: Browser, three: tuple[Path, Found], size: str) -> None:
     shape: dict[str, Any] = SIZES.get(size, {"width": 360, "height": 740})
     width, height = shape["width"], shape["height"]

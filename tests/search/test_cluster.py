@@ -147,6 +147,7 @@ def test_a_scheduler_that_stops_ends_a_search(tmp_path: Path) -> None:
             apart(work)
 
 
+@thorough
 def test_workers_that_stop(file: Path, tmp_path: Path) -> None:
     """They are named before a search; in one, others do their work; and none holds up its end."""
     with dask_cluster(tmp_path, 2) as running:

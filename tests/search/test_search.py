@@ -17,6 +17,7 @@ from orishell.search.front import scores
 from orishell.search.journal import Journal, journal_in_memory
 from orishell.search.problem import Problem
 from orishell.search.run import Found, search_designs
+from samples import led_by
 from search.problems import GRIDS, small_problem
 
 SHARE = 0.8
@@ -36,7 +37,7 @@ def front(problem: Problem, found: Found) -> list[tuple[float, ...]]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("family", GRIDS)
+@pytest.mark.parametrize("family", led_by(GRIDS))
 def test_the_front_is_that_of_all_variants(family: str) -> None:
     grid = small_problem(family, method="grid")
     journal = journal_in_memory()

@@ -14,6 +14,7 @@ from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
 from orishell.shell.designed import designed, ended
 from orishell.shell.make import Shell, design_shell
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CARD = EXAMPLES / "figure1_card.toml"
@@ -191,6 +192,7 @@ def test_boards_thinner_than_what_counts_as_contact(tmp_path: Path, thickness: f
     assert report.corners_cut == 45
 
 
+@thorough
 def test_flaps_of_no_given_width_are_narrowed_for_boards() -> None:
     # A horseshoe whose two flaps meet in its mouth if they carry boards of 0.15.
     g = formula(["2*sin(t)", "-2*cos(t)"], 0.25, 6.03)

@@ -18,6 +18,7 @@ from orishell.families.pattern import Tolerance
 from orishell.shell.export import write_shell
 from orishell.shell.make import design_shell
 from orishell.shell.tolerance import measure, meet_tolerance
+from samples import thorough
 
 TARGETS = {
     "parallel-repeating": ("-x**2", "[-1, 1]", "5*sin(pi*x/10)", "[0, 20]"),
@@ -38,7 +39,7 @@ def write_file(directory: Path, family: str, tolerance: str, pattern: str = "") 
     return path
 
 
-@pytest.mark.slow
+@thorough
 def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
     tmp_path: Path,
 ) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from node_tools import PACKAGES, lacking
+from samples import led_by
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, keep_picture, wait_until
 
@@ -149,7 +150,7 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     assert "workshop" not in design(page)
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_the_window_lies_within_the_page(browser: Browser, address: str, size: str) -> None:
     axe = PACKAGES / "axe-core" / "axe.min.js"
     if not axe.is_file():

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from node_tools import PACKAGES, lacking
+from samples import led_by
 from studio_pages import SIZES, TOUCHING, choose, fold, opened, settle
 from viewer_pages import await_frames, keep_picture, pixels, require_apart, wait_until
 
@@ -229,7 +230,7 @@ def test_designs_are_compared(page: Page) -> None:
     assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.05).mean() > 1e-3
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_cards_and_tools_lie_apart(browser: Browser, address: str, size: str) -> None:
     with opened(browser, address, **SIZES[size], color_scheme="dark", bypass_csp=True) as page:
         page.get_by_test_id("pin").click()

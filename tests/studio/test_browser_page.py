@@ -9,6 +9,7 @@ import pytest
 
 from orishell.design_file import starter_file
 from page_checks import MISPLACED, serious_findings
+from samples import led_by
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 STARTS = ["orishell-theme", "orishell.tour"]
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_the_page_at_every_size(browser: Browser, address: str, size: str) -> None:
     options: dict[str, Any] = {**SIZES[size], "bypass_csp": True, "color_scheme": "light"}
     with opened(browser, address, **options) as page:

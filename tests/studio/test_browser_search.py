@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from node_tools import PACKAGES, lacking
+from samples import led_by
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, keep_picture, wait_until
 
@@ -175,7 +176,7 @@ def test_axes_are_chosen_among_three_figures(page: Page) -> None:
     assert "Cut length (m)" in page.get_by_test_id("search-facts").inner_text()
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_the_section_lies_within_the_page(browser: Browser, address: str, size: str) -> None:
     axe = PACKAGES / "axe-core" / "axe.min.js"
     if not axe.is_file():

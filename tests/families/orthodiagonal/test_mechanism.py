@@ -17,7 +17,7 @@ from orishell.motion import (
     measure_fold_angles,
 )
 from orishell.verification.residuals import measure_residuals
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, graph, orthodiagonal_requests
 
 PARABOLA, WAVE = graph("-x**2", -1, 1), graph("0.25*sin(pi*x/2)", 0, 4)
@@ -288,7 +288,7 @@ def test_scale_equivariance() -> None:
     ("rows", "columns", "g"),
     [
         (99, 99, "0.25*sin(pi*x/2)"),
-        (999, 999, "0.25*sin(pi*x/2)/10"),
+        pytest.param(999, 999, "0.25*sin(pi*x/2)/10", marks=thorough),
         (99, 99, "0.1*exp(-(x-2)**2/0.5) + 0.02*x**2"),
     ],
 )

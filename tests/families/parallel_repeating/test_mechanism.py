@@ -17,7 +17,7 @@ from orishell.motion import (
 )
 from orishell.polylines import fit_staircase
 from orishell.verification.residuals import measure_residuals
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, graph, requests
 
 
@@ -268,7 +268,7 @@ def test_scale_equivariance() -> None:
     ("rows", "columns", "g"),
     [
         (101, 101, "5*sin(pi*x/10)"),
-        (999, 999, "5*sin(pi*x/10)"),
+        pytest.param(999, 999, "5*sin(pi*x/10)", marks=thorough),
         (999, 999, "3*exp(-(x-7)**2/8) + 0.02*x**2"),
     ],
 )
