@@ -111,3 +111,25 @@ def test_a_turning_direction_sees_panels_apart_that_turn_together() -> None:
     assert max(standing) < 0
     turning = turning_gap(*views)
     assert turning == pytest.approx(0.1 * cosine)
+
+
+def test_a_panel_of_two_kilometres_is_seen_apart_from_one_beside_it() -> None:
+    # Their distance by exact fractions. The line between their nearest points is known to 1e-8 of
+    # its direction only, which is three times the distance at the far end of such a panel.
+    first = [
+        [36.0604150, -4.24261235, -8.73026878e-06],
+        [36.0608474, -4.24312865, -2.02983063e-05],
+        [45.8331963, 5.32367316, -2.02983063e-05],
+        [45.8339908, 5.32539050, -8.73026878e-06],
+    ]
+    second = [
+        [45.8449707, 5.31989116, -8.73026878e-06],
+        [49.8398620, 3.31691690, -2.02983063e-05],
+        [-1700.38837, 880.908857, -2.02983063e-05],
+        [-1704.38326, 882.911831, -8.73026878e-06],
+    ]
+    corners = np.array(first).T[:, :, None], np.array(second).T[:, :, None]
+    distance, between = nearest(*corners)
+    assert 5e-6 < distance[0] < 6e-6
+    seen = common_gap(views_along(between / distance, [corners]))
+    assert seen[0] > 0.999 * distance[0]

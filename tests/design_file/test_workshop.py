@@ -65,6 +65,7 @@ def test_all_keys(tmp_path: Path) -> None:
         ('palette = "lightbrun"', "lightburn"),
         ("margin = -1", "[workshop] margin"),
         ("areal_density = 1e308", "at most 1e+12"),
+        ("areal_density = 5e-324", "got 5e-324, expected 0, or a value of at least 1e-15"),
         ("dash = 1e-300", "at least 1e-12"),
         ("stock = [1.0, 1e200]", "[workshop] stock[1]"),
     ],

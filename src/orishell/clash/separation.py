@@ -117,11 +117,38 @@ def _between_edges(first: Array, second: Array) -> tuple[Array, Array]:
     s = np.clip((uv * t - ur) / np.where(uu > 0, uu, 1.0), 0, 1)
     between = (t * v - s * u - r).reshape(3, 16, -1)
     square = _dot(between, between)
-    which = square.argmin(axis=0)[None]
-    return (
-        np.take_along_axis(square, which, axis=0)[0],
-        np.take_along_axis(between, which[None], axis=1)[:, 0],
+    which = square.argmin(axis=0)
+
+    pair = np.arange(which.size)
+    one, other = np.divmod(which, 4)
+    between = _squared_with(
+        between[:, which, pair],
+        (u[:, one, 0, pair], s.reshape(16, -1)[which, pair]),
+        (v[:, 0, other, pair], t.reshape(16, -1)[which, pair]),
     )
+    return square[which, pair], between
+
+
+def _squared_with(between: Array, *edges: tuple[Array, Array]) -> Array:
+    """A vector (3, P) between two edges, at right angles to those that it ends within.
+
+    As a difference of points it has their rounding, by which it is no longer a separating axis
+    where an edge is that much longer than they are apart.
+
+    Parameters
+    ----------
+    edges
+        Each edge (3, P), and where on it (P,) the vector ends.
+    """
+    (u, s), (v, t) = edges
+    within = [(share > 0) & (share < 1) for share in (s, t)]
+    for edge, inside in ((u, within[0] & ~within[1]), (v, within[1] & ~within[0])):
+        length = np.where(inside, _dot(edge, edge), 1.0)
+        between = between - np.where(inside, _dot(between, edge) / length, 0.0) * edge
+    normal = _cross(u, v)
+    both = within[0] & within[1] & (_dot(normal, normal) > 0)
+    length = np.where(both, _dot(normal, normal), 1.0)
+    return np.asarray(np.where(both, _dot(between, normal) / length * normal, between))
 
 
 def _inside(panel: Array, normal: Array, points: Array) -> Booleans:

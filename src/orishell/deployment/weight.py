@@ -242,8 +242,9 @@ class _Fit:
     def of(cls, nodes: Array, energy: Array, span: Array, weight: float) -> _Fit:
         v, length = (Chebyshev.fit(nodes, each, NODES - 1) for each in (energy, span))
         change = float(np.ptp(span))
+        scale = float(np.ptp(energy)) + weight * change
         last, last_span = (float(np.abs(each.coef[-2:]).sum()) for each in (v, length))
-        tail = max(last / (float(np.ptp(energy)) + weight * change), last_span / change)
+        tail = max(last / scale if scale > 0 else 0.0, last_span / change)  # 0: weighs nothing
         return cls(v, length, tail)
 
 

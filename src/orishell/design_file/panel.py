@@ -9,10 +9,8 @@ import numpy as np
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from orishell.conventions.table import Number, Table
+from orishell.conventions.table import Number, Size, Table
 from orishell.design import Construction, PanelBuild
-
-Size = Annotated[Number, Field(ge=0)]
 
 
 class SetbackTable(Table):

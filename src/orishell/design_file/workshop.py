@@ -7,7 +7,7 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import Field, ValidationError
 
-from orishell.conventions.table import Number, Table
+from orishell.conventions.table import Number, Size, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file.faults import explain
 from orishell.errors import InputError
@@ -20,7 +20,7 @@ Auto = Literal["auto"]
 LEAST, MOST = 1e-12, 1e12
 """Numbers beyond these are refused: what is computed from them would overflow in the end."""
 Length = Annotated[Number, Field(ge=LEAST, le=MOST)]
-NoLength = Annotated[Number, Field(ge=0, le=MOST)]
+NoLength = Annotated[Size, Field(le=MOST)]
 
 
 class WorkshopTable(Table):
