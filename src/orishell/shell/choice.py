@@ -24,6 +24,11 @@ class Measured:
     shortest: float
     longest: float
 
+    def at(self, rows: int, columns: int) -> Trial:
+        """That it was measured of a sheet of so many inner vertices."""
+        panels = (rows + 1) * (columns - 1)
+        return Trial(rows, columns, panels, self.error, self.shortest, self.longest)
+
 
 @dataclass(frozen=True, slots=True)
 class Trial:
@@ -47,12 +52,6 @@ class Trial:
     error: float
     shortest: float
     longest: float
-
-    @classmethod
-    def of(cls, rows: int, columns: int, measured: Measured) -> Trial:
-        """What was measured of a sheet of so many inner vertices."""
-        panels = (rows + 1) * (columns - 1)
-        return cls(rows, columns, panels, measured.error, measured.shortest, measured.longest)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -174,7 +174,7 @@ class Trials(Generic[V]):
 
     def carefully(self, variant: V, quick: Trial) -> Trial:
         """The same sheet with its error as the report has it."""
-        return Trial.of(quick.rows, quick.columns, self.sizes.measure(variant, quick.columns, True))
+        return self.sizes.measure(variant, quick.columns, True).at(quick.rows, quick.columns)
 
     def does(self, trial: Trial) -> bool:
         """Whether it meets the tolerance, boards aside."""
@@ -188,7 +188,7 @@ class Trials(Generic[V]):
     def _measured(self, variant: V, rows: int, columns: int) -> Trial:
         """A quick measure of a design, and a careful one if quick ones were too kind before."""
         self.progress(0.95 * (1 - math.exp(-len(self.made) / USUAL)), CHOOSING)
-        trial = Trial.of(rows, columns, self.sizes.measure(variant, columns, False))
+        trial = self.sizes.measure(variant, columns, False).at(rows, columns)
         if self.careful and self.does(trial):
             trial = self.carefully(variant, trial)
         self.made.append((variant, trial))

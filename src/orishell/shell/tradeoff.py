@@ -75,7 +75,7 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}
 
     def trial(size: tuple[int, int], *, careful: bool) -> Trial:
-        return Trial.of(*size, measure(pattern.sized(*size).design(file.f, file.g), careful))
+        return measure(pattern.sized(*size).design(file.f, file.g), careful).at(*size)
 
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []
