@@ -21,7 +21,7 @@ from orishell.conventions.quantities import plain
 from orishell.errors import DesignError, Remedy
 from orishell.families.pattern import Tolerance
 from orishell.shell.choice import Choice, Trial, unbeaten
-from orishell.shell.size_trials import CHOOSING, NEAR, Sizes, Trials, Tried
+from orishell.shell.size_trials import CHOOSING, GIVEN_UP, NEAR, Sizes, Trials, Tried
 
 GROWTH = 1.6
 """Factor from one size to the next in the first, coarse search."""
@@ -72,12 +72,15 @@ class SizeSearch(Generic[V]):
         Makes the sheets.
     known
         What was found out of numbers of rows and columns with all variants.
+    impossible
+        Numbers of rows of which no sheet could be made.
     least
         The smallest factor by which a sheet of the ladders is off.
     """
 
     trials: Trials[V]
     known: dict[tuple[int, int], Tried[V]] = field(default_factory=dict)
+    impossible: list[int] = field(default_factory=list)
     least: float = math.inf
 
     def run(self) -> tuple[V, Choice]:
@@ -91,6 +94,7 @@ class SizeSearch(Generic[V]):
                 trials.bounded = False  # f or g rule out all that fit: how near do these come?
                 self._look()
                 trials.bounded = not trials.found
+            self.impossible.clear()
             for rows in self._rows():
                 self._fewest_columns(rows)
             if not trials.found:
@@ -170,7 +174,8 @@ class SizeSearch(Generic[V]):
             best = self._best()[1].rows if self.trials.found else 0
             rows = min(left, key=lambda rows: (abs(math.log((rows + 1) / (best + 1))), rows))
             left.remove(rows)
-            if (rows + 1) * (fewest - 1) < self.below:
+            hopeless = len(self.impossible) >= GIVEN_UP and rows > max(self.impossible[:GIVEN_UP])
+            if (rows + 1) * (fewest - 1) < self.below and not hopeless:
                 yield rows
 
     def _fewest_of_all(self) -> int:
@@ -188,6 +193,8 @@ class SizeSearch(Generic[V]):
             return
         if self._leaves_no_hope(most, self._tried(rows, most).off):
             return
+        if min(self._tried(rows, each).off for each in (fewest, most)) == math.inf:
+            self.impossible.append(rows)
 
         def near(columns: int) -> bool:
             return self._tried(rows, columns).off <= self._ripple(columns)
