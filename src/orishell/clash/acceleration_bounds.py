@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.clash.broad_phase import Extents, PanelTree, in_chunks
+from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.quads import lengths
@@ -101,7 +101,7 @@ class NormalBounds:
         return np.asarray((root**2).min(axis=-1).ravel())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class RangeBounds:
     """Bounds of accelerations in one part of the path.
 

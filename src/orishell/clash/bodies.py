@@ -8,12 +8,12 @@ of the same faces and edges.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.clash.broad_phase import Pairs
 from orishell.clash.separation import common_gap, views_along
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.boards import Boards, panel_axes
 
@@ -23,7 +23,7 @@ ROW_EDGE, COLUMN_EDGE = np.array([3, 2, 1, 0]), np.array([1, 0, 3, 2])
 """The corner of a panel at the other end of its edge along a row, and down a column."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class BodyState:
     """All bodies in one state, coordinates first and bodies last.
 
@@ -140,7 +140,7 @@ def one_direction(state: BodyState, pairs: Pairs, number: Integers) -> Array:
     return np.where(number < 2 * faces, normal, _square_to(u, v))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Apartness:
     """How far pairs of bodies are apart in two states.
 

@@ -6,14 +6,13 @@ panel is a mean of the panel's vertices and h n, n being the panel's normal.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from orishell.clash.bodies import Apartness, BodyState, one_direction
 from orishell.clash.broad_phase import CHUNK, Pairs, joined
 from orishell.clash.narrow_phase import Findings, Group
 from orishell.clash.separation import corners_of, normals
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -51,7 +50,7 @@ def examine_bodies(
     return Findings(left, *(apart.touching(end, group.pairs, tolerance) for end in (0, 1)))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Slabs:
     """Panels as thick as their boards in one state: they enclose these.
 

@@ -9,12 +9,12 @@ level holds the panels, filled up with empty places.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 Pairs = tuple[Integers, Integers]
@@ -27,7 +27,7 @@ CHUNK = 1 << 12
 """Pairs looked at in one go, so that they stay near the processor."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Extents:
     """Lower and upper ends (2**level, K) of the nodes of every level along K directions."""
 
@@ -35,7 +35,7 @@ class Extents:
     high: list[Array]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class PanelTree:
     """A binary tree over the panels of a sheet, the same in all states.
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,13 +25,14 @@ from orishell.clash.separation import (
     turning_gap,
     views_along,
 )
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 
 CROWDED = 3
 """Chunks of pairs from which the processor's cores share the work."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Findings:
     """The pairs of panels that stay open, and those that touch at an end of the part.
 
@@ -100,7 +100,7 @@ _Touch = tuple[float, tuple[int, int]]
 """A distance, and the two panels."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Group:
     """Pairs of convex panels or bodies, with their corners at both ends of the part.
 

@@ -14,7 +14,6 @@ the drive, so what is found is the first contact, and everything before it is pr
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -33,6 +32,7 @@ from orishell.clash.ranges import TICKS, Outcome, search_ranges
 from orishell.clash.result import PathContact, PathResult, ProofRecord
 from orishell.clash.states import States
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Booleans
 
@@ -84,7 +84,7 @@ def find_first_contact(
     return PathSearch(mechanism, end, tolerance, lenient=lenient, only=only).run(progress)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Part:
     """A range of the path with the pairs that are not proved apart in it.
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from orishell.conventions.progress import Progress
+from orishell.conventions.record import record
 
 Left = TypeVar("Left")
 
@@ -20,7 +20,7 @@ Numbers = tuple[int, int]
 """Two panels, or two bodies."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Outcome(Generic[Left]):
     """What is found in a range.
 

@@ -1,17 +1,13 @@
-"""Numbers as messages quote them, and things as a prompt shows them."""
+"""Numbers as messages quote them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
-from dataclasses import fields, is_dataclass
-from pathlib import Path
+from collections.abc import Callable
 
 import numpy as np
 
 ROUNDING = 1e-3
 """Nearest values that work are quoted this share inside the limit."""
-SHOWN = 60
-"""Characters that a part may take in the line of the whole; else its type is shown."""
 
 
 def in_degrees(angle: float) -> str:
@@ -107,43 +103,3 @@ def inside(limit: float, start: float, share: float = ROUNDING) -> float:
         How much nearer, as a share of the way from the limit to it.
     """
     return float(start + (limit - start) * (1 - share))
-
-
-def in_one_line(thing: object) -> str:
-    """A dataclass as a prompt shows it: numbers to six digits, arrays by their shape.
-
-    It is the ``__repr__`` of what holds arrays; functions and what is private are left out.
-
-    Parameters
-    ----------
-    thing
-        The dataclass.
-    """
-    assert is_dataclass(thing)
-    parts = {each.name: getattr(thing, each.name) for each in fields(thing) if each.repr}
-    shown = (
-        f"{name}={_short(part)}"
-        for name, part in parts.items()
-        if not name.startswith("_") and not callable(part)
-    )
-    return f"{type(thing).__name__}({', '.join(shown)})"
-
-
-def _short(part: object) -> str:
-    match part:
-        case np.ndarray():
-            text = f"array{part.shape}"
-        case str():
-            text = repr(part if len(part) < SHOWN - 1 else part[: SHOWN - 5] + "...")
-        case float():
-            text = f"{part:.6g}"
-        case Path():
-            text = repr(str(part))
-        case tuple():
-            text = f"({', '.join(map(_short, part))})"
-        case _:
-            text = repr(part)
-    if len(text) <= SHOWN:
-        return text
-    size = len(part) if isinstance(part, Collection) and not isinstance(part, str) else "..."
-    return f"{type(part).__name__}({size})"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from numbers import Real
 from typing import Literal, Self, TypeAlias
 
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.formatting import rounded
+from orishell.conventions.record import record
 from orishell.curves.formula import Formula
 from orishell.curves.radians import require_radians
 from orishell.errors import CurveError
@@ -28,7 +29,7 @@ END = 1e-5
 """An end of a part that lies beyond the curve's by up to this share of its range is the curve's."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Curve:
     """A planar curve t -> (x(t), y(t)) on [start, stop].
 

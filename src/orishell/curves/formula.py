@@ -5,12 +5,11 @@ from __future__ import annotations
 import ast
 import re
 import warnings
-from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.arguments import checked
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves.formula_arithmetic import (
     ENCLOSURES,
     JETS,
@@ -35,7 +34,7 @@ DECIMAL_COMMA = re.compile(r"\d+(,)\d+")
 CONSTANTS = {"pi": np.pi, "e": np.e}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Formula:
     """A checked formula in at most one variable.
 
@@ -50,8 +49,6 @@ class Formula:
     text: str
     variable: str | None
     _run: Run
-
-    __repr__ = in_one_line
 
     def jet(self, t: Array) -> Jet:
         """Value, first and second derivative at ``t`` (...); not finite where undefined."""

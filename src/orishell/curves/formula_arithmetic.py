@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any, Final, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
 from orishell import numerics
+from orishell.conventions.record import record
 from orishell.curves import jets
 from orishell.curves.jets import Jet
 from orishell.numerics import Enclosure, Interval
@@ -23,7 +23,7 @@ J = TypeVar("J")
 Operator: TypeAlias = type[ast.operator]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Rules(Generic[J]):
     """The operations of formulas on one kind of value.
 

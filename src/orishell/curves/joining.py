@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
@@ -31,7 +30,7 @@ MOST_BETWEEN = 64
 """A spline takes at most so many points of one piece."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Chain:
     """Pieces in their order, each turned to begin where the one before ends.
 
@@ -45,8 +44,6 @@ class Chain:
 
     pieces: tuple[Piece, ...]
     joints: Array
-
-    __repr__ = in_one_line
 
     def reversed(self) -> Chain:
         """The same points, from the last to the first."""

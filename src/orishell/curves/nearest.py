@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves.memo import remembered
 from orishell.curves.trace import Trace
 from orishell.numerics.arrays import Array, Integers
@@ -22,7 +22,7 @@ NEWTON = 0.01
 it does beside a straight line."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Nearest:
     """Answers which point of a curve is nearest to given points.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import comb
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves.pieces import Arc
 from orishell.numerics import FUNCTIONS, Enclosure, Interval, power_of
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -19,7 +19,7 @@ SLOWEST = (1e-8, 1e-5)
 there the second derivative is infinite in the end itself."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Rationals:
     """Rational Bezier curves of one degree, as powers of s.
 
@@ -82,7 +82,7 @@ class Rationals:
         return position, speed, bend
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Arcs:
     """Elliptical arcs: centres (N, 2), axes (N, 2, 2), first angles and sweeps (N,)."""
 

@@ -5,12 +5,12 @@ All are exact, and stay so under affine maps: a circle is an arc, not a Bezier c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.record import record
 from orishell.errors import CurveError
 from orishell.numerics.arrays import Array, Integers
 
@@ -22,7 +22,7 @@ FLATTEST_BULGE = 1e-9
 """An arc with a smaller bulge is a straight line but for rounding."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Affine:
     """A map of the plane: points (..., 2) as rows go to ``points @ matrix + offset``."""
 
@@ -40,7 +40,7 @@ class Affine:
         return Affine(inner.matrix @ self.matrix, inner.offset @ self.matrix + self.offset)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Bezier:
     """A Bezier curve on [0, 1], rational or not; of degree 1, a straight line.
 
@@ -68,7 +68,7 @@ class Bezier:
         return Bezier(self.control[::-1])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Arc:
     """An elliptical arc: centre + cos(a) u + sin(a) v, the angle a running over an interval.
 

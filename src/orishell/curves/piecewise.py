@@ -7,11 +7,12 @@ one function evaluated at as many parameters.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves.curve import Curve
 from orishell.curves.piece_groups import Arcs, Rationals, even_out, powers_of
 from orishell.curves.pieces import Arc, Bezier, Piece
@@ -28,7 +29,7 @@ class _Group(Protocol):
     def enclosure(self, row: Integers, low: Array, high: Array) -> tuple[Enclosure, Enclosure]: ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class PieceArrays:
     """Pieces, grouped by kind.
 

@@ -8,11 +8,11 @@ length of the chord. What cannot be bounded is refused.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves.checked import checked_jet
 from orishell.curves.curve import Curve
 from orishell.errors import CurveError
@@ -33,7 +33,7 @@ MOST = 100_000
 Boxes = tuple[Enclosure, Enclosure]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Samples:
     """Samples of a curve and the cells between them.
 
@@ -70,7 +70,7 @@ class Samples:
         return np.asarray(np.hypot(beyond, across.magnitude()) <= reach)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Parts:
     """Parts of cells, each from ``low`` to ``high`` (S,), with the tangents there (S, 2)."""
 

@@ -6,11 +6,11 @@ The samples sit where the curve turns: between neighbours the tangent turns by a
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves.checked import checked_jet, least_within, require_length, require_speed
 from orishell.curves.curve import Curve
 from orishell.curves.frames import nearby_origin
@@ -33,7 +33,7 @@ QUADRATURE = 1e-6
 """A chord longer than a cell's quadrature by more than this share shows a corner in the cell."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Trace:
     """Dense samples of a curve.
 
@@ -63,8 +63,6 @@ class Trace:
     heading: Array
     arriving: Array
     origin: Array = field(default_factory=lambda: np.zeros(2))
-
-    __repr__ = in_one_line
 
     @property
     def length(self) -> float:

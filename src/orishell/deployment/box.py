@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.quads import lengths
 
@@ -28,7 +27,7 @@ VIEWS = 128
 """Directions to both sides of which the first of some corners are the outermost."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Box:
     """A box in any direction.
 
@@ -44,8 +43,6 @@ class Box:
     width: float
     height: float
     axes: Array
-
-    __repr__ = in_one_line
 
     @classmethod
     def along(cls, axes: Array, points: Array) -> Box:

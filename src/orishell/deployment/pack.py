@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.deployment.box import Box, smallest_box
 from orishell.deployment.layers import count_layers
 from orishell.motion import Mechanism, diagonal, panel_normals
@@ -17,7 +15,7 @@ THIN = 1e-3
 """A bundle counts as at least this thick, relative to the diagonal of the flat sheet."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Pack:
     """The state of a motion that fits into the smallest box.
 
@@ -34,8 +32,6 @@ class Pack:
     drive: float
     box: Box
     layers: int
-
-    __repr__ = in_one_line
 
 
 def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: float = 0.0) -> Pack:

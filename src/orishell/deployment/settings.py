@@ -7,7 +7,6 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.sheet.grid import VertexPair
 
 Start = Literal["flat", "pack"]
@@ -38,8 +37,6 @@ class Deployment:
     flap_attachment: Attachment = "folded"
     largest_fold: float = np.pi
     ties: Literal["none", "feet"] | tuple[VertexPair, ...] = "none"
-
-    __repr__ = in_one_line
 
 
 FROM_FLAT = Deployment()

@@ -23,6 +23,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.motion import Mechanism
 from orishell.numerics import Enclosure
@@ -178,7 +179,7 @@ def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> Vertex
     return first, second
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Ranges:
     """Ranges of the drive, and the pairs of which something holds there."""
 

@@ -21,13 +21,12 @@ and what raising takes is given as work.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import Chebyshev
 from numpy.typing import ArrayLike
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 from orishell.sheet.quads import dots, grid_corners, lengths
@@ -49,7 +48,7 @@ STATIONARY = 1e-6
 """Slope of L at the end, relative to its curvature, that is none."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class OwnWeight:
     """A shell under its own weight, from flat to packed.
 
@@ -89,8 +88,6 @@ class OwnWeight:
     tipping: tuple[float, ...]
     work_from_flat: float
     work_from_pack: float
-
-    __repr__ = in_one_line
 
     @property
     def opens(self) -> bool:
@@ -145,7 +142,7 @@ def measure_weight(
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Body:
     """A mechanism, its feet, the area (rows, columns) that its vertices carry.
 
@@ -223,7 +220,7 @@ class _Body:
             reach *= 0.5
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Fit:
     """Polynomials through V and L, and what may be missing of them.
 

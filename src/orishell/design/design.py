@@ -8,7 +8,8 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.design.surface import Surface
 from orishell.errors import InputError
 from orishell.motion import Mechanism
@@ -24,7 +25,7 @@ Construction = Literal["sandwich", "bevel"]
 Parameter = float | int | str | list[float] | list[str]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Approached:
     """The surface that finer and finer shells approach, where that is not f swept along g.
 
@@ -38,8 +39,6 @@ class Approached:
 
     what: str
     surface: Surface | None
-
-    __repr__ = in_one_line
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +87,7 @@ class PanelBuild:
         return 0.5 * self.thickness
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Design:
     """A design that can be made: the folding sheet, its target, and what was chosen for it.
 

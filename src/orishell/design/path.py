@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.curves.trace import SMALLEST_CELL
 from orishell.numerics.arrays import Array, Booleans, Complex, Integers
@@ -19,7 +17,7 @@ FEW = 64
 """Corners up to so many are all kept."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Path:
     """The pieces of a curve between its corners.
 
@@ -38,8 +36,6 @@ class Path:
     trace: Trace
     nodes: Integers
     last: Array
-
-    __repr__ = in_one_line
 
     @classmethod
     def of(cls, trace: Trace) -> Path:

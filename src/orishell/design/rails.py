@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.design.path import Path
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -16,7 +15,7 @@ MET = 1e-9
 """Curves beside g meet when they come this near, relative to g's length."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Rail(ABC):
     """Carries points x of f's horizontal axis along g.
 
@@ -30,8 +29,6 @@ class Rail(ABC):
     """
 
     path: Path
-
-    __repr__ = in_one_line
 
     @property
     def stop(self) -> float:
@@ -64,7 +61,7 @@ class Rail(ABC):
         return self.path.bulge(u, self.beside(reach))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Sliding(Rail):
     """f slides along g and stays parallel to itself.
 
@@ -80,8 +77,6 @@ class Sliding(Rail):
 
     axis: complex
     tilt: float = 0.0
-
-    __repr__ = in_one_line
 
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
         """Where x (...) is at u (...), the tangent along g and the axis, (..., 3) each."""
@@ -106,7 +101,7 @@ class Sliding(Rail):
         return out
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Turning(Rail):
     """f turns with g: its axis is g's tangent turned clockwise by ``plane``.
 
@@ -126,8 +121,6 @@ class Turning(Rail):
 
     plane: float
     affine: bool = False
-
-    __repr__ = in_one_line
 
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
         """Where x (...) is at u (...), the tangent along g and the axis, (..., 3) each."""

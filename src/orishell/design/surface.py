@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.design.path import Path
 from orishell.design.rails import Rail
@@ -23,7 +22,7 @@ FIRST_CELLS = 20_000
 """The most cells that the first lattice may have."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Lattice:
     """Points of a surface at all pairs of places along g and parameters of f.
 
@@ -43,8 +42,6 @@ class Lattice:
     points: Array
     left_out: float
 
-    __repr__ = in_one_line
-
     def triangles(self) -> Integers:
         """Corners (T, 3) of triangles, two a cell, by row of ``points`` as (A*B, 3).
 
@@ -61,7 +58,7 @@ class Lattice:
         return float(lengths(area_vectors(_cells(self.points))).sum())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Surface:
     """f carried along g, upright: z is f's y axis.
 
@@ -88,8 +85,6 @@ class Surface:
     profile: Trace
     origin: Array
     rail: Rail
-
-    __repr__ = in_one_line
 
     def points(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at places u along g (...) and parameters v of f (...)."""

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from orishell.conventions.arguments import path_of
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
@@ -36,7 +36,7 @@ ANY_SIZE = {"rows": 1, "columns": 2}
 """Rows and columns of a pattern whose size is still to be chosen."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class DesignFile:
     """A checked design file.
 
@@ -92,8 +92,6 @@ class DesignFile:
     structure: Structure | None = None
     search: Search | None = None
     files: bool = True
-
-    __repr__ = in_one_line
 
     @property
     def panel_count(self) -> int:

@@ -15,12 +15,13 @@ The second is far better where the other surface is smooth, the third along its 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.record import record
 from orishell.deviation.triangles import Nearest, Triangles
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.quads import lengths
@@ -44,7 +45,7 @@ ANY = 1e30
 """Stands for an infinite slope, but times a chord of no length it is 0."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Cells:
     """Cells of a surface, each between two values of u and two values of v.
 

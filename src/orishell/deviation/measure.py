@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.design import Design, Surface
 from orishell.deviation.branch_and_bound import Cells, find_largest
 from orishell.deviation.patches import Patch
@@ -187,7 +188,7 @@ def find_excess(design: Design, limit: float, *, samples: int) -> float:
     return max(attained)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Way:
     """Samples of one surface, and the points of the other that are nearest to them.
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.design import Surface
 from orishell.deviation.branch_and_bound import At
 from orishell.numerics.arrays import Array
@@ -21,7 +21,7 @@ AT_ONCE = 2**16
 """Cells that are looked at together: few enough for a processor's cache."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Patch:
     """Samples of a surface at every pair of a value of u and a value of v.
 

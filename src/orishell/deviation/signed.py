@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.design import Surface
 from orishell.deviation.patches import Patch
 from orishell.deviation.triangles import mesh_surface
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class SignedDistances:
     """Distances of points of a shell, positive on the side of the surface's normals.
 
@@ -33,8 +31,6 @@ class SignedDistances:
     distances: Array
     creases: tuple[Booleans, Booleans]
     strides: tuple[int, int]
-
-    __repr__ = in_one_line
 
 
 def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Array:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.design import Lattice, Surface
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
@@ -22,7 +22,7 @@ AT_ONCE = 200_000
 """Points looked up at once, to bound the memory."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Nearest:
     """The nearest points of a surface to given points (...).
 
@@ -44,7 +44,7 @@ class Nearest:
     sides: Array
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Triangles:
     """A grid of points (A, B, 3) whose cells are two triangles each.
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import nearby_origin
 from orishell.design import PanelBuild
@@ -32,7 +32,7 @@ FLAT = "flat"
 """Name of the state that is the flat sheet."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class DocumentState:
     """One folded state of the sheet.
 
@@ -51,8 +51,6 @@ class DocumentState:
     fold_angles_deg: Array | None = None
     drive_deg: float | None = None
 
-    __repr__ = in_one_line
-
 
 @dataclass(frozen=True, slots=True)
 class FirstContact:
@@ -70,7 +68,7 @@ class FirstContact:
     panels: tuple[int, int]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Document:
     """A sheet to be written.
 
@@ -142,8 +140,6 @@ class Document:
     boards: Boards | None = field(default=None, repr=False)
     clipped: tuple[Document, ...] = field(default=(), repr=False)
     loaded: LoadedShell | None = field(default=None, repr=False)
-
-    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         flat = () if self.flat is None else (self.flat,)

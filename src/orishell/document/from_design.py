@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import overload
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.conventions.record import record
 from orishell.design import Design, PanelBuild
 from orishell.document import SHELL, Document, DocumentState
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
@@ -140,7 +141,7 @@ def states_of(motion: FoldingMotion, progress: Progress = unwatched, what: str =
     return States(motion, find_assignment(motion.mechanism).on_edges() != 0, progress, what)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class States(Sequence[DocumentState]):
     """The states of a motion, made one by one.
 
@@ -158,8 +159,6 @@ class States(Sequence[DocumentState]):
     folds: Booleans
     progress: Progress = unwatched
     what: str = ""
-
-    __repr__ = in_one_line
 
     def __len__(self) -> int:
         return len(self.motion)

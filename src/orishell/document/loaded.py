@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class LoadedCase:
     """One load case with one stiffness of creases.
 
@@ -33,10 +31,8 @@ class LoadedCase:
     displacements: Array
     stresses: Array
 
-    __repr__ = in_one_line
 
-
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class LoadedShell:
     """A meshed shell at its target, in the document's frame, with its load cases.
 
@@ -76,5 +72,3 @@ class LoadedShell:
     ties: Integers
     tie_stiffness: float
     cases: tuple[LoadedCase, ...]
-
-    __repr__ = in_one_line

@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design import Design
@@ -52,7 +52,7 @@ class Tolerance:
         return self.panel_min > 0 or self.panel_max < float("inf")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Variants(Generic[T]):
     """What may be filled in for what a design leaves open.
 
@@ -67,8 +67,6 @@ class Variants(Generic[T]):
 
     telling: Sequence[T]
     others: Sequence[T] = ()
-
-    __repr__ = in_one_line
 
 
 class Pattern(Table):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.io.json_arrays import misfit, shown
 
@@ -17,7 +17,7 @@ folded state that inherits the mesh of a crease pattern is not a crease pattern.
 MAX_BYTES = 5_000_000_000
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Frames:
     """The frames of a file, and which frame each inherited value comes from.
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from orishell.conventions.arguments import path_of
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.document import LARGEST
 from orishell.errors import InputError, printable
 from orishell.io.fold_frames import Frames, differing, read_frames
@@ -22,7 +21,7 @@ LETTERS = frozenset("BMVFUCJ")
 """Assignments of FOLD 1.2: border, mountain, valley, flat, unassigned, cut, join."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FoldFrame:
     """One state of the sheet.
 
@@ -50,15 +49,13 @@ class FoldFrame:
     drive_deg: float | None
     title: str = ""
 
-    __repr__ = in_one_line
-
     @property
     def fold_angles(self) -> Array | None:
         """Fold angles (E,) that the frame itself gives (radians)."""
         return None if self.fold_angles_deg is None else np.deg2rad(self.fold_angles_deg)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FoldFile:
     """A FOLD file: one mesh and its states.
 
@@ -87,8 +84,6 @@ class FoldFile:
     assignment: tuple[str, ...] | None
     grid_shape: tuple[int, int] | None
     frames: tuple[FoldFrame, ...]
-
-    __repr__ = in_one_line
 
 
 def read_fold(path: str | Path) -> FoldFile:

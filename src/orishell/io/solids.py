@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.document import Document, DocumentState
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.boards import Boards
 from orishell.workshop.clipped import lying_beside
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Solids:
     """Boards of the sheet, or of one strip of flaps that is clipped on, where they are.
 
@@ -32,10 +31,8 @@ class Solids:
     boards: Boards
     corners: Array
 
-    __repr__ = in_one_line
 
-
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class SolidMesh:
     """Boards as one mesh of triangles, closed around each of them, in a document's frame and unit.
 
@@ -59,8 +56,6 @@ class SolidMesh:
     triangles: Integers
     first_vertex: Integers
     first_triangle: Integers
-
-    __repr__ = in_one_line
 
     def each(self) -> Iterator[tuple[str, Array, Integers]]:
         """Name, vertices and triangles of every board by itself, numbered from 0."""

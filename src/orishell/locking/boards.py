@@ -7,7 +7,6 @@ are cut off there, as little as will do; any other contact ends the motion.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -18,6 +17,7 @@ from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.broad_phase import Pairs
 from orishell.clash.opposite import opposite_panels
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.errors import DesignError
 from orishell.motion import Mechanism
@@ -49,7 +49,7 @@ class Looked(Protocol):
 Found = TypeVar("Found", bound=Looked)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Corners:
     """Boards that are opposite each other at vertices, and where they are compared.
 

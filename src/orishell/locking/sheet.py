@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.clash import PathContact, ProofRecord, find_contacts
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
 from orishell.motion import Mechanism, corrugation_depth, drive_at_fold
@@ -20,7 +21,7 @@ FOLDED_FLAT = 1e-9
 """A crease whose fold angle is this near to pi is folded flat (radians)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Sheet:
     """What is known of a sheet before any contact is looked for."""
 

@@ -7,13 +7,13 @@ angle. The flat sheet is the mechanism at drive 0.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.formatting import in_degrees, in_one_line
+from orishell.conventions.formatting import in_degrees
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import CreaseValues, Grid, crease_signs
@@ -113,7 +113,7 @@ class Mechanism(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FoldedState:
     """One state of a mechanism.
 
@@ -131,8 +131,6 @@ class FoldedState:
     positions: Array
     fold_angles: CreaseValues
 
-    __repr__ = in_one_line
-
     @classmethod
     def of(cls, mechanism: Mechanism, drive: float) -> FoldedState:
         """The state of a mechanism at one drive angle (radians)."""
@@ -141,7 +139,7 @@ class FoldedState:
         return cls(drive, positions, mechanism.fold_angles(drive))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FoldingMotion:
     """States of a mechanism: folded up from flat to its target, or opened from its pack to flat.
 

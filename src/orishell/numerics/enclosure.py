@@ -7,16 +7,15 @@ its monotone pieces, so that the bounds are met as the ranges shrink.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.numerics.interval import Interval
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Enclosure:
     """Intervals for a function and its first and second derivative.
 
@@ -29,8 +28,6 @@ class Enclosure:
     value: Interval
     first: Interval
     second: Interval
-
-    __repr__ = in_one_line
 
     @classmethod
     def constant(cls, value: float) -> Enclosure:

@@ -7,16 +7,15 @@ is undefined or unbounded in an interval, ends are infinite, or nan if nothing i
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Interval:
     """Arrays of lower and upper ends.
 
@@ -28,8 +27,6 @@ class Interval:
 
     low: Array
     high: Array
-
-    __repr__ = in_one_line
 
     @classmethod
     def between(cls, first: ArrayLike, second: ArrayLike) -> Interval:

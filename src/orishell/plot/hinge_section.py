@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
@@ -16,7 +14,7 @@ SAME = 1e-3
 """States whose fold angles differ by less than this are drawn once (radians)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Profile:
     """A board where it is cut square to the crease.
 
@@ -35,8 +33,6 @@ class Profile:
     side: int
     points: Array
 
-    __repr__ = in_one_line
-
     def folded(self, fold: float) -> Array:
         """The outline (P, 2) as :func:`folded` has it.
 
@@ -48,7 +44,7 @@ class Profile:
         return folded(self.points, fold, right=self.right)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class HingeSection:
     """A crease, and the boards that are cut square to it through its middle.
 
@@ -75,8 +71,6 @@ class HingeSection:
     build: PanelBuild
     states: tuple[str, ...]
     folds: tuple[float, ...]
-
-    __repr__ = in_one_line
 
     @property
     def closing(self) -> int:

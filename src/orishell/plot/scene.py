@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ HEADING, TITLE, LEGEND, BORDER = 0.45, 0.4, 0.45, 0.12
 and what stays free around a part (inches)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Camera:
     """Parallel projection from a direction given by azimuth and elevation (radians)."""
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from orishell.conventions.colours import AMOUNT_MAP, LIGHT
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.plot.scene import (
@@ -44,7 +43,7 @@ UNLOADED = "#4a4d55"
 TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class DrawnCase:
     """A load case as it is drawn.
 
@@ -61,8 +60,6 @@ class DrawnCase:
     case: LoadedCase
     taut: Booleans
     note: str
-
-    __repr__ = in_one_line
 
 
 def plot_structure(
@@ -135,7 +132,7 @@ def exaggeration(points: Array, displacements: Array) -> float:
     return float(max(step for step in (1, 2, 5) if step <= wanted / power * (1 + 1e-9)) * power)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Panels:
     """The panels of a loaded shell: how many, their triangles and their outlines.
 

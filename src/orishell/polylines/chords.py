@@ -11,12 +11,11 @@ little of that. An edge that crosses an inflection goes from one side of the cur
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves import Trace, remembered
 from orishell.numerics.arrays import Array, Integers
 from orishell.polylines.closeness import Closeness, measure_closeness, thinned
@@ -51,7 +50,7 @@ LARGEST_OFFSET = 0.25
 """A vertex stays within this share of its shorter piece of the curve."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Chords:
     """A polyline along a curve.
 
@@ -65,8 +64,6 @@ class Chords:
 
     parameters: Array
     vertices: Array
-
-    __repr__ = in_one_line
 
 
 @remembered

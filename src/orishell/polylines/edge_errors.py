@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.numerics.arrays import Array
 
@@ -16,7 +15,7 @@ REACH = 3.0
 less: those at the far end are the next vertex's."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class EdgeErrors:
     """Errors of a polyline of n vertices, each belonging to a point of the curve.
 

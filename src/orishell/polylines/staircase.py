@@ -13,11 +13,9 @@ least when all corners are equally far, alternately on both sides.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.curves.nearest import Nearest
 from orishell.numerics.arrays import Array, Integers
@@ -33,7 +31,7 @@ BALANCE = 1e-9
 """Corners are balanced when their distances agree to this, relative to the distance."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Staircase:
     """A polyline of constant angle from the curve's first point to its last.
 
@@ -60,8 +58,6 @@ class Staircase:
     vertices: Array
     distance: float
     balanced: bool
-
-    __repr__ = in_one_line
 
     @property
     def evenness(self) -> float:
@@ -96,7 +92,7 @@ def search_staircase(trace: Trace, xi: float, edges: int) -> Search[Staircase]:
     return min(candidates, key=lambda staircase: staircase.distance)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Levels:
     """Staircases along one curve, described by the levels of their edges.
 

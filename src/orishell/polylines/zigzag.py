@@ -9,11 +9,11 @@ vanishes. The first and the last edge are half a step long, as steep then as the
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.numerics.arrays import Array, Complex
 
@@ -29,7 +29,7 @@ KEPT = 1e-6
 """A column edge must keep this share of the length that it has in column 1."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Zigzag:
     """A polyline that is meant to turn left and right alternately at its inner vertices 1 ... m.
 
@@ -55,8 +55,6 @@ class Zigzag:
     depth: float
     lengths: Array = field(init=False, repr=False)
     angles: Array = field(init=False, repr=False)
-
-    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         edges = self._edges()

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Generator, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.design_file.values import Values
 from orishell.numerics.arrays import Array
 from orishell.search.evaluate import Outcome
@@ -129,7 +130,7 @@ def _snapping(space: Space) -> Callable[..., Any]:
     return snap
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Fresh:
     """Leaves out of a population what was chosen before."""
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.search.evaluate import Outcome
 from orishell.search.feasible import violation
@@ -18,7 +17,7 @@ NEXT_TO_NOTHING = 5e-4
 """Changes below this share are not worth a word."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Front:
     """Designs that no other beats in all objectives at once.
 
@@ -34,8 +33,6 @@ class Front:
 
     members: tuple[Outcome, ...]
     knee: int
-
-    __repr__ = in_one_line
 
     def name(self, number: int) -> str:
         """What a member is called: all names are equally long, so that they sort.

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from orishell.conventions.arguments import path_of
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file import check_design
 from orishell.design_file.search import Limit, Range, Search
@@ -33,7 +33,7 @@ FILE_KEYS = (
 """Keys that may name a file beside the design file."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Problem:
     """A design, and what is searched for among its variants.
 
@@ -65,8 +65,6 @@ class Problem:
     space: Space
     objectives: tuple[Figure, ...]
     limits: tuple[tuple[Figure, Limit], ...]
-
-    __repr__ = in_one_line
 
     @property
     def figures(self) -> dict[str, Figure]:

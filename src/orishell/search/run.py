@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.record import record
 from orishell.design_file.values import Values
 from orishell.errors import DesignError, InputError
 from orishell.search.choose import chooser
@@ -24,7 +24,7 @@ COMMONEST = 3
 """Reasons that are said where no design is feasible."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Found:
     """What a search found.
 
@@ -44,8 +44,6 @@ class Found:
     front: Front
     begun_with: Outcome
     whole: bool
-
-    __repr__ = in_one_line
 
 
 def search_designs(

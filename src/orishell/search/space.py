@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line, rounded
+from orishell.conventions.formatting import rounded
+from orishell.conventions.record import record
 from orishell.design_file.search import Range
 from orishell.design_file.values import Values, value_at
 from orishell.numerics.arrays import Array
@@ -88,7 +89,7 @@ class Choices:
         return np.minimum(np.floor(shares * count), count - 1)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Space:
     """All variants of a design.
 
@@ -99,8 +100,6 @@ class Space:
     """
 
     axes: dict[str, Interval | Choices]
-
-    __repr__ = in_one_line
 
     @property
     def count(self) -> float:

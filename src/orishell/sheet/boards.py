@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.polygons import signed_areas
 from orishell.sheet.quads import longer_diagonals, unit_normals
@@ -18,7 +16,7 @@ SIDES = {1: "top", -1: "bottom", 0: "panel"}
 """What a board is called after its side."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Boards:
     """Convex plates, each fixed on one panel.
 
@@ -39,8 +37,6 @@ class Boards:
     panels: Integers
     sides: Integers
     outlines: Array
-
-    __repr__ = in_one_line
 
     def __len__(self) -> int:
         return len(self.panels)
@@ -138,7 +134,7 @@ class Boards:
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Surfaces:
     """Closed surfaces of boards as one mesh of triangles: no two boards share a vertex.
 
@@ -155,8 +151,6 @@ class Surfaces:
     vertices: Array
     triangles: Integers
     boards: Integers
-
-    __repr__ = in_one_line
 
 
 def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 
 UNFOLDED = 1e-9
@@ -72,7 +72,7 @@ class Grid:
         return np.stack([column[:, :-1], row[1:], column[:, 1:], row[:-1]], axis=-1).reshape(-1, 4)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class CreaseValues:
     """One number for every inner edge of a grid (fold angles, signs), possibly for many states.
 
@@ -86,8 +86,6 @@ class CreaseValues:
 
     row: Array
     column: Array
-
-    __repr__ = in_one_line
 
     def on_edges(self, border: float = 0.0) -> Array:
         """Values (..., E) of all edges, border included, in :meth:`Grid.edges_vertices`' order."""

@@ -5,11 +5,9 @@ Numbers only: which panels lie beside which edges, which vertices are inside the
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.quads import sector_angles, unit_normals
@@ -18,7 +16,7 @@ REVERSED = [0, 3, 2, 1]
 """Corners of a panel the other way round, the same one first."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class QuadMesh:
     """Panels, edges and what lies beside them; made by :func:`build_mesh`.
 
@@ -48,8 +46,6 @@ class QuadMesh:
     crease: Booleans
     pieces: Integers
     reversed_faces: Booleans
-
-    __repr__ = in_one_line
 
     def faces_edges(self) -> Integers:
         """Numbers (F, 4) of every panel's edges, that from its first to its second corner first."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from orishell.conventions.formatting import in_one_line
 from orishell.sheet.grid import Vertex, VertexPair
 from orishell.shell.lock_report import Panel
 from orishell.structure.loads import LoadKind
@@ -237,5 +236,3 @@ class CaseReport:
     load: Vector
     moves: str | None
     stands: StandingReport | None
-
-    __repr__ = in_one_line

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class Trial:
     longest: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Choice:
     """The design with the fewest panels, and the others that were looked at.
 
@@ -71,8 +71,6 @@ class Choice:
     trial: Trial
     tradeoff: tuple[Trial, ...]
     tried: int
-
-    __repr__ = in_one_line
 
 
 def unbeaten(trials: Iterable[Trial]) -> tuple[Trial, ...]:

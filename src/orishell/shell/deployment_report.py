@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.units import GRAVITY, conversion
 from orishell.deployment import (
     Attachment,
@@ -155,8 +155,6 @@ class DeploymentReport:
     packed: PackedReport | None
     ties: tuple[TieReport, ...]
     weight: WeightReport | None
-
-    __repr__ = in_one_line
 
 
 def describe_deployment(

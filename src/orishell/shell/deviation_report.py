@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from orishell.conventions.formatting import in_one_line
 from orishell.design import Design
 from orishell.deviation import Deviation, Distances
 from orishell.polylines import Closeness
@@ -72,8 +71,6 @@ class DeviationReport:
     surface: SurfaceReport | None
     tilted: str
     approached: ApproachReport | None
-
-    __repr__ = in_one_line
 
 
 def describe_deviation(

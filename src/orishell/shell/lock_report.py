@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from orishell.clash import ProofRecord
-from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
 from orishell.locking import Cause, Contact, Kind, Lock
 
 Panel = tuple[int, int]
@@ -106,8 +106,6 @@ class LockReport:
     touching_at_end: tuple[tuple[Panel, Panel], ...]
     clipped_contact: ContactReport | None
     path: PathReport | None
-
-    __repr__ = in_one_line
 
 
 def describe_lock(lock: Lock) -> LockReport:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import (
@@ -57,7 +58,7 @@ ClashPolicy = Literal["refused", "allowed", "unexamined"]
 clash; or nobody looks, for sheets of hundreds of thousands of panels."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Shell:
     """A designed and verified shell.
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line, tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
 from orishell.design import Construction, Design
 from orishell.locking import Lock
 from orishell.shell.lock_report import PathReport, describe_path
@@ -75,8 +75,6 @@ class PanelReport:
     largest_cut: float
     meeting: MeetingReport | None
     path: PathReport | None
-
-    __repr__ = in_one_line
 
 
 def describe_panels(design: Design, lock: Lock) -> PanelReport | None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
 from orishell.conventions.progress import Progress
+from orishell.conventions.record import record
 from orishell.errors import DesignError
 from orishell.families.pattern import Tolerance, Variants
 from orishell.shell.choice import Measured, Trial
@@ -31,7 +32,7 @@ USUAL = 60
 V = TypeVar("V")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Sizes(Generic[V]):
     """The sheets that a tolerance is to be met with: variants with numbers of rows and columns.
 

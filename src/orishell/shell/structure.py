@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.design_file import DesignFile
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
     from orishell.shell.make import Shell
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Loaded:
     """A shell as a structure.
 
@@ -45,8 +44,6 @@ class Loaded:
     analysis: Analysis
     report: StructureReport
     drawn: LoadedShell
-
-    __repr__ = in_one_line
 
 
 def analyse_structure(

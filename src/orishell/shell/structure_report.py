@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.formatting import in_one_line
 from orishell.design import PanelBuild
 from orishell.sheet.grid import Vertex
 from orishell.shell.case_report import CaseReport, Part, Stiffness
@@ -133,8 +132,6 @@ class StructureReport:
     governs: GoverningReport | None
     warnings: tuple[str, ...]
     not_covered: tuple[str, ...]
-
-    __repr__ = in_one_line
 
 
 def describe_structure(

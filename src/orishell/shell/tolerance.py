@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 
 from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.design_file import DesignFile, require_memory
 from orishell.deviation import SAMPLES as CAREFUL
@@ -86,7 +87,7 @@ def _document(file: DesignFile, pattern: FamilyPattern) -> Document:
     return document_of_design(designed(replace(file, pattern=pattern)), file.unit)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Sheets:
     """The sheets that a design file leaves to choose from."""
 

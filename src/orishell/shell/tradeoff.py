@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, followed, stretch, unwatched
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.errors import DesignError, OrishellError
 from orishell.families.pattern import Tolerance
@@ -26,7 +25,7 @@ TRIED = 0.6
 """Share of the work that is the trials; the rest is careful measuring."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Tradeoff:
     """Sheets of many sizes, and the best of them.
 
@@ -48,8 +47,6 @@ class Tradeoff:
     best: tuple[Trial, ...]
     refused: int
     settled: dict[str, Any]
-
-    __repr__ = in_one_line
 
 
 def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.design import Design, PanelBuild
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Booleans
@@ -16,7 +16,7 @@ from orishell.solids.boards import build_boards
 from orishell.solids.setbacks import largest_folds
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Built:
     """The panels of a design as they are built.
 
@@ -42,8 +42,6 @@ class Built:
     reliefs: Array
     boards: Boards
     flaps: Boards | None
-
-    __repr__ = in_one_line
 
     def settled(self) -> Booleans:
         """Inner vertices (rows-2, columns-2) about which opposite boards are apart all the way."""

@@ -11,11 +11,9 @@ play, and the flap can turn until phi = 2 arctan(s/b).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array, Integers
@@ -24,7 +22,7 @@ from orishell.sheet.grid import CreaseValues
 from orishell.solids.setbacks import find_set_backs
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Meetings:
     """The row creases of flaps about which two boards meet at the target.
 
@@ -52,8 +50,6 @@ class Meetings:
     spans: Array
     plays: Array
     angles: Array
-
-    __repr__ = in_one_line
 
     @property
     def lengths(self) -> Array:

@@ -13,11 +13,9 @@ the tool cuts.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 from orishell.sheet.grid import CreaseValues
@@ -31,7 +29,7 @@ SHUT = 1e-9
 """A crease whose fold angle is this near to pi folds flat (radians)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class SetBacks:
     """How far boards stand back from every edge of the sheet.
 
@@ -44,8 +42,6 @@ class SetBacks:
 
     top: Array
     bottom: Array
-
-    __repr__ = in_one_line
 
 
 def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:

@@ -14,11 +14,9 @@ whose corners are on the circle of radius mu l_n.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.errors import VerificationError
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.held import GIVE, Held
@@ -40,7 +38,7 @@ SIDES = 12
 """Of friction's polygon, whose corners are on the circle."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Response:
     """What loads do to a structure.
 
@@ -66,8 +64,6 @@ class Response:
     forces: Array
     taken: Array
     motions: Array
-
-    __repr__ = in_one_line
 
 
 def respond(held: Held, loads: Array) -> Response:

@@ -12,15 +12,13 @@ shell opens, for the distance of their outer corners is smallest where they are 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Conditions:
     """Rows between displacements of nodes, and what they ask.
 
@@ -44,8 +42,6 @@ class Conditions:
     compliance: Array
     friction: Array
     grounded: Booleans
-
-    __repr__ = in_one_line
 
     def __len__(self) -> int:
         return len(self.nodes)

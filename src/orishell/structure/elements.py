@@ -9,19 +9,18 @@ its own first corner: what is left of displacements there are strains, and round
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Elements:
     """Elements of one kind.
 
@@ -43,8 +42,6 @@ class Elements:
     freedoms: Integers
     arms: Array | None
     count: int
-
-    __repr__ = in_one_line
 
     def assembled(self) -> csr_array:
         """The matrix (D, D) of all."""

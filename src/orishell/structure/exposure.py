@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
 from orishell.structure.facets import Facets
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Exposure:
     """What is loaded, and how it stands.
 
@@ -45,8 +43,6 @@ class Exposure:
     unit: str
     ground: float
     span: float | None
-
-    __repr__ = in_one_line
 
     @property
     def rise(self) -> float:

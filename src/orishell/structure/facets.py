@@ -5,11 +5,9 @@ Every node has six freedoms, three translations and three rotations, in the worl
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.elements import Elements
 from orishell.structure.membrane import membrane_stiffness
@@ -21,7 +19,7 @@ IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
 """Freedoms of a node in its triangle's axes: u, v, rotation about z; w, rotations about x and y."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Facets:
     """Triangles in space.
 
@@ -35,8 +33,6 @@ class Facets:
 
     points: Array
     triangles: Integers
-
-    __repr__ = in_one_line
 
     def axes(self) -> Array:
         """Axes (T, 3, 3) of every triangle, as rows: along its first side, in its plane, normal."""

@@ -21,12 +21,11 @@ is singular.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.conditions import Conditions
 from orishell.structure.elements import Elements
@@ -43,7 +42,7 @@ GIVE = 1e-7
 same each bears its part."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Held:
     """A supported structure, factorised.
 
@@ -83,8 +82,6 @@ class Held:
     flexibility: Array
     _inner: csr_array
     _factors: Any
-
-    __repr__ = in_one_line
 
     @property
     def sliding(self) -> Integers:

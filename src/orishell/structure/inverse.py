@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.held import Held
 
@@ -16,7 +15,7 @@ ACCURACY = 1e-8
 """Relative accuracy of modes' values."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Inverse:
     """A structure some of whose rows act, as they are in a state that it moves about.
 
@@ -34,8 +33,6 @@ class Inverse:
     acting: Booleans
     motions: Array
     _law: Array
-
-    __repr__ = in_one_line
 
     @classmethod
     def of(cls, held: Held, acting: Booleans, motions: Array) -> Inverse:

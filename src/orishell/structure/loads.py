@@ -6,12 +6,12 @@ The load on a triangle goes to its corners in equal shares, so that nothing of i
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.conventions.units import GRAVITY
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
@@ -26,7 +26,7 @@ FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 """Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Load:
     """What one kind of load adds to a case.
 
@@ -46,8 +46,6 @@ class Load:
     factor: float
     kind: LoadKind
     forces: Array
-
-    __repr__ = in_one_line
 
 
 def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:

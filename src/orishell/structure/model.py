@@ -8,7 +8,6 @@ from functools import cached_property
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.motion import Mechanism
@@ -52,8 +51,6 @@ class Frame:
     areal_mass: float
     built: Built | None
 
-    __repr__ = in_one_line
-
 
 @dataclass(frozen=True, eq=False)
 class Model:
@@ -78,8 +75,6 @@ class Model:
     frame: Frame
     cells: int
     stiffness: float
-
-    __repr__ = in_one_line
 
     @cached_property
     def flapped(self) -> Mechanism:

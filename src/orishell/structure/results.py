@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid, Vertex, VertexPair
 from orishell.structure.exposure import Exposure
@@ -13,7 +12,7 @@ from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Balance:
     """Loads of a case against what bears them.
 
@@ -32,14 +31,12 @@ class Balance:
     reaction: Array
     residual: float
 
-    __repr__ = in_one_line
-
 
 Hold = Literal["ties", "pinned"]
 """What may hold a shell: ties between its feet, or its supports pinned."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FreeMotion:
     """A motion that the loads drive, and that nothing resists, or next to nothing.
 
@@ -63,10 +60,8 @@ class FreeMotion:
     holds: tuple[Hold, ...] = ()
     soft: bool = False
 
-    __repr__ = in_one_line
 
-
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class CaseResult:
     """A load case with one stiffness of creases.
 
@@ -128,10 +123,8 @@ class CaseResult:
     frequencies: Array
     modes: Array
 
-    __repr__ = in_one_line
 
-
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Analysis:
     """A shell as a structure, and what was found of it.
 
@@ -178,5 +171,3 @@ class Analysis:
     exposure: Exposure
     held: Integers
     change: float
-
-    __repr__ = in_one_line

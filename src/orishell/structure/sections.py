@@ -7,19 +7,17 @@ is left beside a crease, E b and E b^3/12. A membrane between them adds what it 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.boards import Boards
 from orishell.structure.settings import Structure
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Section:
     """Sections of triangles (T,), or one for all, isotropic.
 
@@ -43,8 +41,6 @@ class Section:
     poisson: float
     modulus: float
     reach: ArrayLike
-
-    __repr__ = in_one_line
 
     @classmethod
     def solid(cls, modulus: float, thickness: float, poisson: float) -> Section:

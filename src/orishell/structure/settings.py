@@ -10,7 +10,6 @@ from typing import Final, Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.sheet.grid import Vertex
 
 SupportKind = Literal["pinned", "fixed", "sliding", "friction"]
@@ -146,8 +145,6 @@ class LoadCase:
     points: tuple[PointLoad, ...] = ()
     combine: tuple[tuple[str, float], ...] = ()
 
-    __repr__ = in_one_line
-
 
 @dataclass(frozen=True, slots=True)
 class Structure:
@@ -198,8 +195,6 @@ class Structure:
     tie_strength: float | None = None
     cells: int = 4
     refine: float = 0.0
-
-    __repr__ = in_one_line
 
     @property
     def analysed(self) -> tuple[LoadCase, ...]:

@@ -6,11 +6,9 @@ creases are free hinges until springs are put on them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
 from orishell.structure.elements import Elements
@@ -21,7 +19,7 @@ CELLS = 4
 """Cells along every side of a panel, of two triangles each."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class SheetMesh:
     """A meshed shell.
 
@@ -39,8 +37,6 @@ class SheetMesh:
     facets: Facets
     nodes: Integers
     places: Integers
-
-    __repr__ = in_one_line
 
     @property
     def count(self) -> int:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.structure.facets import IN_PLANE, OUT_OF_PLANE, Facets
 from orishell.structure.membrane import strains
@@ -16,7 +14,7 @@ from orishell.structure.sections import Section
 MIDDLE = 1 / 3, 1 / 3
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FacetStresses:
     """What triangles bear, in their own axes.
 
@@ -30,8 +28,6 @@ class FacetStresses:
 
     forces: Array
     faces: Array
-
-    __repr__ = in_one_line
 
     def von_mises(self) -> Array:
         """Von Mises' stress (T, 2) at both faces."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.grid import Grid
@@ -23,7 +22,7 @@ HELD: dict[SupportKind, range] = {
 """Displacements 0 to 2 and rotations 3 to 5 that a support takes, whatever loads do."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Supports:
     """What holds a shell.
 
@@ -40,8 +39,6 @@ class Supports:
     held: Integers
     ground: Integers
     friction: Array
-
-    __repr__ = in_one_line
 
     def vertices(self) -> Integers:
         """All supported vertices (S,), ascending."""

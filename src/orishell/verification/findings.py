@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.io import FoldFile
 from orishell.numerics.arrays import Array, Integers
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Check:
     """The outcome of one test.
 
@@ -35,14 +34,12 @@ class Check:
     text: str
     facts: dict[str, Any]
 
-    __repr__ = in_one_line
-
     def as_dict(self) -> dict[str, Any]:
         """The fields of the report."""
         return {"passed": self.passed, "text": self.text, **self.facts}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Contacts:
     """Panels that touch in one frame.
 
@@ -56,8 +53,6 @@ class Contacts:
 
     frame: int
     pairs: Integers
-
-    __repr__ = in_one_line
 
 
 class Worst:

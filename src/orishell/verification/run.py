@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.io import FoldFile
 from orishell.verification.contact import ClashTest
@@ -33,7 +32,7 @@ class FrameTest(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Inspection:
     """The outcome of all tests, and what could not be tested.
 
@@ -56,8 +55,6 @@ class Inspection:
     tolerance: float
     checks: tuple[Check, ...]
     not_checked: tuple[str, ...]
-
-    __repr__ = in_one_line
 
     @property
     def passed(self) -> bool:

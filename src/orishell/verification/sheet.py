@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.io import FoldFile, FoldFrame
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -21,7 +19,7 @@ SMALLEST = 1e-50
 """Sheets smaller than this are refused: products of their lengths would underflow (length)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Sheet:
     """The panels as they are in the reference frame: the flat sheet if there is one.
 
@@ -66,8 +64,6 @@ class Sheet:
     vertex_limits: Array
     up: Array
     inner: Integers
-
-    __repr__ = in_one_line
 
     @classmethod
     def of(cls, file: FoldFile, tolerance: float) -> Sheet:
@@ -130,7 +126,7 @@ class Sheet:
         return State(frame, folds, bool((np.abs(folds) > self.edge_limits).any()))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class State:
     """One frame of the file.
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
@@ -84,8 +83,6 @@ class PanelBill:
     mass_kg: PanelMass
     centre_of_mass: tuple[float, float, float] | None
     stock_sheets: int | None
-
-    __repr__ = in_one_line
 
 
 def measure_panels(

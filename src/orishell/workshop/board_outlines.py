@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
 
@@ -23,7 +22,7 @@ MIRRORED = np.array([-1.0, 1.0])
 """Turns what is seen from above to what is seen from below."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class SeenBoards:
     """The boards of one side as they are seen from there.
 
@@ -44,8 +43,6 @@ class SeenBoards:
     names: tuple[str, ...]
     panels: Integers
     outlines: Array
-
-    __repr__ = in_one_line
 
 
 def part_name(document: Document, board: int) -> str:

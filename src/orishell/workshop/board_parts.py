@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.board_labels import board_labels
@@ -26,7 +26,7 @@ KEPT = 4
 """Number of layouts that are kept: formats and the bill ask for the same one."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class BoardPart:
     """A board as it is cut, seen from outside; solid panels are seen from above.
 
@@ -53,8 +53,6 @@ class BoardPart:
     outline: Array
     lines: tuple[Line, ...]
     texts: tuple[Text, ...]
-
-    __repr__ = in_one_line
 
     def content(self) -> Content:
         """What is drawn, the cut last."""

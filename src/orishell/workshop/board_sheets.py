@@ -7,12 +7,11 @@ that their part numbers can be read when they are glued on. Solid panels are see
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.board_outlines import MIRRORED
@@ -29,7 +28,7 @@ LAYERS = {1: "top", -1: "bottom", 0: "panels"}
 """How the files of the layers end."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class BoardLayer:
     """The boards of one layer, drawn apart so that no cut is made twice.
 
@@ -49,8 +48,6 @@ class BoardLayer:
     title: str
     content: Content
     facts: tuple[str, ...]
-
-    __repr__ = in_one_line
 
 
 def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, Drawing]]:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
 from orishell.sheet.boards import Boards
@@ -26,7 +25,7 @@ PLACE = 0.2
 """Where an angle stands on its edge, from its first end: opposite ones do not meet."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Chamfers:
     """Chamfers (C,) and the faces that they leave.
 

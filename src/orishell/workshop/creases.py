@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.formatting import inside
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -32,7 +31,7 @@ _MARKS: dict[Layer, str] = {"ENGRAVE": "FJU", "MOUNTAIN": "M", "VALLEY": "V"}
 """Assignments of the creases in each layer, in the order in which they are drawn."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Creases:
     """Creases (C,) between the rims of holes: where they begin, which way, how long they are."""
 

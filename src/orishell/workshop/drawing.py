@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 
 Layer = Literal["CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL"]
@@ -22,7 +22,7 @@ ORDER: tuple[Layer, ...] = ("LABEL", "ENGRAVE", "MOUNTAIN", "VALLEY", "CUT")
 Anchor = Literal["middle", "start", "end"]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Line:
     """A polyline in a layer.
 
@@ -39,8 +39,6 @@ class Line:
     layer: Layer
     points: Array
     closed: bool = False
-
-    __repr__ = in_one_line
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +88,7 @@ class Text:
     anchor: Anchor = "middle"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Drawing:
     """One sheet for a machine.
 
@@ -114,5 +112,3 @@ class Drawing:
     lines: tuple[Line, ...]
     circles: tuple[Circle, ...] = ()
     texts: tuple[Text, ...] = ()
-
-    __repr__ = in_one_line

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.sheet.polygons import signed_areas
 from orishell.workshop.drawing import Text
@@ -30,7 +29,7 @@ UPRIGHT = np.array([np.cos(np.deg2rad(10)), np.sin(np.deg2rad(10))])
 SMALLEST = 1e-9
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Labels:
     """Words at middles (N, 2), along directions (N, 2), of heights (N,), in the layer ENGRAVE."""
 
@@ -38,8 +37,6 @@ class Labels:
     middles: Array
     directions: Array
     heights: Array
-
-    __repr__ = in_one_line
 
     def of(self, chosen: Booleans) -> tuple[Text, ...]:
         """Those that are chosen (N,), but for words without a height."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
@@ -69,7 +69,7 @@ def _fitting(hull: Array, angles: Array, width: float, height: float) -> Array:
     return np.asarray(angles[order][fits[order]])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class CutSheet:
     """The panels, the tabs that they get where they are cut apart, and the size of the stock.
 

@@ -8,10 +8,10 @@ there. A strip is two such tabs with the crease between them, glued to the backs
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.drawing import Text
@@ -26,7 +26,7 @@ LETTER_WIDTH = 0.85
 """Width of a letter on average, relative to its height."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Joint:
     """A crease that is cut and glued.
 

@@ -13,6 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
@@ -33,7 +34,7 @@ KEPT = 4
 """Number of layouts that are kept: formats and quantities ask for the same one."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Layout:
     """The parts of a sheet, and where they lie on the stock.
 

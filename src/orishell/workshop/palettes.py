@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from orishell.conventions.colours import LIGHT
+from orishell.conventions.record import record
 from orishell.conventions.toml_file import parse_toml, read_toml
 from orishell.errors import InputError
 from orishell.workshop.drawing import LAYERS, Layer
@@ -38,7 +39,7 @@ class Pen:
     width_mm: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Palette:
     """The pens of all layers, as one shop or machine expects them.
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
@@ -26,7 +27,7 @@ BAR_MM = 62.0
 """Length of the scale bar at most (mm on paper)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class PaperModel:
     """The sheet to be printed and folded; coordinates in mm on paper.
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.drawing import Line, Text
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Part:
     """A piece of the flat sheet, in the sheet's own coordinates.
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.workshop.drawing import Anchor, Circle, Line, Text
 
@@ -18,7 +19,7 @@ OTHER_WAY: dict[Anchor, Anchor] = {"start": "end", "middle": "middle", "end": "s
 """Anchors of texts that are turned half round."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Placement:
     """Where a part lies: turned about the origin, then shifted.
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.workshop import Workshop
@@ -64,8 +63,6 @@ class Quantities:
     stock: Waste | None
     mass_kg: float | None
     built: PanelBill | None = None
-
-    __repr__ = in_one_line
 
 
 def measure_quantities(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.workshop.settings import Paper
@@ -51,7 +52,7 @@ class Page:
     bottom: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Tiling:
     """The model on its pages; lengths in mm on paper, from the lower left corner of the model.
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves.pieces import Affine, Arc, Piece, bulge_arc, circular_arc, nurbs, polyline
 from orishell.errors import InputError
 from orishell.numerics.arrays import Array
@@ -27,7 +27,7 @@ SPLINE_FRAME = 16
 """Flag of a polyline's vertices that are not on it but control it."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Drawn:
     """The pieces that an entity draws, and at what heights.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from itertools import chain
 from typing import Annotated, Any, Final
@@ -13,6 +13,7 @@ from pydantic import Field
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.arguments import checked
+from orishell.conventions.record import record
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
@@ -198,7 +199,7 @@ def design_longitudinal_linear_repeating(
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Target:
     """A convex f, a straight g, and the sheet that is to meet them."""
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.design import Parameter
 from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
@@ -31,7 +31,7 @@ from orishell.numerics.arrays import Array
 Periodic = Literal["periodic"]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class SheetRequest:
     """What was asked for, apart from the sector angles and the target.
 

@@ -8,10 +8,9 @@ is a polygon whose turns alternate between two values, whatever the lengths are.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
@@ -26,7 +25,7 @@ from orishell.numerics.arrays import Array
 from orishell.sheet.quads import dots, lengths
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Section:
     """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive.
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.curves import Trace, run_along_axis
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import part
@@ -20,7 +19,7 @@ TURNING_BACK = 1e-6
 """f's tangent may turn back by this much (radians)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Line:
     """The straight line g: its trace, start (2,), unit direction (2,) and length."""
 
@@ -55,7 +54,7 @@ class Line:
         return cls(trace, trace.points[0], chord / length, length)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Profile:
     """The convex curve f, run through in the direction of its x axis.
 

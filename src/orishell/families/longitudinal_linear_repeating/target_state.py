@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from itertools import chain, pairwise
 
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
@@ -28,7 +28,7 @@ SHORTEST = 1e-6
 """Edges of column 1 are longer than this share of its length."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class TargetState:
     """Column 1 where it follows f.
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.families.flap_sheet import other_side, target_drive
 from orishell.numerics import Enclosure, Interval
 from orishell.numerics.arrays import Array
@@ -15,7 +15,7 @@ SLIM = 1e-13
 """The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Columns:
     """Steps over the panel columns (n+1,), flaps at both ends, and the motion that they allow."""
 
@@ -26,8 +26,6 @@ class Columns:
     """Distances (n+1,) between neighbouring columns in the flat sheet."""
     _tightest: tuple[float, float] = field(init=False, repr=False)
     """Of the tightest panel column's step, the shares along n and along K at the target."""
-
-    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "step", np.hypot(self.locked, self.k))

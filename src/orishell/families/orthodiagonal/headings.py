@@ -10,11 +10,12 @@ positive length. The paper's condition pi/2 < alpha_0 < (pi + beta_mid)/2 is nei
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.design import FlapSide, Parameter
 from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import Zigzag
@@ -27,7 +28,7 @@ NARROWEST = 1e-6
 SideChoice = FlapSide | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class HeadingConditions:
     """The conditions that a heading must satisfy.
 

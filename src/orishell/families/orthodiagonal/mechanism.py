@@ -38,11 +38,12 @@ by the stop at the sharpest vertex: sin eta = sin(stop)/sin(beta_min/2).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.record import record
 from orishell.design import FlapSide
 from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.orthodiagonal.acceleration import bound_edges
@@ -56,7 +57,7 @@ from orishell.polylines import alternating
 from orishell.sheet.grid import CreaseValues
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Orthodiagonal(FlapSheet):
     """A folding sheet of the orthodiagonal type.
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain
 
 import numpy as np
 
 from orishell.conventions.formatting import as_typed, in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.curves import Curve, Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import FARTHER, angles, part, sizes, values
@@ -93,7 +94,7 @@ def refuse(
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Search:
     """The search for changes to a request that make it feasible, the nearest first."""
 

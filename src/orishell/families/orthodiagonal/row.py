@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.design import Parameter
 from orishell.errors import DesignError, Remedy
@@ -46,7 +46,7 @@ G = Followed(
 )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Row:
     """The middle row at lock.
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.families.flap_sheet import ALIKE, other_side
 from orishell.numerics.arrays import Array, Complex
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Columns:
     """The quantities of equation (2) at lock, for n columns, n-1 segments and both flaps."""
 
@@ -25,8 +25,6 @@ class Columns:
     rest: float = field(init=False)  # the slope of the tightest of those that exist
     slope_beyond: Array = field(init=False)  # sqrt(nu**2 - rest**2) of every panel column, (n+1,)
     tau_beyond: Array = field(init=False)  # sqrt(tau**2 - rest**2) of every column, (n,)
-
-    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         nearly = int(self.slope[self.existing].argmin()) + self.existing.start

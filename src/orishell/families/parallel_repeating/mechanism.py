@@ -28,11 +28,12 @@ end. With flaps that fold flat the rest is 0 and the target the end, as in the p
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.record import record
 from orishell.design import FlapSide
 from orishell.families.flap_sheet import FlapSheet, target_drive
 from orishell.families.parallel_repeating.acceleration import bound_edges
@@ -45,7 +46,7 @@ from orishell.numerics.arrays import Array, Complex, Integers
 from orishell.sheet.grid import CreaseValues
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class ParallelRepeating(FlapSheet):
     """A folding sheet of the parallel repeating type.
 

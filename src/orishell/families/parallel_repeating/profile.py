@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.errors import Remedy
 from orishell.families.parameters import Auto
@@ -38,7 +37,7 @@ F = Followed(
 )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Profile:
     """f as it is swept, and the staircase that takes its place.
 

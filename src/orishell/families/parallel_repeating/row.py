@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
+from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
@@ -24,7 +24,7 @@ MORE_COLUMNS = (1.25, 1.6, 2.5)
 """Shares of the fewest columns that are enough, where these are not."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Row:
     """The middle row on g's polyline.
 

@@ -9,12 +9,11 @@ nodes: trusses, T3D2, would hold the rotations of the shell, and spoil its buckl
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
@@ -74,7 +73,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     path.write_text("".join(f"{line}\n" for line in lines), encoding="ascii", newline="\n")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Deck:
     """The mesh in quadratic quadrilaterals.
 
@@ -97,8 +96,6 @@ class _Deck:
     cells: Integers
     sections: Array
     section: Integers
-
-    __repr__ = in_one_line
 
 
 def _deck_of(shell: LoadedShell) -> _Deck:

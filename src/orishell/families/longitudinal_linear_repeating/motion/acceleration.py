@@ -18,10 +18,10 @@ for which no third derivative is needed, and by half the range times ``3 |w'| |w
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.motion.fold_rates import fold_rates
 from orishell.families.longitudinal_linear_repeating.motion.rotations import Rotations
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, Directions
@@ -31,7 +31,7 @@ AT_ONCE = 200_000
 """Panels of all states that are worked on at once."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Sheet:
     """The parts of a mechanism from which the bounds are found.
 
@@ -133,7 +133,7 @@ def _middle(sheet: Sheet, drive: Array, panels: Rotations) -> tuple[Array, Array
     return speed, acceleration
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _Sizes:
     """Bounds for all panels (S, m+1, n+1) while the drive is in ranges (S,)."""
 

@@ -12,16 +12,15 @@ and in S rows, the tangents' common factor cos(v/2)^2 multiplied out,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns
 from orishell.numerics import Interval
 from orishell.numerics.arrays import Array, Booleans
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class FoldRates:
     """First and second derivative of fold angles by the drive, per radian."""
 

@@ -19,11 +19,12 @@ unit quaternions A + B i, with complex A = w + z k and B = x + y k.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.motion.acceleration import Sheet, bound_edges
 from orishell.families.longitudinal_linear_repeating.motion.rotations import (
     Rotations,
@@ -41,7 +42,7 @@ from orishell.numerics.arrays import Array, Booleans
 from orishell.sheet.grid import CreaseValues, Grid
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Pose:
     """Where a sheet stands: the middle row's centroid, and a turn that grows with the drive.
 
@@ -58,7 +59,7 @@ class Pose:
     turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class LongitudinalLinearRepeating:
     """A folding sheet of the longitudinal linear repeating type.
 
@@ -230,7 +231,7 @@ def crease_end(columns: Columns, rows: int, first_row: RowKind) -> float:
     return float(2 * half.min())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class _HalfAngles:
     """Sines and cosines of half the fold angles: per kind of row, and the rows' signs."""
 

@@ -6,17 +6,17 @@ ordinary complex products, which act on whole arrays.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import EllipsisType
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Complex
 
 Index = int | slice | EllipsisType | None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Rotations:
     """An array of rotations.
 

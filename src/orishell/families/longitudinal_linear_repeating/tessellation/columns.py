@@ -10,13 +10,12 @@ sectors RU, LU, LD, RD of vertex (i, j),
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
     Solution,
@@ -32,7 +31,7 @@ KEPT = 2
 """Sheets whose directions are kept: every state of a sheet asks for them."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Columns:
     """The columns of a sheet.
 
@@ -49,8 +48,6 @@ class Columns:
     version: Version
     sectors: Array
     multipliers: Array
-
-    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         for array in (self.sectors, self.multipliers):
@@ -135,7 +132,7 @@ def sector_table(columns: Columns, rows: int, first_row: RowKind) -> Array:
     return np.where(flat_foldable_rows(rows, first_row)[:, None, None], f, s)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Directions:
     """Directions of the creases in the flat sheet (radians), the middle row's mean being 0.
 

@@ -9,11 +9,11 @@ inner crease differ least.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.formatting import inside
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Columns,
     Directions,
@@ -35,7 +35,7 @@ PROGRAM_PANELS = 12_000
 """Sheets of more inner panels are too large for the program; they get equal lengths or none."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class InnerLengths:
     """Lengths of the inner creases of a sheet.
 

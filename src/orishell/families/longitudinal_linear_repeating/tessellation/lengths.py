@@ -11,11 +11,9 @@ So all lengths are linear in those of one row and of column 1.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from orishell.conventions.formatting import in_one_line
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Directions
 from orishell.numerics.arrays import Array
 
@@ -24,7 +22,7 @@ END_SHARE = 0.8
 those beside them."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class EdgeLengths:
     """Lengths of all creases.
 
@@ -38,8 +36,6 @@ class EdgeLengths:
 
     row: Array
     column: Array
-
-    __repr__ = in_one_line
 
     def __post_init__(self) -> None:
         for array in (self.row, self.column):
@@ -56,7 +52,7 @@ class EdgeLengths:
         return float(inner.max() / inner.min())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class PanelFactors:
     """Coefficients (m-1, n-1) of the equations that close the inner panels.
 

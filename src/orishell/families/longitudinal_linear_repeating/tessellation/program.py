@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Directions
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import (
     END_SHARE,
@@ -17,7 +17,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.lengths import
 from orishell.numerics.arrays import Array, Integers
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@record
 class Wanted:
     """What the lengths must satisfy, up to a common scale.
 
