@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass, field, fields, is_dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TypeVar, dataclass_transform
 
@@ -17,7 +18,7 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(field,))
 def record(cls: type[T]) -> type[T]:
-    """Make a frozen dataclass of a class.
+    """Make a frozen dataclass of a class, with slots unless it has a ``cached_property``.
 
     Records may hold arrays, so two of them are equal if they are the same one.
 
@@ -26,7 +27,8 @@ def record(cls: type[T]) -> type[T]:
     cls
         The class; a ``__repr__`` of its own stays.
     """
-    made = dataclass(frozen=True, slots=True, eq=False, repr=False)(cls)
+    slots = not any(isinstance(each, cached_property) for each in vars(cls).values())
+    made = dataclass(frozen=True, slots=slots, eq=False, repr=False)(cls)
     if "__repr__" not in cls.__dict__:
         made.__repr__ = _in_one_line  # type: ignore[method-assign]
     return made

@@ -7,8 +7,6 @@ sagitta of the surface's mesh. Between samples it is known by how far they are a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from orishell.conventions.record import record
@@ -28,7 +26,7 @@ SHARE = 0.95
 """The share of the area that is nearer than ``p95``."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Distances:
     """Distances from all of one surface to the nearest points of another (length).
 
@@ -53,7 +51,7 @@ class Distances:
     grid_spacing: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Deviation:
     """Distances between a shell and a surface, both ways (length).
 

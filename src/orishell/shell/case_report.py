@@ -5,9 +5,9 @@ Vertices and panels are rows and columns of the folding sheet, from 0.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
+from orishell.conventions.record import record
 from orishell.sheet.grid import Vertex, VertexPair
 from orishell.shell.lock_report import Panel
 from orishell.structure.loads import LoadKind
@@ -19,7 +19,7 @@ Part = Literal["panels", "creases", "ties", "buckling"]
 """What may be at the end of what it bears."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class LoadReport:
     """A load of a case.
 
@@ -48,7 +48,7 @@ class LoadReport:
     force: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class DisplacementReport:
     """The largest displacement.
 
@@ -70,7 +70,7 @@ class DisplacementReport:
     share: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ReactionReport:
     """The force of a support on the shell.
 
@@ -86,7 +86,7 @@ class ReactionReport:
     force: Vector
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PairReport:
     """The force between two vertices: of a tie, or of two panels of a flap on each other.
 
@@ -102,7 +102,7 @@ class PairReport:
     force: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class CreaseReport:
     """The crease with the largest moment.
 
@@ -118,7 +118,7 @@ class CreaseReport:
     panels: tuple[Panel, Panel]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StressReport:
     """The largest stress in panels.
 
@@ -141,7 +141,7 @@ class StressReport:
     least: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class UtilisationReport:
     """Shares of what is borne, by what can be borne.
 
@@ -162,7 +162,7 @@ class UtilisationReport:
     governs: Part | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StandingReport:
     """A shell that stands under its loads.
 
@@ -210,7 +210,7 @@ class StandingReport:
     frequencies: tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class CaseReport:
     """A load case with one stiffness of creases.
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.conventions.units import GRAVITY, conversion
 from orishell.deployment import (
     Attachment,
@@ -34,7 +34,7 @@ PACKS = 9
 """States from the target on of which the one that packs smallest is taken."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PackedReport:
     """The state that packs smallest, from the target to where the motion ends.
 
@@ -55,7 +55,7 @@ class PackedReport:
     layers: int
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class TieReport:
     """A tie between two vertices.
 
@@ -83,7 +83,7 @@ class TieReport:
     fails_at_deg: float | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class WeightReport:
     """The shell under its own weight; flaps that are clipped on are left out.
 
@@ -117,7 +117,7 @@ class WeightReport:
     forces: tuple[float | None, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class DeploymentReport:
     """How a shell is deployed, and what holds it at its target.
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.deviation import Deviation, Distances
 from orishell.polylines import Closeness
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SurfaceReport:
     """Distances between the shell and the surface asked for, both ways.
 
@@ -33,7 +32,7 @@ class SurfaceReport:
     surface_to_shell: Distances
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ApproachReport:
     """The surface that ever finer shells approach, where it is not f swept along g.
 
@@ -50,7 +49,7 @@ class ApproachReport:
     rms: float | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class DeviationReport:
     """How close the shell is to what was asked for.
 

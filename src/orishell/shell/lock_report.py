@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from orishell.clash import ProofRecord
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.locking import Cause, Contact, Kind, Lock
 
 Panel = tuple[int, int]
@@ -15,7 +14,7 @@ BOUND = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ContactReport:
     """Two panels that touch.
 
@@ -48,7 +47,7 @@ class ContactReport:
     overlap: float | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PathReport:
     """How contact was excluded along the whole path.
 
@@ -73,7 +72,7 @@ class PathReport:
     bound: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class LockReport:
     """How the motion ends.
 

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.record import record
 from orishell.design import Construction, Design
 from orishell.locking import Lock
 from orishell.shell.lock_report import PathReport, describe_path
 from orishell.solids import Built, find_meetings, find_set_backs
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MeetingReport:
     """Where boards of flaps meet at the target.
 
@@ -36,7 +35,7 @@ class MeetingReport:
     largest_turn_deg: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PanelReport:
     """Panels as they are built.
 

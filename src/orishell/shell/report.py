@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.design import Design, Parameter
 from orishell.families.pattern import Tolerance
 from orishell.motion import find_assignment
@@ -26,7 +27,7 @@ from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class AssignmentReport:
     """How many creases are mountains and valleys, and whether they stay so.
 
@@ -48,7 +49,7 @@ class AssignmentReport:
     maekawa: bool | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StandsReport:
     """What the shell stands on.
 
@@ -70,7 +71,7 @@ class StandsReport:
     level: bool
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ChosenReport:
     """How rows and columns were chosen.
 
@@ -99,7 +100,7 @@ class ChosenReport:
     tradeoff: tuple[Trial, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SheetReport:
     """Size of the flat sheet.
 
@@ -116,7 +117,7 @@ class SheetReport:
     area: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class BoxReport:
     """Bounding box of a state.
 
@@ -131,7 +132,7 @@ class BoxReport:
     height: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Report:
     """All that ``report.json`` says of a shell.
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.sheet.grid import Vertex
 from orishell.shell.case_report import CaseReport, Part, Stiffness
@@ -16,7 +15,7 @@ from orishell.structure.results import Analysis
 from orishell.structure.settings import Place, Structure, SupportKind
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SupportReport:
     """What holds some vertices.
 
@@ -35,7 +34,7 @@ class SupportReport:
     friction: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ModelReport:
     """What is analysed.
 
@@ -89,7 +88,7 @@ class ModelReport:
     supports: tuple[SupportReport, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class GoverningReport:
     """What is nearest to the end of what it bears, of all cases.
 
@@ -109,7 +108,7 @@ class GoverningReport:
     utilisation: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StructureReport:
     """The shell as a structure.
 

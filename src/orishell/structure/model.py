@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.motion import Mechanism
@@ -52,7 +53,7 @@ class Frame:
     built: Built | None
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Model:
     """A design as a structure.
 

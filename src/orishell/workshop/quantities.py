@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.workshop import Workshop
@@ -15,7 +14,7 @@ from orishell.workshop.layout import require_stock
 from orishell.workshop.sheets import Waste, measure_waste
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class CreaseLength:
     """Length of all creases of a kind, in the document's unit.
 
@@ -30,7 +29,7 @@ class CreaseLength:
     unfolded: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quantities:
     """Totals of the sheet and its clipped boards; lengths and areas in the document's unit.
 
