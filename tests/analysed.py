@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 from orishell.structure.exposure import Exposure
 from orishell.structure.loads import case_forces
 from orishell.structure.results import Analysis, Balance, CaseResult, FreeMotion

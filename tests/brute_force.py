@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from orishell.motion import Mechanism
-from orishell.sheet.grid import Grid
+from orishell.motion.grid import Grid
 
 
 def exact_contacts(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.design_file import check_design
 from orishell.design_file.values import with_values
-from orishell.errors import DesignError, Remedy
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.parts import MEASURES
 

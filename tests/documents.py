@@ -15,9 +15,9 @@ from orishell.document import Document
 from orishell.document.from_design import document_of_motion
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.motion import FoldingMotion, Mechanism
+from orishell.motion.boards import Boards
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import Grid
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
 from orishell.solids import build_boards, find_stop, largest_folds, largest_height

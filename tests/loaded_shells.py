@@ -10,8 +10,8 @@ import numpy as np
 from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.sheet import mesh_sheet
 
 LARGEST = 0.034

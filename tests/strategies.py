@@ -11,6 +11,7 @@ import pytest
 from hypothesis import reject
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.curves import (
     Curve,
     curve_from_formulas,
@@ -19,7 +20,6 @@ from orishell.curves import (
     trace_curve,
 )
 from orishell.design import Design
-from orishell.errors import DesignError, Remedy
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 

@@ -278,8 +278,8 @@ def read(kind: str, path: Path) -> None:
 
 def try_curve(path: Path, make: Callable[[], Any]) -> None:
     """Make and follow a curve; a design file would stand in front of what goes wrong."""
+    from orishell.conventions.errors import InputError
     from orishell.curves import trace_curve
-    from orishell.errors import InputError
 
     try:
         trace_curve(make())
@@ -293,7 +293,7 @@ def main(kind: str, directory: str) -> None:
     import signal
     import time
 
-    from orishell.errors import InputError
+    from orishell.conventions.errors import InputError
 
     def too_slow(*_: object) -> None:
         raise TimeoutError

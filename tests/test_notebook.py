@@ -23,15 +23,15 @@ from orishell import (
     notebook,
     parse_formula,
 )
+from orishell.conventions.errors import InputError
 from orishell.document.from_design import document_of_design
-from orishell.errors import InputError
 from orishell.io import DEFAULT_SETTINGS, read_fold, write_fold
 from orishell.io.all_formats import FORMATS
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
-from orishell.notebook import show
 from orishell.shell.export import write_format, write_shell, write_structure
 from orishell.shell.overlay import lay_surface
+from orishell.studio.notebook import show
 from public_names import public_callables
 from viewer_pages import pixels, require_viewer, watched_page
 
@@ -121,7 +121,7 @@ def test_every_function_that_takes_a_shell_is_among_these() -> None:
         and "Shell" not in str(inspect.get_annotations(function).get("return"))
     }
     assert taking == {
-        "orishell.notebook.show",
+        "orishell.studio.notebook.show",
         "orishell.shell.write_shell",
         "orishell.shell.write_format",
         "orishell.shell.write_structure",

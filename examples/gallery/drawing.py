@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from orishell.conventions.colours import LIGHT, rgb
 from orishell.deployment import Tie
 from orishell.motion import panel_normals
+from orishell.motion.grid import CreaseValues
 from orishell.plot.scene import Camera, frame
-from orishell.sheet.grid import CreaseValues
 from orishell.shell.deployment_report import TieReport
 
 if TYPE_CHECKING:

@@ -5,18 +5,18 @@ from typing import TYPE_CHECKING
 from orishell.conventions.on_demand import import_on_demand
 
 if TYPE_CHECKING:
+    from orishell.conventions.errors import DesignError, InputError, OrishellError
     from orishell.conventions.version import __version__
     from orishell.curves import Curve, curve_from_formulas, curve_from_points, parse_formula
     from orishell.design import Design
-    from orishell.errors import DesignError, InputError, OrishellError
     from orishell.families.longitudinal_linear_repeating import design_longitudinal_linear_repeating
     from orishell.families.orthodiagonal import design_orthodiagonal
     from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
     from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
-    from orishell.notebook import show
     from orishell.shell.export import convert_fold, write_shell
     from orishell.shell.make import Shell, design_shell
     from orishell.shell.structure import analyse_structure
+    from orishell.studio.notebook import show
     from orishell.verification.residuals import measure_residuals
 
 __all__ = [
@@ -51,13 +51,13 @@ _HOMES = {
     "orishell.conventions.version": ("__version__",),
     "orishell.curves": ("Curve", "curve_from_formulas", "curve_from_points", "parse_formula"),
     "orishell.design": ("Design",),
-    "orishell.errors": ("DesignError", "InputError", "OrishellError"),
+    "orishell.conventions.errors": ("DesignError", "InputError", "OrishellError"),
     "orishell.families.longitudinal_linear_repeating": ("design_longitudinal_linear_repeating",),
     "orishell.families.orthodiagonal": ("design_orthodiagonal",),
     "orishell.families.parallel_repeating": ("ParallelRepeating", "design_parallel_repeating"),
     "orishell.verification.residuals": ("measure_residuals",),
     "orishell.motion": ("FoldedState", "FoldingMotion", "Mechanism", "measure_fold_angles"),
-    "orishell.notebook": ("show",),
+    "orishell.studio.notebook": ("show",),
     "orishell.shell.make": ("Shell", "design_shell"),
     "orishell.shell.structure": ("analyse_structure",),
     "orishell.shell.export": ("convert_fold", "write_shell"),

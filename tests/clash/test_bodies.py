@@ -19,8 +19,8 @@ from orishell.design import Design, PanelBuild
 from orishell.design_file import read_design_file
 from orishell.locking.boards import prove_boards
 from orishell.motion import diagonal, panel_normals
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
-from orishell.sheet.quads import grid_corners
 from orishell.solids import build_panels
 from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, parallel_repeating, requests

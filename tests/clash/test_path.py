@@ -11,7 +11,7 @@ from orishell.clash import find_contacts, find_first_contact
 from orishell.clash.acceleration_bounds import EdgeBounds
 from orishell.clash.broad_phase import PanelTree
 from orishell.clash.ranges import BASE
-from orishell.errors import DesignError
+from orishell.conventions.errors import DesignError
 from orishell.locking import find_lock
 from orishell.motion import diagonal
 from planted import PLANTED, clear

@@ -10,7 +10,7 @@ import pytest
 from brute_force import exact_contacts
 from orishell.clash import find_contacts
 from orishell.design_file import read_design_file
-from orishell.sheet.grid import Grid
+from orishell.motion.grid import Grid
 from planted import PLANTED
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

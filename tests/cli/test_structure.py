@@ -11,7 +11,7 @@ from analysed import STRUCTURE, analysed
 from command_line import orishell
 from design_tables import formula, made, tables
 from orishell.cli.structure_summary import brief_structure, summarize_structure
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
 from orishell.shell.structure_report import StructureReport, describe_structure

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.toml_file import DEEPEST, MAX_BYTES, parse_toml, read_toml
-from orishell.errors import InputError
 
 
 @pytest.mark.parametrize(

@@ -12,9 +12,9 @@ from ezdxf import path as paths
 from ezdxf.filemanagement import new, readfile
 from numpy.typing import NDArray
 
+from orishell.conventions.errors import InputError
 from orishell.curves import read_dxf, trace_curve
 from orishell.curves.nearest import Nearest
-from orishell.errors import InputError
 
 Array = NDArray[np.float64]
 Draw = Callable[[Any], object]

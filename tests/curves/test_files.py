@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.curves import read_points
-from orishell.errors import InputError
 
 
 @pytest.mark.parametrize(

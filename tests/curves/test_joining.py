@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import curve_from_points, trace_curve
 from orishell.curves.joining import TOLERANCE, join_pieces
 from orishell.curves.pieces import Piece, bezier, bulge_arc, circular_arc, nurbs, polyline
-from orishell.errors import CurveError
 
 Array = NDArray[np.float64]
 

@@ -2,9 +2,9 @@
 
 import pytest
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import remembered, trace_curve
 from orishell.curves.memo import CURVES, RESULTS
-from orishell.errors import CurveError
 from strategies import graph
 
 

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.joining import join_pieces
 from orishell.curves.pieces import (
@@ -23,7 +24,6 @@ from orishell.curves.pieces import (
     polyline,
 )
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
-from orishell.errors import CurveError
 
 Array = NDArray[np.float64]
 SHARES = np.linspace(0, 1, 101)

@@ -7,8 +7,8 @@ import re
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import trace_curve
-from orishell.errors import CurveError
 from strategies import graph, pair
 
 

@@ -10,12 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import Curve, curve_from_points, parse_formula, trace, trace_curve
 from orishell.curves.joining import join_pieces
 from orishell.curves.pieces import Arc, Bezier, Piece, bezier, circular_arc
 from orishell.curves.sample_gaps import NEAR
 from orishell.curves.trace import FIRST_CELLS, MAX_TURN
-from orishell.errors import CurveError
 from samples import examples
 from strategies import curves, graph, pair
 

@@ -12,11 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from orishell.conventions.errors import InputError
 from orishell.curves import read_dxf, read_svg, trace_curve
 from orishell.curves.pieces import Arc
 from orishell.curves.svg.path_data import parse_path
 from orishell.curves.svg.values import parse_transform
-from orishell.errors import InputError
 
 Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[2] / "examples"

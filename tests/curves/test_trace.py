@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
 from orishell.curves.trace import MAX_TURN
-from orishell.errors import CurveError
 from strategies import curves, graph, pair
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from orishell.deployment import count_layers, find_pack, smallest_box
 from orishell.families.parallel_repeating import design_parallel_repeating
-from orishell.sheet.grid import Grid
+from orishell.motion.grid import Grid
 from strategies import graph
 
 STRAIGHT = graph("0*x", 0, 2)

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import InputError
 from orishell.deployment import ColumnDistances, Tie, feet_ties, find_ties
 from orishell.design import Design
 from orishell.design_file import read_design_file
-from orishell.errors import InputError
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import diagonal

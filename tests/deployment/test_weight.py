@@ -19,7 +19,7 @@ from orishell.design_file.file import check_design
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.motion import Mechanism
-from orishell.sheet.grid import Grid
+from orishell.motion.grid import Grid
 from orishell.shell.standing import find_feet
 from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, requests

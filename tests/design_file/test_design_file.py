@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.panel import PanelTable
-from orishell.errors import InputError
 
 GOOD = """
 [shell]

@@ -28,9 +28,9 @@ from typing import Any, NoReturn
 
 import numpy as np
 
+from orishell.conventions.errors import InputError, OrishellError
 from orishell.design_file import starter_file
 from orishell.design_file.tables import FileTable
-from orishell.errors import InputError, OrishellError
 from orishell.families.registry import FAMILIES
 from samples import THOROUGH
 from test_malformed_inputs import GENTLE, HARSH

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from ezdxf.filemanagement import new
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.curves import Curve, trace_curve
 from orishell.design_file import DesignFile, read_design_file
 from orishell.design_file.target import Target
-from orishell.errors import DesignError, InputError
 from orishell.motion import FoldingMotion
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.design_file import read_design_file, read_workshop, starter_file
 from orishell.design_file.workshop import WorkshopTable
-from orishell.errors import InputError
 from orishell.workshop import DEFAULT, Workshop
 
 

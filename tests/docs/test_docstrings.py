@@ -36,7 +36,7 @@ import pytest
 import typer
 from numpy.typing import NDArray
 
-import orishell.errors
+import orishell.conventions.errors
 from orishell.cli.main import app
 from orishell.deployment import ColumnDistances
 from orishell.design import Rail
@@ -71,8 +71,8 @@ def asked(protocol: type) -> set[str]:
 
 
 ERRORS = {
-    name for name, thing in vars(orishell.errors).items()
-    if inspect.isclass(thing) and issubclass(thing, orishell.errors.OrishellError)
+    name for name, thing in vars(orishell.conventions.errors).items()
+    if inspect.isclass(thing) and issubclass(thing, orishell.conventions.errors.OrishellError)
 }  # fmt: skip
 SOURCE = re.compile(r"paper|equations? \(\d\)")
 FROM_THE_PAPER = tuple(
@@ -87,7 +87,7 @@ FROM_THE_PAPER = tuple(
 
 PROTOCOLS = (Mechanism, Rail, ColumnDistances)
 IMPOSSIBLE = {
-    "orishell.sheet.mesh.QuadMesh.faces_edges": "a mesh that build_mesh made lists every side",
+    "orishell.motion.mesh.QuadMesh.faces_edges": "a mesh that build_mesh made lists every side",
 }
 
 CALLABLES = {
@@ -252,7 +252,7 @@ def test_the_rule_is_a_rule() -> None:
 
     def make(text: str) -> Any:
         def turn(points: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
-            raise orishell.errors.InputError(str(points) + str(angle))
+            raise orishell.conventions.errors.InputError(str(points) + str(angle))
 
         turn.__doc__ = text
         return turn

@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError
 from orishell.design import Design
-from orishell.errors import DesignError
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.motion import diagonal, measure_fold_angles
-from orishell.sheet.grid import crease_signs
+from orishell.motion.grid import crease_signs
 from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, pair, requests
 

@@ -17,9 +17,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.curves import Curve, curve_from_points, run_along_axis, trace_curve
 from orishell.design import Design
-from orishell.errors import DesignError, InputError
 from orishell.families.orthodiagonal import Orthodiagonal
 from orishell.families.orthodiagonal.pattern import OrthodiagonalPattern
 from orishell.families.parallel_repeating import ParallelRepeating

@@ -24,9 +24,9 @@ from orishell.families.pattern import Family, Pattern
 from orishell.families.registry import FAMILIES
 from orishell.io import read_fold
 from orishell.motion import FoldingMotion
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array
 from orishell.polylines import alternating
-from orishell.sheet.grid import CreaseValues, Grid
 from orishell.studio.knobs import describe_examples, describe_families
 from orishell.verification import inspect_fold
 

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError
 from orishell.design import Design
-from orishell.errors import DesignError
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion, diagonal
-from orishell.sheet.grid import Grid
+from orishell.motion.grid import Grid
 from orishell.verification.residuals import AssignmentCheck, measure_residuals
 from samples import examples
 from strategies import (

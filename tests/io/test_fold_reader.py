@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.document.from_design import document_of_motion
-from orishell.errors import InputError
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import FoldFile, read_fold, write_fold
 from orishell.motion import FoldingMotion

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.io import OutputDirectory
 
 

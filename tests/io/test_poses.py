@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from orishell.io.poses import find_frames, quaternions
-from orishell.sheet.quads import longer_diagonals
+from orishell.motion.quads import longer_diagonals
 
 
 def test_quaternions_agree_with_scipy() -> None:

@@ -16,8 +16,8 @@ from documents import EXAMPLES, FAMILIES, demo_document, loaded_document, thick_
 from io_readers import READERS
 from node_tools import REQUIRED as NODE
 from node_tools import lacking
+from orishell.conventions.errors import InputError
 from orishell.document import LARGEST, SHELL, Document
-from orishell.errors import InputError
 from orishell.io import Settings, document_of_fold, read_fold, write_fold
 from orishell.io.all_formats import FORMATS, find_formats, format_of, formats_for
 from orishell.io.format import Format

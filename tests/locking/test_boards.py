@@ -11,14 +11,14 @@ import pytest
 from hypothesis import Phase, event, given, reject, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError
 from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design, PanelBuild
 from orishell.design_file import read_design_file
-from orishell.errors import DesignError
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.boards import Boards
 from orishell.solids import largest_folds, largest_height
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests

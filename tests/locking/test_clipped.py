@@ -10,7 +10,7 @@ import pytest
 
 from brute_force import exact_contacts, not_designed
 from design_tables import Tables, formula, made, mended, refused, tables
-from orishell.errors import ClashError
+from orishell.conventions.errors import ClashError
 from orishell.io import Settings
 from orishell.io.formats.obj import write_obj
 from orishell.numerics.arrays import Array, Integers

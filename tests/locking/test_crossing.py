@@ -4,9 +4,9 @@ import time
 
 import pytest
 
+from orishell.conventions.errors import DesignError
 from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design
-from orishell.errors import DesignError
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.locking import end_motion
 from orishell.locking.crossing import require_uncrossed

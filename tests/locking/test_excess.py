@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from design_tables import Tables, formula, tables
+from orishell.conventions.errors import DesignError
 from orishell.design import Design
 from orishell.design_file import DesignFile, check_design
 from orishell.design_file.values import with_values
-from orishell.errors import DesignError
 from orishell.locking import Lock, require_pack
 from orishell.motion import largest_fold
 from orishell.shell.designed import designed, ended

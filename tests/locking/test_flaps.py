@@ -10,8 +10,8 @@ import pytest
 
 from brute_force import crosses, not_designed
 from design_tables import Tables, formula, tables
+from orishell.conventions.errors import ClashError, Remedy
 from orishell.design_file import DesignFile, check_design
-from orishell.errors import ClashError, Remedy
 from orishell.locking import find_lock, reaches_target
 from orishell.shell.designed import designed, ended
 from orishell.shell.make import make_shell

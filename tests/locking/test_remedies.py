@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from design_tables import Tables, formula, made, mended, refused, tables
-from orishell.errors import DesignError
+from orishell.conventions.errors import DesignError
 from samples import THOROUGH
 
 UNIT_ARC = formula(["cos(t)", "sin(t)"], 0.3, 2.8416)

@@ -23,7 +23,7 @@ from orishell.families.orthodiagonal.columns import SLIM
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.locking import lock_without_clash
 from orishell.motion import FoldingMotion, diagonal, measure_fold_angles
-from orishell.sheet.grid import crease_signs
+from orishell.motion.grid import crease_signs
 from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, requests
 

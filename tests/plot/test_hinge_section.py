@@ -11,8 +11,8 @@ from orishell.conventions.colours import rgb
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
 from orishell.motion import FoldingMotion, Mechanism
+from orishell.motion.boards import Boards
 from orishell.plot import HingeSection, find_hinge_section, plot_overview
-from orishell.sheet.boards import Boards
 from orishell.solids import build_boards, drive_for_height, find_set_backs, largest_folds
 
 SANDWICH = PanelBuild(0.03, membrane=0.002, gap=0.004)

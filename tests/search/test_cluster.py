@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 import pytest
 
 from command_line import orishell, orishell_process
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.search import dask_workers
 from orishell.search.cluster import AHEAD
 from orishell.search.evaluate import evaluate, job_of

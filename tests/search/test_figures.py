@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
-from orishell.errors import InputError
 from orishell.search.evaluate import evaluate, job_of
 from orishell.search.figures import NAMES, figure
 from orishell.search.problem import pose

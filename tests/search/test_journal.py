@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from orishell.errors import InputError, OrishellError
+from orishell.conventions.errors import InputError, OrishellError
 from orishell.search.crew import Crew, Work
 from orishell.search.evaluate import FAULT, Outcome
 from orishell.search.journal import NAME, open_journal

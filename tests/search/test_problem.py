@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 import tomlkit
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.design_file.search import RangeTable
-from orishell.errors import InputError
 from orishell.search.problem import pose, read_problem
 from orishell.search.space import Choices, Interval
 from orishell.search.variant_file import variant_text

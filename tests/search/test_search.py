@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from orishell.errors import DesignError, InputError
+from orishell.conventions.errors import DesignError, InputError
 from orishell.search.choose import chooser
 from orishell.search.crew import Crew, alone, local_processes
 from orishell.search.evaluate import Outcome, _common, evaluate, job_of

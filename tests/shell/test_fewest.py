@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
+from orishell.conventions.errors import OrishellError
 from orishell.design_file import DesignFile, check_design
-from orishell.errors import OrishellError
 from orishell.families.pattern import Pattern
 from orishell.shell.tolerance import measure, meet_tolerance
 from samples import THOROUGH

@@ -8,8 +8,8 @@ import pytest
 
 from design_tables import formula, tables
 from orishell.cli.summary import summarize
+from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import check_design, read_design_file
-from orishell.errors import DesignError, InputError
 from orishell.locking import find_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell

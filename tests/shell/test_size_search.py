@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orishell.errors import DesignError
+from orishell.conventions.errors import DesignError
 from orishell.families.pattern import Tolerance, Variants
 from orishell.shell.choice import Measured
 from orishell.shell.size_search import choose

@@ -8,10 +8,10 @@ import pytest
 from typer.testing import CliRunner
 
 from orishell.cli.main import app
+from orishell.conventions.errors import InputError
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
-from orishell.errors import InputError
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import read_fold

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from design_tables import formula, tables
+from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
-from orishell.errors import InputError
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
 from orishell.shell.structure_report import StructureReport

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.curves.nearest import Nearest
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import measure_deviation
 from orishell.deviation.triangles import Triangles
-from orishell.errors import DesignError, InputError
 from orishell.families.pattern import Tolerance
 from orishell.shell.export import write_shell
 from orishell.shell.make import design_shell

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, starter_file
-from orishell.errors import DesignError
 from orishell.shell import tradeoff
 from orishell.shell.choice import unbeaten
 from orishell.shell.tolerance import measure, meet_tolerance

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import read_design_file, starter_file
-from orishell.errors import DesignError, InputError
 from orishell.families.registry import FAMILIES
 from orishell.io import read_fold
 from orishell.io.all_formats import formats_for

@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
-from orishell.errors import DesignError
 from orishell.motion import largest_fold
-from orishell.sheet.grid import CreaseValues, Grid
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import drive_for_height, find_room, largest_folds, largest_height
 from orishell.solids.limits import bare_faces

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError
 from orishell.design import Construction, PanelBuild
 from orishell.design_file import read_design_file
-from orishell.errors import DesignError
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
 from orishell.numerics.bisection import bisect
-from orishell.sheet.boards import Boards
 from orishell.solids import build_boards, find_meetings, find_stop, largest_folds
 from orishell.solids.meeting import Meetings
 from samples import examples

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError
 from orishell.design import PanelBuild
-from orishell.errors import DesignError
 from orishell.motion import Mechanism
-from orishell.sheet.grid import CreaseValues, Grid
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards, find_set_backs, largest_folds
 from orishell.solids.outlines import inset_panels
 from samples import examples

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError, Value
 from orishell.curves import curve_from_formulas, curve_from_points, parse_formula
 from orishell.design import PanelBuild
 from orishell.design_file import read_design_file
-from orishell.errors import DesignError, Value
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import Mechanism
-from orishell.sheet.quads import lengths
+from orishell.motion.quads import lengths
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import find_room, find_stop
 from samples import examples

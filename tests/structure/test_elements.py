@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.sparse.linalg import spsolve
 
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.facets import FREEDOMS, Facets
 from orishell.structure.hinges import hinge_elements
 from orishell.structure.sections import Section

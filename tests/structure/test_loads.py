@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 from orishell.structure.exposure import Exposure
 from orishell.structure.loads import case_forces, case_loads
 from orishell.structure.settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone

@@ -10,8 +10,8 @@ import pytest
 from orishell.deployment import feet_ties
 from orishell.design import Design
 from orishell.design_file import read_design_file
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 from orishell.shell.standing import find_feet
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import hold

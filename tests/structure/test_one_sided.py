@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from orishell.sheet.grid import Grid
+from orishell.motion.grid import Grid
 from orishell.structure.acting import Response, respond
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.factorise import hold

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import hold

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 from orishell.structure.acting import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.crease_moments import crease_moments

@@ -137,7 +137,7 @@ def test_boards_are_carried_by_their_panels() -> None:
             }
         )
     sandwich, bevel = shown
-    numbers = {"source": "orishell.sheet.Boards", "sandwich": sandwich, "bevel": bevel}
+    numbers = {"source": "orishell.motion.Boards", "sandwich": sandwich, "bevel": bevel}
     found = require_current("boards.json", numbers, ())
     for name, mine in (("sandwich", sandwich), ("bevel", bevel)):
         for key in ("folds", "outlines", "volumes"):

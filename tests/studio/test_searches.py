@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from apart import run_apart
+from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from orishell.errors import DesignError, InputError
 from orishell.search.figures import NAMES
 from orishell.studio import limits, searches
 from orishell.studio.search_api import SearchState

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
+from orishell.conventions.errors import InputError, OrishellError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from orishell.errors import InputError, OrishellError
 from orishell.shell import tradeoff
 from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.tasks import answer

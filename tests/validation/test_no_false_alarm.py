@@ -18,8 +18,8 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from brute_force import crosses, distance_of_panels, not_designed
+from orishell.conventions.errors import DesignError
 from orishell.design import Design
-from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,

@@ -8,7 +8,7 @@ import pytest
 
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import FoldedState, Mechanism, diagonal, extents, sheet_area
-from orishell.sheet.grid import CreaseValues
+from orishell.motion.grid import CreaseValues
 from orishell.verification import residuals
 from orishell.verification.residuals import AssignmentCheck, Residuals, measure_residuals
 from strategies import graph

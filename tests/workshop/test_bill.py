@@ -14,10 +14,10 @@ from orishell.design import PanelBuild
 from orishell.document import Document, DocumentState
 from orishell.io.formats.tables import write_tables
 from orishell.io.settings import Settings
+from orishell.motion.boards import Boards
+from orishell.motion.grid import Grid
+from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import Grid
-from orishell.sheet.mesh import build_mesh
 from orishell.workshop import Workshop
 from orishell.workshop.bill import PanelBill, measure_panels
 from orishell.workshop.board_parts import nest_boards

@@ -13,9 +13,9 @@ import shapely
 
 from boarded import BUILDS, boarded_document
 from documents import demo_document
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
-from orishell.sheet.boards import Boards
+from orishell.motion.boards import Boards
 from orishell.workshop import Drawing, Workshop
 from orishell.workshop.board_outlines import part_name
 from orishell.workshop.board_parts import board_parts, nest_boards

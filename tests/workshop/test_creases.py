@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from documents import FAMILIES, demo_document
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
-from orishell.sheet.mesh import build_mesh
+from orishell.motion.mesh import build_mesh
 from orishell.workshop import Workshop
 from orishell.workshop.creases import crease_lines, mean_edge, relief_holes
 from orishell.workshop.drawing import Line

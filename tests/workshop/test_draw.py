@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, folded_only
+from orishell.conventions.errors import InputError
 from orishell.conventions.units import MILLIMETRES
-from orishell.errors import InputError
-from orishell.sheet.mesh import build_mesh
-from orishell.sheet.polygons import signed_areas
+from orishell.motion.mesh import build_mesh
+from orishell.motion.quads import signed_areas
 from orishell.workshop import Drawing, Line, Workshop
 from orishell.workshop.draw import draw_part, part_lines
 from orishell.workshop.outline import whole_sheet

@@ -10,7 +10,7 @@ import shapely
 
 from documents import FAMILIES, demo_document
 from orishell.document import Document
-from orishell.sheet.mesh import build_mesh
+from orishell.motion.mesh import build_mesh
 from orishell.workshop.drawing import Text
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.part import Part

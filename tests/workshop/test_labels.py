@@ -7,7 +7,7 @@ from shapely.strtree import STRtree
 
 from documents import FAMILIES, demo_document
 from orishell.document import Document
-from orishell.sheet.mesh import build_mesh
+from orishell.motion.mesh import build_mesh
 from orishell.workshop import Text, Workshop
 from orishell.workshop.fitted_words import CHARACTER
 from orishell.workshop.labels import part_labels

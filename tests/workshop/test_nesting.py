@@ -10,7 +10,7 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
 from samples import examples

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from documents import FAMILIES, demo_document
-from orishell.sheet.polygons import signed_areas
+from orishell.motion.quads import signed_areas
 from orishell.workshop.outline import (
     find_outlines,
     whole_sheet,

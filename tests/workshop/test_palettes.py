@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from ezdxf.colors import aci2rgb
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.workshop.drawing import LAYERS
 from orishell.workshop.palettes import load_palette, palette_names
 

@@ -5,7 +5,7 @@ from dataclasses import astuple, replace
 import pytest
 
 from documents import FAMILIES, demo_document
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.workshop import Workshop
 from orishell.workshop.quantities import measure_quantities
 

@@ -16,7 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from documents import FAMILIES, demo_document
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.workshop import Drawing, Workshop
 from orishell.workshop.layout import lay_out
 from orishell.workshop.settings import Joint as JointKind

@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from documents import FAMILIES, demo_document
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
-from orishell.sheet.mesh import build_mesh
+from orishell.motion.mesh import build_mesh
 from orishell.workshop.fitting import CutSheet, find_turns
 from orishell.workshop.splitting import split_sheet
 from samples import examples

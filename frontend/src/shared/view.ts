@@ -15,7 +15,7 @@ export interface Lattice {
   points: Float32Array;
 }
 
-/** Convex plates fixed on panels: see orishell.sheet.boards. */
+/** Convex plates fixed on panels: see orishell.motion.boards. */
 export interface Boards {
   /** Number (B,) of the panel that carries each. */
   panels: Uint32Array;

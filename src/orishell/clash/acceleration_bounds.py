@@ -9,8 +9,8 @@ import numpy as np
 from orishell.clash.broad_phase import Extents, PanelTree, in_chunks
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import lengths
 
 RANGES = 32
 """Ranges of the drive that a table of accelerations has."""

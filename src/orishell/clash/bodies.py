@@ -14,8 +14,8 @@ import numpy as np
 from orishell.clash.broad_phase import Pairs
 from orishell.clash.separation import common_gap, views_along
 from orishell.conventions.record import record
+from orishell.motion.boards import Boards, panel_axes
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.boards import Boards, panel_axes
 
 CHUNK = 1 << 8
 """Pairs looked at along all directions in one go, so that they stay near the processor."""

@@ -20,8 +20,8 @@ from orishell.clash.ranges import search_ranges
 from orishell.clash.result import PathContact, PathResult, ProofRecord
 from orishell.conventions.progress import Progress, stretch, unwatched
 from orishell.motion import Mechanism
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.quads import grid_corners
 
 OPPOSITE = 0.7
 """Share of the progress, as of the time, that opposite boards take."""

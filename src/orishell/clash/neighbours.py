@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.clash.broad_phase import Pairs
+from orishell.motion.quads import dots, lengths, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.quads import dots, lengths, unit_normals
 
 
 def touching_neighbours(points: Array, faces: Integers, pairs: Pairs, tolerance: float) -> Booleans:

@@ -22,8 +22,8 @@ from orishell.clash.broad_phase import Pairs
 from orishell.clash.ranges import BASE, TICKS, Outcome
 from orishell.clash.separation import views_along
 from orishell.clash.states import States
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.grid import Grid
 
 TINY = 1e-300
 EARLY, SOONEST = 1.5, 2.0**-6

@@ -12,8 +12,8 @@ import typer
 from orishell.cli.files import FILE_HELP
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
-from orishell.errors import InputError
 
 if TYPE_CHECKING:
     from orishell.verification import Inspection

@@ -10,8 +10,8 @@ import typer
 
 from orishell.cli.files import FILE_HELP, STATE_HELP, shortened, state_named
 from orishell.cli.printing import say
+from orishell.conventions.errors import InputError
 from orishell.conventions.units import MILLIMETRES, Unit
-from orishell.errors import InputError
 
 
 def convert(

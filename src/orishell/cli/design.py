@@ -12,7 +12,7 @@ from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, state_named
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
 from orishell.cli.summary import summarize
-from orishell.errors import ClashError, InputError
+from orishell.conventions.errors import ClashError, InputError
 
 if TYPE_CHECKING:
     from orishell.shell.make import ClashPolicy

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from itertools import groupby
 from pathlib import Path
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.io.registry import ALL, MODULES
 
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."

@@ -19,8 +19,8 @@ from orishell.cli.search import search
 from orishell.cli.solve import solve
 from orishell.cli.structure import structure
 from orishell.cli.studio import studio
+from orishell.conventions.errors import OrishellError
 from orishell.conventions.version import __version__
-from orishell.errors import OrishellError
 
 app = typer.Typer(
     no_args_is_help=True,

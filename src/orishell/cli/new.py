@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from orishell.cli.printing import say
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 
 def new(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from orishell.errors import printable
+from orishell.conventions.errors import printable
 
 
 def say(text: str, *, err: bool = False) -> None:

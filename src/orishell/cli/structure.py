@@ -13,7 +13,7 @@ from orishell.cli.files import directory
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
 from orishell.cli.structure_summary import summarize_structure
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 
 def structure(

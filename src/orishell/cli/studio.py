@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from orishell.cli.printing import say
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 if TYPE_CHECKING:
     from orishell.studio.api import NamedDesign

@@ -11,8 +11,8 @@ from typing import Any, TypeVar, cast, get_type_hints
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, create_model, model_validator
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.faults import Location, first_fault
-from orishell.errors import InputError
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -21,7 +21,7 @@ def checked(*rules: Callable[[Any], None]) -> Callable[[F], F]:
     """Have a function's arguments checked against the types in its signature before it runs.
 
     Numbers and arrays of numpy's are taken as numbers and lists. A fault is an
-    :class:`~orishell.errors.InputError` that names the function and the argument.
+    :class:`~orishell.conventions.errors.InputError` that names the function and the argument.
 
     Parameters
     ----------

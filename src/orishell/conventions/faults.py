@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 MOST_FAULTS = 20
 """So many faults are said, the others counted."""

@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 MAX_BYTES = 1_000_000
 DEEPEST = 8

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import islice
 
+from orishell.conventions.errors import CurveError
 from orishell.curves.joining import CHOOSE, Chain, join_pieces
 from orishell.curves.pieces import Piece
-from orishell.errors import CurveError
 
 LISTED = 6
 """Parts and choices that a message names; of more it says how many."""

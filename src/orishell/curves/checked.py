@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError
 from orishell.curves.curve import Curve
-from orishell.errors import CurveError
 from orishell.numerics.arrays import Array
 
 LARGEST = 1e100

@@ -10,11 +10,11 @@ from typing import Literal, Self, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.errors import CurveError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.record import record
 from orishell.curves.formula import Formula
 from orishell.curves.radians import require_radians
-from orishell.errors import CurveError
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array
 

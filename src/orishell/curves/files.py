@@ -8,8 +8,8 @@ from typing import Final
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.units import conversion
-from orishell.errors import CurveError, InputError
 from orishell.numerics.arrays import Array
 
 MAX_BYTES = 20_000_000

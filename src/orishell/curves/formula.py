@@ -9,6 +9,7 @@ import warnings
 import numpy as np
 
 from orishell.conventions.arguments import checked
+from orishell.conventions.errors import FormulaError
 from orishell.conventions.record import record
 from orishell.curves.formula_arithmetic import (
     ENCLOSURES,
@@ -21,7 +22,6 @@ from orishell.curves.formula_arithmetic import (
     the_variable,
 )
 from orishell.curves.jets import FUNCTIONS, Jet
-from orishell.errors import FormulaError
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array
 

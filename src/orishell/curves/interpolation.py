@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.errors import CurveError
 from orishell.curves.curve import Curve
-from orishell.errors import CurveError
 from orishell.numerics import Enclosure, Interval
 from orishell.numerics.arrays import Array, Integers
 

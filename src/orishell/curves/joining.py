@@ -6,13 +6,13 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
-from orishell.errors import CurveError
 from orishell.numerics.arrays import Array, Integers
 
 Place = Callable[[Array], str]

@@ -10,8 +10,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.errors import CurveError
 from orishell.conventions.record import record
-from orishell.errors import CurveError
 from orishell.numerics.arrays import Array, Integers
 
 MAX_PIECES = 50_000

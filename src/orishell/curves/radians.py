@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from orishell.errors import CurveError
+from orishell.conventions.errors import CurveError
 from orishell.numerics.arrays import Array
 
 WINDINGS = 4

@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError
 from orishell.conventions.record import record
 from orishell.curves.checked import checked_jet
 from orishell.curves.curve import Curve
-from orishell.errors import CurveError
 from orishell.numerics import Enclosure, Interval
 from orishell.numerics.arrays import Array, Booleans, Integers
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import lengths
 
 if TYPE_CHECKING:
     from scipy.spatial import ConvexHull

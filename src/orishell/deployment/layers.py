@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.deployment.box import smallest_box
+from orishell.motion.quads import area_vectors, lengths
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import area_vectors, lengths
 
 SHRUNK = 1e-6
 """Panels are made smaller by this share, so that those beside each other do not overlap."""

@@ -8,8 +8,8 @@ from orishell.conventions.record import record
 from orishell.deployment.box import Box, smallest_box
 from orishell.deployment.layers import count_layers
 from orishell.motion import Mechanism, diagonal, panel_normals
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
-from orishell.sheet.quads import grid_corners
 
 THIN = 1e-3
 """A bundle counts as at least this thick, relative to the diagonal of the flat sheet."""

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.sheet.grid import VertexPair
+from orishell.motion.grid import VertexPair
 
 Start = Literal["flat", "pack"]
 """What a shell is folded up or opened from."""

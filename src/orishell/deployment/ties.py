@@ -23,12 +23,12 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.errors import InputError
 from orishell.motion import Mechanism
+from orishell.motion.grid import Vertex, VertexPair
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.grid import Vertex, VertexPair
 
 SMALLEST = 2.0**-44
 """No range is halved that is a smaller part than this of the way from flat to pack."""

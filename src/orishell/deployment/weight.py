@@ -28,8 +28,8 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.quads import dots, grid_corners, lengths
 from orishell.numerics.arrays import Array
-from orishell.sheet.quads import dots, grid_corners, lengths
 
 NODES = 11
 """States that the polynomials go through."""

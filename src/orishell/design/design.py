@@ -8,10 +8,10 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design.surface import Surface
-from orishell.errors import InputError
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 from orishell.polylines import Closeness

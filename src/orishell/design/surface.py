@@ -11,8 +11,8 @@ from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.design.path import Path
 from orishell.design.rails import Rail
+from orishell.motion.quads import area_vectors, lengths
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import area_vectors, lengths
 
 LOOSE = 20.0
 """A lattice leaves the surface by about its step over this, if nothing else is asked for."""

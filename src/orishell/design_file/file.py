@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from orishell.conventions.arguments import path_of
+from orishell.conventions.errors import InputError, Value
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
@@ -21,7 +22,6 @@ from orishell.design_file.search import Search, with_joined_keys
 from orishell.design_file.structure import structure_of
 from orishell.design_file.tables import FileTable, Ground, keys_of
 from orishell.design_file.values import value_at, with_values
-from orishell.errors import InputError, Value
 from orishell.families.pattern import Pattern, Tolerance
 from orishell.families.registry import FAMILIES, require_family
 from orishell.structure.settings import Structure

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.families.pattern import Pattern
 
 MAX_VERTICES = 4_000_000

@@ -9,9 +9,9 @@ import numpy as np
 from pydantic import Field, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.table import Number, Table
 from orishell.design_file.deployment import Index, Vertex
-from orishell.errors import InputError
 from orishell.structure.settings import (
     NO_CODE,
     LoadCase,

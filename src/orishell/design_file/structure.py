@@ -9,6 +9,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.faults import Location
 from orishell.conventions.table import Number, Table
 from orishell.design import PanelBuild
@@ -21,7 +22,6 @@ from orishell.design_file.load_case import (
     ZoneTable,
     load_cases,
 )
-from orishell.errors import InputError
 from orishell.structure.settings import LoadCase, Place, Structure, Support, SupportKind
 
 Positive = Annotated[Number, Field(ge=1e-12, le=1e15)]

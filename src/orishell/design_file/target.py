@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.table import Number, Table
 from orishell.conventions.units import Unit, conversion
 from orishell.curves import (
@@ -25,7 +26,6 @@ from orishell.curves import (
     read_points,
     read_svg,
 )
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 
 FITTING: Final = {

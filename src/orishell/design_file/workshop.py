@@ -7,10 +7,10 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import Field, ValidationError
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.table import Number, Size, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file.faults import explain
-from orishell.errors import InputError
 from orishell.families.parameters import Knob
 from orishell.workshop import Workshop
 from orishell.workshop.palettes import load_palette, palette_names

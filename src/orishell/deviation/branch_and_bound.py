@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 
 from orishell.conventions.record import record
 from orishell.deviation.triangles import Nearest, Triangles
+from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.quads import lengths
 
 Number = TypeVar("Number", np.float64, np.int64)
 At = Callable[[Array, Array], Array]

@@ -9,8 +9,8 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Surface
 from orishell.deviation.branch_and_bound import At
+from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array
-from orishell.sheet.quads import area_vectors, grid_corners, lengths
 
 MOST_LONGER = 30.0
 """Samples are at most so many times farther apart in one direction than in the other."""

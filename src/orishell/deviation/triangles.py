@@ -8,9 +8,9 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import Lattice, Surface
+from orishell.motion.grid import Grid
+from orishell.motion.quads import lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
-from orishell.sheet.quads import lengths, unit_normals
 
 FLATNESS = 400.0
 """The mesh of a surface leaves it by about the samples' step over this."""

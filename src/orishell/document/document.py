@@ -11,16 +11,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import nearby_origin
 from orishell.design import PanelBuild
 from orishell.document.loaded import LoadedShell
-from orishell.errors import InputError
+from orishell.motion.boards import SIDES, Boards
+from orishell.motion.mesh import QuadMesh
+from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array
-from orishell.sheet.boards import SIDES, Boards
-from orishell.sheet.mesh import QuadMesh
-from orishell.sheet.quads import area_vectors
 
 LARGEST = 1e36
 """Coordinates above this are refused: many formats have single precision, which ends at 3e38."""

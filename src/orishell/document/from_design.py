@@ -14,10 +14,10 @@ from orishell.conventions.record import record
 from orishell.design import Design, PanelBuild
 from orishell.document import SHELL, Document, DocumentState
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
+from orishell.motion.boards import Boards
+from orishell.motion.grid import CreaseValues, Grid, edges_assignment
+from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Booleans
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import CreaseValues, Grid, edges_assignment
-from orishell.sheet.mesh import build_mesh
 
 
 def document_of_motion(

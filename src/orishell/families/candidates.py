@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import ROUNDING, between, rounded, tidy_degrees
 from orishell.curves import Curve
-from orishell.errors import Remedy
 
 FARTHER = (1 + ROUNDING, 1.1, 1.4, 2.0)
 """Sizes of a curve are tried beyond their limit by these factors."""

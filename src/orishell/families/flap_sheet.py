@@ -7,10 +7,10 @@ from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import between, in_degrees, tidy_degrees
-from orishell.errors import DesignError, Remedy
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Complex
-from orishell.sheet.grid import Grid
 
 ALIKE = 1e-14
 """Lengths that differ by less than this share are alike but for rounding."""

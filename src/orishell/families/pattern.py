@@ -9,11 +9,11 @@ from typing import Annotated, Any, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
 
+from orishell.conventions.errors import Remedy
 from orishell.conventions.record import record
 from orishell.conventions.table import Table
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.errors import Remedy
 from orishell.families.parameters import (
     COLUMNS,
     FLAP,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.families.pattern import Family
 
 FOLDERS = (

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.errors import DesignError, Remedy, Value
 
 if TYPE_CHECKING:
     from orishell.families.pattern import Pattern

@@ -10,10 +10,10 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Trace
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, part
 from orishell.polylines import (
     Staircase,

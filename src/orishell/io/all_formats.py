@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.format import Format
 from orishell.io.registry import ALL, MODULES
 

@@ -7,8 +7,8 @@ import numpy as np
 from orishell.conventions.units import MILLIMETRES
 from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_reader import FoldFile, FoldFrame
+from orishell.motion.mesh import measure_mesh_folds
 from orishell.numerics.arrays import Array
-from orishell.sheet.mesh import measure_mesh_folds
 
 
 def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.errors import InputError
 from orishell.io.json_arrays import misfit, shown
 
 INHERITED = ("vertices_coords", "faces_vertices")

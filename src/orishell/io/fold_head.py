@@ -6,7 +6,7 @@ import numpy as np
 
 from orishell.io.fold_frames import Frames, differing
 from orishell.io.json_arrays import misfit
-from orishell.sheet.mesh import QuadMesh
+from orishell.motion.mesh import QuadMesh
 
 
 def read_title(frames: Frames) -> str:

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.arguments import path_of
+from orishell.conventions.errors import InputError, printable
 from orishell.conventions.record import record
 from orishell.document import LARGEST
-from orishell.errors import InputError, printable
 from orishell.io.fold_frames import Frames, differing, read_frames
 from orishell.io.fold_head import read_grid_shape, read_title, read_unit
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
+from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.mesh import QuadMesh, build_mesh
 
 LETTERS = frozenset("BMVFUCJ")
 """Assignments of FOLD 1.2: border, mountain, valley, flat, unassigned, cut, join."""

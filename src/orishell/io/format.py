@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.settings import Settings
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.numerics.arrays import Array
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 NAME = ".orishell.json"
 ABOUT = (

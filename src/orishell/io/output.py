@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.stopping import cleaning_up, uninterrupted
-from orishell.errors import InputError
 from orishell.io.manifest import NAME, Manifest, hash_of, read_manifest
 
 DRAFT = ".orishell-"

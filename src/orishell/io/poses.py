@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.motion.quads import ALIKE, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import ALIKE, unit_normals
 
 
 def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
@@ -17,7 +17,7 @@ def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
         Corners (F, 4, 3) of the panels.
     along
         The corner (F,) at which the diagonal begins that the x axis follows, the same in all
-        states: see :func:`~orishell.sheet.quads.longer_diagonals`.
+        states: see :func:`~orishell.motion.quads.longer_diagonals`.
 
     Returns
     -------

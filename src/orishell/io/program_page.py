@@ -6,7 +6,7 @@ from html import escape
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.io.static_page import content_digest
 
 BUILD_PAGES = (

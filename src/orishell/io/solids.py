@@ -8,8 +8,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.document import Document, DocumentState
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.boards import Boards
 from orishell.workshop.clipped import lying_beside
 
 

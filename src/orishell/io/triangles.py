@@ -6,8 +6,8 @@ from typing import Final
 
 import numpy as np
 
+from orishell.motion.quads import reflex_corners
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import reflex_corners
 
 TRIANGLES: Final[Integers] = np.array([[[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [1, 3, 0]]])
 """Corners of a panel's two triangles (2, 2, 3), which go round as the panel does: split from

@@ -16,13 +16,13 @@ from orishell.clash.bodies import Apartness, Bodies
 from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.broad_phase import Pairs
 from orishell.clash.opposite import opposite_panels
+from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.record import record
 from orishell.design import Design
-from orishell.errors import DesignError
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.boards import Boards
 from orishell.solids import Built, build_panels
 
 STATES = 17

@@ -17,8 +17,8 @@ from orishell.clash import PathContact, find_contacts, overlap_depths
 from orishell.clash.body_state import deepest_contact
 from orishell.clash.broad_phase import selected
 from orishell.clash.opposite import opposite_panels
+from orishell.conventions.errors import ClashError, Remedy
 from orishell.design import Design
-from orishell.errors import ClashError, Remedy
 from orishell.locking.boards import Corners, cut_corners
 from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet

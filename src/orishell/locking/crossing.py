@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError
 from orishell.design import Design
-from orishell.errors import DesignError
 
 
 def require_uncrossed(design: Design) -> None:

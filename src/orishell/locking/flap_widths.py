@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.formatting import rounded_down
 from orishell.design import Design
-from orishell.errors import DesignError
 from orishell.locking.clipped import flap_width
 from orishell.locking.lock import find_lock
 from orishell.numerics.bisection import largest_below

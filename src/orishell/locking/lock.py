@@ -17,8 +17,8 @@ from orishell.locking.clipped import clip_boards, find_crossing
 from orishell.locking.result import Contact, Lock, Panel
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Booleans
-from orishell.sheet.grid import Grid
 from orishell.solids import build_panels
 
 CONTACT_TOLERANCE = 1e-9

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.errors import ClashError, DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
-from orishell.errors import ClashError, DesignError, Remedy
 from orishell.locking.clipped import flap_width, refuse_clipped
 from orishell.locking.crossing import require_uncrossed
 from orishell.locking.flap_widths import widest_flap

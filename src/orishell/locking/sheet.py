@@ -11,8 +11,8 @@ from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
 from orishell.motion import Mechanism, corrugation_depth, drive_at_fold
+from orishell.motion.boards import SIDES, Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.boards import SIDES, Boards
 from orishell.solids import drive_for_height
 
 SHORT_OF_END = 1e-6

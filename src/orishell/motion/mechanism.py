@@ -12,12 +12,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import record
-from orishell.errors import InputError
+from orishell.motion.grid import CreaseValues, Grid, crease_signs
+from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import CreaseValues, Grid, crease_signs
-from orishell.sheet.quads import lengths
 
 
 class Mechanism(Protocol):

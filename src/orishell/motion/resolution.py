@@ -6,10 +6,10 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
-from orishell.errors import DesignError, Remedy
 from orishell.motion.mechanism import Mechanism
-from orishell.sheet.quads import lengths
+from orishell.motion.quads import lengths
 
 RESOLUTION = 1e-8
 """An edge must be at least this long relative to the diagonal of the flat sheet."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.motion.quads import area_vectors, grid_corners
 from orishell.numerics.arrays import Array
-from orishell.sheet.quads import area_vectors, grid_corners
 
 ROUNDING = 1e-13
 """Points nearer to each other than this share of an edge lie on each other but for rounding."""

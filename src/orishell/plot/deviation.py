@@ -10,6 +10,7 @@ import numpy as np
 
 from orishell.conventions.colours import DISTANCE_MAP
 from orishell.motion import panel_normals
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Booleans
 from orishell.plot.scene import (
     BORDER,
@@ -29,7 +30,6 @@ from orishell.plot.scene import (
     save,
     set_title,
 )
-from orishell.sheet.quads import grid_corners
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

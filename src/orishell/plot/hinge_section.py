@@ -7,8 +7,8 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.motion import FoldingMotion
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array
-from orishell.sheet.boards import Boards
 
 SAME = 1e-3
 """States whose fold angles differ by less than this are drawn once (radians)."""
@@ -23,7 +23,7 @@ class Profile:
     right
         Whether it lies on the right.
     side
-        As in :class:`~orishell.sheet.boards.Boards`.
+        As in :class:`~orishell.motion.boards.Boards`.
     points
         Its outline (P, 2): distance from the crease and height over the hinge plane; down the near
         end comes last, P being twice the number of heights.

@@ -12,6 +12,8 @@ import numpy as np
 from orishell.conventions.colours import LIGHT, rgb
 from orishell.conventions.quantities import plain
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
+from orishell.motion.grid import CreaseValues
+from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.hinge_section import HingeSection
@@ -32,8 +34,6 @@ from orishell.plot.scene import (
     save,
     set_title,
 )
-from orishell.sheet.grid import CreaseValues
-from orishell.sheet.quads import grid_corners
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

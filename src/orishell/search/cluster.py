@@ -12,8 +12,8 @@ from concurrent.futures import CancelledError, Future
 from functools import partial
 from typing import Any, TypeVar
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.version import __version__
-from orishell.errors import InputError
 from orishell.search.crew import Crew, Place, Work
 
 T = TypeVar("T")

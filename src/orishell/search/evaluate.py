@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import DesignFile, check_design
 from orishell.design_file.values import Values, with_values
-from orishell.errors import DesignError, InputError
 from orishell.search.figures import figure
 from orishell.search.problem import Problem
 from orishell.shell.make import Shell, make_shell

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
+from orishell.conventions.errors import InputError
 from orishell.design_file.search import Limit
-from orishell.errors import InputError
 from orishell.shell.case_report import StandingReport
 from orishell.shell.parts import Part
 from orishell.shell.report import Report

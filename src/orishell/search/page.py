@@ -14,11 +14,11 @@ from typing import Any, TypedDict
 
 import numpy as np
 
+from orishell.conventions.errors import OrishellError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.design_file.search import Limit
 from orishell.design_file.values import Values
-from orishell.errors import OrishellError
 from orishell.io.program_page import place_of, program_page, read_program
 from orishell.io.view import dump_view
 from orishell.search.crew import Crew

@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.record import record
 from orishell.design_file.values import Values
-from orishell.errors import DesignError, InputError
 from orishell.search.choose import chooser
 from orishell.search.crew import Crew
 from orishell.search.evaluate import LACKING, Job, Outcome, Require, died, evaluate, job_of

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, unwatched
-from orishell.errors import InputError
 from orishell.io.csv_file import write_csv
 from orishell.io.output import OutputDirectory
 from orishell.plot.front import plot_front

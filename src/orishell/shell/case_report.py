@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Literal
 
 from orishell.conventions.record import record
-from orishell.sheet.grid import Vertex, VertexPair
+from orishell.motion.grid import Vertex, VertexPair
 from orishell.shell.lock_report import Panel
 from orishell.structure.loads import LoadKind
 

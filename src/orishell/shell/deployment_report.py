@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.conventions.units import GRAVITY, conversion
@@ -22,10 +23,9 @@ from orishell.deployment import (
 )
 from orishell.design import Design, PanelBuild
 from orishell.design_file import DesignFile
-from orishell.errors import InputError
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
-from orishell.sheet.grid import VertexPair
+from orishell.motion.grid import VertexPair
 from orishell.shell.parts import Part
 from orishell.shell.standing import Feet
 from orishell.solids import Built, largest_thickness

@@ -7,11 +7,11 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design, PanelBuild
 from orishell.design_file import DesignFile
-from orishell.errors import DesignError, Remedy
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.solids import drive_for_height, find_room, find_stop, room_for, thinner, wide_gap

@@ -8,11 +8,11 @@ from dataclasses import asdict, replace
 from pathlib import Path
 
 from orishell.conventions.arguments import checked, path_of
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.units import Unit
 from orishell.document import Document
 from orishell.document.from_design import states_of
-from orishell.errors import InputError
 from orishell.io import OutputDirectory, document_of_fold, read_fold
 from orishell.io.all_formats import FOLD, format_of
 from orishell.io.format import Format

@@ -6,12 +6,12 @@ from collections.abc import Collection, Iterator
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.deployment import find_pack
 from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.errors import DesignError, InputError, Remedy
 from orishell.locking import Lock, find_lock
 from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
 from orishell.shell.designed import designed

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from orishell.conventions.arguments import checked
+from orishell.conventions.errors import DesignError, InputError, printable
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
 from orishell.conventions.record import record
@@ -20,7 +21,6 @@ from orishell.deviation import (
 )
 from orishell.document import Document, FirstContact
 from orishell.document.from_design import document_of_motion
-from orishell.errors import DesignError, InputError, printable
 from orishell.locking import (
     Lock,
     lock_without_clash,

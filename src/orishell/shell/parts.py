@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Literal, get_args
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 
 Part = Literal["remedies", "verification", "deviation", "pack", "weight", "stock", "structure"]
 """What would mend a design that is refused, or that packs badly; whether panels stay rigid; the

@@ -14,12 +14,18 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import chain
 
+from orishell.conventions.errors import (
+    ClashError,
+    DesignError,
+    InputError,
+    Remedy,
+    VerificationError,
+)
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.design_file.values import value_at
-from orishell.errors import ClashError, DesignError, InputError, Remedy, VerificationError
 from orishell.locking import largest_quotable, reaches_target, widest_flap
 from orishell.shell.designed import designed
 

@@ -15,10 +15,10 @@ from dataclasses import dataclass, field
 from itertools import product, repeat
 from typing import Generic, TypeVar
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.quantities import plain
-from orishell.errors import DesignError, Remedy
 from orishell.families.pattern import Tolerance
 from orishell.shell.choice import Choice, Trial, unbeaten
 from orishell.shell.size_trials import CHOOSING, GIVEN_UP, NEAR, Sizes, Trials, Tried

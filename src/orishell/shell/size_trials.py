@@ -8,9 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
-from orishell.errors import DesignError
 from orishell.families.pattern import Tolerance, Variants
 from orishell.shell.choice import Measured, Trial
 

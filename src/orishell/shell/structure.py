@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.document import LoadedCase, LoadedShell
-from orishell.errors import InputError
 from orishell.locking import Lock
 from orishell.shell.deployment_report import areal_density, pairs_of_ties
 from orishell.shell.standing import find_feet

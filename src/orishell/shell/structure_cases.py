@@ -9,8 +9,8 @@ import numpy as np
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.units import GRAVITY, conversion
+from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import VertexPair
 from orishell.shell.case_report import (
     CaseReport,
     CreaseReport,

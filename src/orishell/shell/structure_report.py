@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.design import PanelBuild
-from orishell.sheet.grid import Vertex
+from orishell.motion.grid import Vertex
 from orishell.shell.case_report import CaseReport, Part, Stiffness
 from orishell.shell.structure_cases import describe_case, height_of, stiffness_in_words
 from orishell.shell.structure_caveats import NOT_COVERED, warn_of_structure

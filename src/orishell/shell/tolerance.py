@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.record import record
 from orishell.design import Design
@@ -16,10 +17,9 @@ from orishell.deviation import SAMPLES as CAREFUL
 from orishell.deviation import find_excess, measure_deviation
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
-from orishell.errors import DesignError
 from orishell.families.pattern import Pattern as FamilyPattern
 from orishell.families.pattern import Tolerance, Variants
-from orishell.sheet.quads import lengths
+from orishell.motion.quads import lengths
 from orishell.shell.choice import Choice, Measured
 from orishell.shell.designed import designed
 from orishell.shell.size_search import choose

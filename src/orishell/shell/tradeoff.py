@@ -6,11 +6,11 @@ import math
 from itertools import product
 from typing import Any
 
+from orishell.conventions.errors import DesignError, OrishellError
 from orishell.conventions.progress import Progress, followed, stretch, unwatched
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
-from orishell.errors import DesignError, OrishellError
 from orishell.families.pattern import Tolerance
 from orishell.shell.choice import Trial, unbeaten
 from orishell.shell.size_search import size_ladder

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.design import PanelBuild
+from orishell.motion.boards import Boards
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids.outlines import inset_panels
 from orishell.solids.setbacks import find_set_backs
 

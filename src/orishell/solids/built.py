@@ -9,9 +9,9 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, PanelBuild
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
+from orishell.motion.grid import UNFOLDED, CreaseValues
 from orishell.numerics.arrays import Array, Booleans
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import UNFOLDED, CreaseValues
 from orishell.solids.boards import build_boards
 from orishell.solids.setbacks import largest_folds
 

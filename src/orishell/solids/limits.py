@@ -13,9 +13,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.motion import Mechanism
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.numerics.bisection import bisect
-from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids.setbacks import find_set_backs
 
 SHARE = 0.5

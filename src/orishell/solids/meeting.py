@@ -16,9 +16,9 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
+from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import CreaseValues
 from orishell.solids.setbacks import find_set_backs
 
 

@@ -6,9 +6,9 @@ from itertools import combinations
 
 import numpy as np
 
-from orishell.errors import DesignError
+from orishell.conventions.errors import DesignError
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 
 INSIDE = 1e-12
 """A corner counts as inside an edge up to this share of the panel's size."""

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import rounded, rounded_down
 from orishell.design import PanelBuild
-from orishell.errors import DesignError, Remedy, Value
 from orishell.motion import Mechanism
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
-from orishell.sheet.grid import Grid
 from orishell.solids.limits import allowed_heights, bare_faces
 from orishell.solids.setbacks import largest_folds
 

@@ -17,8 +17,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
+from orishell.motion.grid import CreaseValues
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import CreaseValues
 
 STATES = 257
 """States among which the largest fold angles of creases are looked for."""

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.design import PanelBuild
-from orishell.errors import DesignError, Remedy
 from orishell.motion import Mechanism
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.bisection import bisect_integers
-from orishell.sheet.grid import CreaseValues, Grid
 from orishell.solids.limits import largest_height
 from orishell.solids.room import find_room, room_for, thinner, wide_gap
 

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
-from orishell.errors import VerificationError
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.held import GIVE, Held
 

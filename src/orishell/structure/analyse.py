@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.errors import InputError, VerificationError
 from orishell.conventions.progress import Progress, stretch, unwatched
 from orishell.design import Design
-from orishell.errors import InputError, VerificationError
 from orishell.numerics.arrays import Array
 from orishell.structure.acting import Response, respond
 from orishell.structure.crease_moments import crease_moments

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid
 from orishell.structure.hinges import beside_creases
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from orishell.conventions.record import record
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.facets import Facets
 
 

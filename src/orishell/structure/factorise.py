@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from orishell.errors import DesignError
+from orishell.conventions.errors import DesignError
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.conditions import Conditions, put_rows
 from orishell.structure.elements import Elements
 from orishell.structure.held import Held

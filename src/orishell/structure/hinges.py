@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.elements import Elements
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh

@@ -11,9 +11,9 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.units import GRAVITY
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.structure.exposure import Exposure
 from orishell.structure.settings import LoadCase, PointLoad, Snow

@@ -12,10 +12,10 @@ from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.motion import Mechanism
+from orishell.motion.boards import Boards
+from orishell.motion.grid import Grid, Vertex, VertexPair
+from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import Grid, Vertex, VertexPair
-from orishell.sheet.quads import area_vectors
 from orishell.solids import Built
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.exposure import Exposure

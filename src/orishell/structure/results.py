@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Literal
 
 from orishell.conventions.record import record
+from orishell.motion.grid import Grid, Vertex, VertexPair
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid, Vertex, VertexPair
 from orishell.structure.exposure import Exposure
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh

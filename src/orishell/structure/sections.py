@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.design import PanelBuild
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.boards import Boards
 from orishell.structure.settings import Structure
 
 

@@ -10,7 +10,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from orishell.sheet.grid import Vertex
+from orishell.motion.grid import Vertex
 
 SupportKind = Literal["pinned", "fixed", "sliding", "friction"]
 """Held in place; and all panels there clamped; held up only; on the ground, which pushes only."""

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.elements import Elements
 from orishell.structure.facets import Facets
 from orishell.structure.sections import Section

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.errors import InputError
+from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.grid import Grid
 from orishell.structure.settings import Support, SupportKind
 from orishell.structure.sheet import SheetMesh
 

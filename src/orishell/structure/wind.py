@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.units import conversion
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.structure.exposure import Exposure
 from orishell.structure.settings import Terrain, Wind, Zone

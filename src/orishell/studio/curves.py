@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.curves import Curve, trace_curve
-from orishell.errors import InputError
 from orishell.io.view import Drawn
 
 DRAWN = 200

@@ -8,6 +8,7 @@ import re
 import tempfile
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.curves import (
     Chain,
@@ -20,7 +21,6 @@ from orishell.curves import (
 )
 from orishell.curves.pieces import Bezier
 from orishell.design_file.target import MOST_POINTS
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.studio.api import DroppedCurve
 from orishell.studio.few_points import few_points

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError
 from orishell.curves import curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
-from orishell.errors import CurveError
 from orishell.numerics.arrays import Array
 
 MANY = 20

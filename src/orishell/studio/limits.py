@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from orishell.conventions.errors import InputError
 from orishell.design_file import DesignFile
-from orishell.errors import InputError
 
 MAX_VERTICES = 60_000
 """Vertices of a sheet in the studio, at most; the command line takes more."""

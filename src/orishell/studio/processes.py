@@ -20,9 +20,9 @@ from multiprocessing.process import BaseProcess
 from typing import Any, Literal
 
 from orishell.conventions.copies import context_of, prepare
+from orishell.conventions.errors import OrishellError
 from orishell.conventions.progress import Progress
 from orishell.conventions.stopping import cleaning_up
-from orishell.errors import OrishellError
 from orishell.studio.refusals import describe_error
 
 Payload = dict[str, Any]

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
+from orishell.conventions.errors import OrishellError
 from orishell.conventions.progress import Progress
 from orishell.curves import trace_curve
 from orishell.design_file import DesignFile
-from orishell.errors import OrishellError
 from orishell.numerics.bisection import bisect
 from orishell.studio.api import Range
 from orishell.studio.refusals import describe_error

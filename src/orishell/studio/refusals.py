@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from orishell.errors import DesignError, InputError, OrishellError
+from orishell.conventions.errors import DesignError, InputError, OrishellError
 from orishell.studio.api import NAME, FaultKind, Refusal
 
 

@@ -7,8 +7,8 @@ from collections import Counter
 from importlib.util import find_spec
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
-from orishell.errors import InputError
 from orishell.search import Front, Outcome, Problem, alone, journal_in_memory, search_designs
 from orishell.search.feasible import reasons, violation
 from orishell.search.figures import BEARS, NAMES, figure

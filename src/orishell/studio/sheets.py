@@ -6,10 +6,10 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.design_file import DesignFile
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES

@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
+from orishell.conventions.errors import ClashError, InputError, OrishellError
 from orishell.conventions.progress import Progress
 from orishell.conventions.toml_file import parse_toml
 from orishell.conventions.units import MILLIMETRES
 from orishell.design_file import DesignFile, check_design, starter_file
-from orishell.errors import ClashError, InputError, OrishellError
 from orishell.families.registry import FAMILIES
 from orishell.io import Settings
 from orishell.io.all_formats import find_formats

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orishell.errors import VerificationError
+from orishell.conventions.errors import VerificationError
 from orishell.motion import FoldedState, diagonal, measure_fold_angles
+from orishell.motion.grid import Grid, crease_signs
+from orishell.motion.quads import corner_distances, diagonal_gaps, grid_corners, sector_angles
 from orishell.numerics.arrays import Array
-from orishell.sheet.grid import Grid, crease_signs
-from orishell.sheet.quads import corner_distances, diagonal_gaps, grid_corners, sector_angles
 from orishell.verification.signs import SignsSeen, meets_maekawa, turn_between
 
 BLOCK = 2**14

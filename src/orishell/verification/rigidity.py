@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.sheet.mesh import measure_sector_sums
-from orishell.sheet.quads import corner_distances, diagonal_gaps, sector_angles
+from orishell.motion.mesh import measure_sector_sums
+from orishell.motion.quads import corner_distances, diagonal_gaps, sector_angles
 from orishell.verification.findings import Check, Names, Worst
 from orishell.verification.sheet import Sheet, State
 

@@ -7,9 +7,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, followed, unwatched
 from orishell.conventions.record import record
-from orishell.errors import InputError
 from orishell.io import FoldFile
 from orishell.verification.contact import ClashTest
 from orishell.verification.findings import Check, Names

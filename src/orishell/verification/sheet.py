@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.errors import InputError
 from orishell.io import FoldFile, FoldFrame
+from orishell.motion.mesh import QuadMesh, measure_mesh_folds
+from orishell.motion.quads import area_vectors, corner_distances, reflex_corners
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.mesh import QuadMesh, measure_mesh_folds
-from orishell.sheet.quads import area_vectors, corner_distances, reflex_corners
 
 NOTHING = 1e-12
 """A panel is a line if its size is below this share of the sheet's diagonal."""

@@ -6,8 +6,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.document import Document
+from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.boards import Boards
 from orishell.workshop.board_outlines import seen_from_outside
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.drawing import Line, Text

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.document import Document
+from orishell.motion.boards import Boards
+from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.boards import Boards
-from orishell.sheet.mesh import build_mesh
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.outline import find_outlines
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import inside
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.drawing import Circle, Layer, Line
 from orishell.workshop.outline import STRAIGHT

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
-from orishell.sheet.polygons import signed_areas
 from orishell.workshop.creases import crease_lines, relief_holes
 from orishell.workshop.drawing import Drawing, Line, Text
 from orishell.workshop.labels import part_labels

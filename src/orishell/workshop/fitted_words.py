@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.polygons import signed_areas
 from orishell.workshop.drawing import Text
 
 CHARACTER = 1.0

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
-from orishell.errors import InputError
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.polygons import signed_areas
 from orishell.workshop.tabs import find_owners, tab_shapes
 
 SLACK = 1e-9

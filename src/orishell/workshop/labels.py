@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.document import Document
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.polygons import signed_areas
 from orishell.workshop.board_labels import board_labels
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.drawing import Text

@@ -13,9 +13,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.board_outlines import seen_from_outside
 from orishell.workshop.clipped import with_clipped

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.workshop.fitting import find_turns
 from orishell.workshop.placing import Placement, turned

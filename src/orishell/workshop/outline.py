@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.document import Document
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.polygons import signed_areas
 from orishell.workshop.part import Part
 
 STRAIGHT = 1e-9

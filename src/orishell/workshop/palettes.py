@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from orishell.conventions.colours import LIGHT
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import parse_toml, read_toml
-from orishell.errors import InputError
 from orishell.workshop.drawing import LAYERS, Layer
 
 _KEYS = {"colour", "aci", "width_mm"}

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.document import Document
-from orishell.sheet.polygons import signed_areas
+from orishell.motion.quads import signed_areas
 from orishell.workshop.assembly import draw_map, number_text
 from orishell.workshop.board_outlines import distinct_corners, seen_from_outside
 from orishell.workshop.board_parts import nest_boards

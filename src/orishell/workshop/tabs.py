@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.document import Document
+from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.polygons import signed_areas
 from orishell.workshop.settings import Workshop
 
 AUTO_SHARE = 0.25

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 from orishell.workshop.settings import Paper
 

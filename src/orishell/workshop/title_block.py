@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.conventions.errors import printable
 from orishell.conventions.units import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import Document
-from orishell.errors import printable
 from orishell.numerics.arrays import Array
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
 from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import CurveError, DesignError, InputError, Remedy
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.errors import CurveError, DesignError, InputError, Remedy
 from orishell.families.longitudinal_linear_repeating import (
     LongitudinalLinearRepeating,
     Sectors,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from orishell.errors import DesignError
+from orishell.conventions.errors import DesignError
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     describe_solutions,

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from orishell.errors import DesignError, InputError, Remedy
+from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.families.longitudinal_linear_repeating import Sectors, Solution, find_solutions
 from orishell.families.longitudinal_linear_repeating.equation.choice import choose_solution
 from samples import examples

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from orishell.conventions.errors import DesignError, InputError
 from orishell.design import Design
 from orishell.deviation import measure_deviation
 from orishell.document.from_design import document_of_motion
-from orishell.errors import DesignError, InputError
 from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     design_longitudinal_linear_repeating,

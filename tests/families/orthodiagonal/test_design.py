@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
+from orishell.conventions.errors import CurveError, DesignError
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
-from orishell.errors import CurveError, DesignError
 from samples import examples
 from strategies import Request, graph, orthodiagonal, orthodiagonal_requests, pair
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from orishell.conventions.errors import InputError
 from orishell.design_file import read_design_file, starter_file
-from orishell.errors import InputError
 
 GOOD = starter_file("orthodiagonal")
 

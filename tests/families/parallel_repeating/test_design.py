@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import CurveError, DesignError, InputError, Remedy
 from orishell.curves import Curve, curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
-from orishell.errors import CurveError, DesignError, InputError, Remedy
 from orishell.families.parallel_repeating import ParallelRepeating
 from strategies import Request, graph, pair, parallel_repeating
 

@@ -8,8 +8,8 @@ import pytest
 
 from documents import demo_document, loaded_document
 from io_readers import read_calculix
+from orishell.conventions.errors import InputError
 from orishell.document.loaded import LoadedShell
-from orishell.errors import InputError
 from orishell.io.formats.calculix import write_calculix
 from orishell.io.settings import Settings
 

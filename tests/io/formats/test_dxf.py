@@ -14,12 +14,12 @@ from ezdxf.entities.text import Text
 from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 from documents import FAMILIES, demo_document
+from orishell.conventions.errors import InputError
 from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats.dxf import write_dxf
 from orishell.io.settings import Settings
-from orishell.sheet.polygons import signed_areas
+from orishell.motion.quads import signed_areas
 from orishell.workshop import DEFAULT, LAYERS, Workshop
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.settings import CreaseStyle

@@ -23,8 +23,8 @@ from documents import (
     thick_document,
 )
 from orishell.conventions.colours import rgb
+from orishell.conventions.errors import InputError
 from orishell.design import PanelBuild
-from orishell.errors import InputError
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
 from orishell.io.settings import DEFAULT_SETTINGS

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats.obj import write_obj
 from orishell.io.settings import Settings
 

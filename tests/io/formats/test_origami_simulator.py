@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, folded_only
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats.origami_simulator import write_origami_simulator
 from orishell.io.settings import Settings
 

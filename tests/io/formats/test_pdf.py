@@ -13,8 +13,8 @@ from pypdf import PageObject, PdfReader
 from pypdf.generic import ContentStream
 
 from documents import FAMILIES, demo_document, folded_only
+from orishell.conventions.errors import InputError
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats.pdf import write_pdf
 from orishell.io.settings import Settings
 from orishell.workshop import Workshop

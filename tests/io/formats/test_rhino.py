@@ -14,7 +14,7 @@ from documents import FAMILIES, demo_document, flat_only, folded_only
 from orishell.document import Document
 from orishell.io.formats.rhino import write_rhino
 from orishell.io.settings import Settings
-from orishell.sheet.mesh import build_mesh
+from orishell.motion.mesh import build_mesh
 
 DEMO = demo_document()
 Objects = dict[str, dict[str, Any]]

@@ -10,9 +10,9 @@ import pytest
 
 from cad_tools import ask_freecad, require_build123d
 from documents import demo_document, thick_document
+from orishell.conventions.errors import InputError
 from orishell.design import Construction
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats import step
 from orishell.io.formats.step import write_step
 from orishell.io.settings import Settings

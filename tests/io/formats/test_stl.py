@@ -13,7 +13,7 @@ from documents import FAMILIES, demo_document, flat_only, folded_only
 from orishell.document import Document
 from orishell.io.formats.stl import HEADER_LENGTH, write_stl
 from orishell.io.settings import Settings
-from orishell.sheet.mesh import build_mesh
+from orishell.motion.mesh import build_mesh
 
 DEMO = demo_document()
 FACET = np.dtype([("normal", "<f4", (3,)), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])

@@ -9,12 +9,12 @@ from svgelements import SVG, Circle, Group, Shape, SimpleLine
 from svgelements import Path as SvgPath
 
 from documents import FAMILIES, demo_document
+from orishell.conventions.errors import InputError
 from orishell.conventions.units import MILLIMETRES
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats.svg import write_svg
 from orishell.io.settings import Settings
-from orishell.sheet.polygons import signed_areas
+from orishell.motion.quads import signed_areas
 from orishell.workshop import DEFAULT, Workshop
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.sheets import draw_sheets

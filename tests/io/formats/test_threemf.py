@@ -12,9 +12,9 @@ import pytest
 
 from cad_tools import ask_prusa_slicer, objects_of, read_3mf
 from documents import FAMILIES, demo_document, thick_document
+from orishell.conventions.errors import InputError
 from orishell.design import Construction
 from orishell.document import Document
-from orishell.errors import InputError
 from orishell.io.formats import threemf
 from orishell.io.formats.threemf import write_3mf
 from orishell.io.settings import Settings

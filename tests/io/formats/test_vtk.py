@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from documents import FAMILIES, demo_document, flat_only, folded_only, loaded_document
+from orishell.conventions.errors import InputError
 from orishell.document import Document, DocumentState
-from orishell.errors import InputError
 from orishell.io.formats.vtk import write_vtk
 from orishell.io.settings import Settings
 

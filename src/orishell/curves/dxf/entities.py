@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.curves.pieces import Affine, Arc, Piece, bulge_arc, circular_arc, nurbs, polyline
-from orishell.errors import InputError
 from orishell.numerics.arrays import Array
 
 if TYPE_CHECKING:

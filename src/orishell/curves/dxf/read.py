@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves.candidates import name_parts
 from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
 from orishell.curves.files import read_source
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Piece
-from orishell.errors import CurveError, InputError
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

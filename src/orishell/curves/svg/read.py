@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.conventions.errors import CurveError, InputError
 from orishell.conventions.units import conversion
 from orishell.curves.candidates import name_parts
 from orishell.curves.joining import Chain, join_pieces
@@ -24,7 +25,6 @@ from orishell.curves.svg.values import (
     parse_transform,
     parse_view_box,
 )
-from orishell.errors import CurveError, InputError
 from orishell.numerics.arrays import Array
 
 UPWARDS = Affine.of(1, 0, 0, -1, 0, 0)

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from orishell.conventions.errors import InputError
 from orishell.curves.files import read_source
-from orishell.errors import InputError
 
 MAX_ELEMENTS = 200_000
 MAX_DEPTH = 200

@@ -9,8 +9,8 @@ from typing import Final
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.curves.pieces import Affine
-from orishell.errors import InputError
 
 NUMBER: Final = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 PIXELS: Final = {

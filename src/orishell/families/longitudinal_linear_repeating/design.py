@@ -13,11 +13,11 @@ from pydantic import Field
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.arguments import checked
+from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.record import record
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.errors import DesignError, InputError, Remedy
 from orishell.families.candidates import fewer, sizes
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,

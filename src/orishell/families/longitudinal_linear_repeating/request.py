@@ -8,10 +8,10 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design import Parameter
-from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (

@@ -21,8 +21,8 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     RowKind,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import EdgeLengths
+from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array
-from orishell.sheet.quads import dots, lengths
 
 
 @record

@@ -7,8 +7,8 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer, values
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,

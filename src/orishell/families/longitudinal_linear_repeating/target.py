@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Trace, run_along_axis
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import part
 from orishell.numerics.arrays import Array
 from orishell.polylines.plane import extent_across

@@ -7,10 +7,10 @@ from itertools import chain, pairwise
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError
 from orishell.curves import Curve, trace_curve
-from orishell.errors import DesignError
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SHARES,
     auto_sectors,

@@ -8,10 +8,10 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import fewer
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     choose_auto,
@@ -49,7 +49,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.lengths import
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.parameters import Auto
 from orishell.motion import require_resolution
-from orishell.sheet.grid import UNFOLDED
+from orishell.motion.grid import UNFOLDED
 
 LEVEL = 1e-9
 """Rows beside the middle one are level with it below this share of the sheet's size."""

@@ -51,10 +51,10 @@ from orishell.families.orthodiagonal.column_shape import column_and_spread, squa
 from orishell.families.orthodiagonal.columns import Columns, running
 from orishell.families.vertex import row_fold_angle
 from orishell.motion import mechanism_in_one_line
+from orishell.motion.grid import CreaseValues
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Complex, Integers
 from orishell.polylines import alternating
-from orishell.sheet.grid import CreaseValues
 
 
 @record

@@ -8,10 +8,10 @@ from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
 
+from orishell.conventions.errors import Remedy
 from orishell.conventions.table import Number
 from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
-from orishell.errors import Remedy
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
 from orishell.families.orthodiagonal.profile import zigzag_distance
 from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind

@@ -8,10 +8,10 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Trace, remembered
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import values
 from orishell.families.parameters import Auto
 from orishell.numerics.arrays import Array

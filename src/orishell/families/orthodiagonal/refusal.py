@@ -8,11 +8,11 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import as_typed, in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import FARTHER, angles, part, sizes, values
 from orishell.families.orthodiagonal.headings import (
     SMALLEST_EPS,

@@ -8,11 +8,11 @@ from typing import Any, Literal
 import numpy as np
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.design import Parameter
-from orishell.errors import DesignError, Remedy
 from orishell.families.parameters import Auto
 from orishell.families.staircases import Followed
 from orishell.numerics.arrays import Array

@@ -41,9 +41,9 @@ from orishell.families.parallel_repeating.columns import Columns, interleaved, r
 from orishell.families.parallel_repeating.distances import squared_distances
 from orishell.families.vertex import column_fold_angle, row_fold_angle
 from orishell.motion import mechanism_in_one_line
+from orishell.motion.grid import CreaseValues
 from orishell.numerics import Enclosure
 from orishell.numerics.arrays import Array, Complex, Integers
-from orishell.sheet.grid import CreaseValues
 
 
 @record

@@ -9,11 +9,11 @@ from typing import Annotated, Any, ClassVar, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design, FlapSide
-from orishell.errors import Remedy
 from orishell.families.parallel_repeating.design import (
     PLANE,
     THETA,

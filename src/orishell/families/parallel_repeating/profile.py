@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import Remedy
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
-from orishell.errors import Remedy
 from orishell.families.parameters import Auto
 from orishell.families.staircases import Followed
 from orishell.polylines import (

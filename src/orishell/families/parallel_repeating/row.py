@@ -8,10 +8,10 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves import Trace
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers

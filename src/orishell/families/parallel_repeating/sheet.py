@@ -8,9 +8,9 @@ from itertools import chain
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve
-from orishell.errors import DesignError, Remedy
 from orishell.families.candidates import angles, fewer, part, sizes, values
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.motion import RESOLUTION

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
-from orishell.errors import InputError
 from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.numerics.arrays import Array, Integers

@@ -16,8 +16,8 @@ from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, single
 from orishell.io.poses import find_frames, quaternions
 from orishell.io.settings import Settings
 from orishell.io.triangles import TRIANGLES, find_splits
+from orishell.motion.quads import longer_diagonals
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.quads import longer_diagonals
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""

@@ -17,8 +17,8 @@ from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.settings import Settings
 from orishell.io.solids import SolidMesh, mesh_of, solids_in
+from orishell.motion.quads import reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.sheet.quads import reflex_corners, unit_normals
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.outline import find_outlines
 

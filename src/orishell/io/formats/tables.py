@@ -13,7 +13,7 @@ from orishell.document import Document
 from orishell.io.csv_file import write_csv
 from orishell.io.format import Format
 from orishell.io.settings import Settings
-from orishell.sheet.boards import SIDES
+from orishell.motion.boards import SIDES
 from orishell.workshop import Workshop
 from orishell.workshop.board_parts import board_parts, nest_boards
 from orishell.workshop.clipped import with_clipped

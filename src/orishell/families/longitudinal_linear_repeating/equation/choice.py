@@ -8,8 +8,8 @@ from typing import TypeVar
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
-from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.equation.sectors import NAMES, Sectors
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
     ROUNDING,

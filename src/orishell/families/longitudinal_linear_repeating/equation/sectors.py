@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.numerics.arrays import Array
 
 NAMES = ("alpha", "beta", "gamma", "delta")

@@ -38,8 +38,8 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import EdgeLengths
 from orishell.motion import mechanism_in_one_line
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans
-from orishell.sheet.grid import CreaseValues, Grid
 
 
 @record

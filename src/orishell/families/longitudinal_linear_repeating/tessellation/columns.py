@@ -15,8 +15,8 @@ from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.record import record
-from orishell.errors import DesignError, Remedy
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
     Solution,
     Version,

@@ -1,6 +1,6 @@
 """One form for every message."""
 
-from orishell.errors import DesignError, FormulaError, InputError, Remedy, printable
+from orishell.conventions.errors import DesignError, FormulaError, InputError, Remedy, printable
 
 
 def test_input_error_says_all_it_knows() -> None:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.quads import longer_diagonals, signed_areas, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.polygons import signed_areas
-from orishell.sheet.quads import longer_diagonals, unit_normals
 
 COINCIDING = 1e-6
 """Corners of an outline that are nearer to each other than this share of the board are one."""

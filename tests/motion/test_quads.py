@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from orishell.sheet.quads import (
+from orishell.motion.quads import (
     area_vectors,
     corner_distances,
     diagonal_gaps,

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from orishell.errors import InputError
+from orishell.conventions.errors import InputError
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import measure_fold_angles
-from orishell.sheet.grid import Grid
-from orishell.sheet.mesh import build_mesh, measure_mesh_folds, measure_sector_sums
-from orishell.sheet.quads import reflex_corners
+from orishell.motion.grid import Grid
+from orishell.motion.mesh import build_mesh, measure_mesh_folds, measure_sector_sums
+from orishell.motion.quads import reflex_corners
 from strategies import graph
 
 

@@ -1,4 +1,4 @@
-"""Quadrilateral panels by their corners (..., 4, 3), in order around each panel."""
+"""Quadrilateral panels by their corners (..., 4, 3), and polygons of the flat sheet."""
 
 from __future__ import annotations
 
@@ -143,3 +143,17 @@ def grid_corners(positions: Array) -> Array:
     return np.stack(
         [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
     )
+
+
+def signed_areas(corners: Array) -> Array:
+    """Areas (...) of polygons, positive if they go round counter-clockwise.
+
+    Parameters
+    ----------
+    corners
+        Corners (..., k, 2) of every polygon in order around it.
+    """
+    local = corners - corners[..., :1, :]
+    after = np.roll(local, -1, axis=-2)
+    cross = local[..., 0] * after[..., 1] - local[..., 1] * after[..., 0]
+    return np.asarray(0.5 * cross.sum(axis=-1))

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
-from orishell.errors import InputError
+from orishell.motion.quads import sector_angles, unit_normals
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.sheet.quads import sector_angles, unit_normals
 
 REVERSED = [0, 3, 2, 1]
 """Corners of a panel the other way round, the same one first."""

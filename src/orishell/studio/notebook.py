@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.design import Design
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
-from orishell.errors import InputError
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.make import Shell

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from cad_tools import closed_volume
 from documents import FAMILIES, thick_document
 from orishell.design import Construction, PanelBuild
-from orishell.sheet.boards import Boards
-from orishell.sheet.grid import CreaseValues, Grid
+from orishell.motion.boards import Boards
+from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards
 from samples import examples
 

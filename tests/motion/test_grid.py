@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from orishell.sheet.grid import CreaseValues, Grid, crease_signs, edges_assignment
+from orishell.motion.grid import CreaseValues, Grid, crease_signs, edges_assignment
 
 
 @given(st.integers(2, 9), st.integers(2, 9))
