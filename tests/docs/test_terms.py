@@ -15,12 +15,10 @@ import typer
 
 import orishell
 from orishell.cli.main import app
+from orishell.deployment import Deployment
 from orishell.design_file import read_design_file, starter_file
-from orishell.design_file.deployment import DeploymentTable
-from orishell.design_file.load_case import LoadCaseTable, SnowTable, WindTable
 from orishell.design_file.panel import PanelTable, SetbackTable
-from orishell.design_file.search import SearchTable
-from orishell.design_file.structure import StructureTable, SupportTable
+from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
 from orishell.search.figures import NAMES
 from orishell.shell.case_report import (
@@ -48,6 +46,7 @@ from orishell.shell.structure_report import (
     StructureReport,
     SupportReport,
 )
+from orishell.structure.settings import LoadCase, Snow, StructureTable, Support, Wind
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
@@ -230,7 +229,7 @@ def fields_in_table(title: str, name: str = "pack-and-deploy") -> set[str]:
 
 
 def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
-    keys = {field.alias or name for name, field in DeploymentTable.model_fields.items()}
+    keys = {field.alias or name for name, field in Deployment.model_fields.items()}
     assert fields_in_table("[deployment]") >= keys
     assert fields_in_table("`deployment` in the report") == {
         field.name for field in dataclasses.fields(DeploymentReport)
@@ -269,10 +268,10 @@ PARTS_OF_STRUCTURE = (
 
 def test_the_guide_explains_every_key_and_field_of_structure() -> None:
     assert fields_in_table("[structure]", "structure") == {
-        *StructureTable.model_fields, *SupportTable.model_fields,
+        *StructureTable.model_fields, *Support.model_fields,
     }  # fmt: skip
-    keys = set(LoadCaseTable.model_fields)
-    for table in (SnowTable, WindTable):
+    keys = set(LoadCase.model_fields)
+    for table in (Snow, Wind):
         keys |= set(table.model_fields)
     assert fields_in_table("[[load_case]]", "structure") == keys
     page = (ROOT / "docs" / "guide" / "structure.md").read_text(encoding="utf-8")
@@ -282,4 +281,4 @@ def test_the_guide_explains_every_key_and_field_of_structure() -> None:
 
 
 def test_the_guide_explains_every_key_and_figure_of_a_search() -> None:
-    assert fields_in_table("[search]", "searching") == {*SearchTable.model_fields, *NAMES}
+    assert fields_in_table("[search]", "searching") == {*Search.model_fields, *NAMES}

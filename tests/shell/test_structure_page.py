@@ -145,7 +145,7 @@ def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
-    plain = replace(STRUCTURE, strength=None, crease_strength=None, tie_strength=None)
+    plain = STRUCTURE.having(strength=None, crease_strength=None, tie_strength=None)
     text = words(page(describe_structure(plain, analysed(), None)))
     assert "of panels and creases and ties no strength is given" in text
     assert "Buckling governs" in text

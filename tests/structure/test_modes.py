@@ -26,6 +26,8 @@ from orishell.structure.vibration import find_frequencies
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
 
+PINNED = Support(at="feet", kind="pinned")
+
 
 def designed(name: str, rows: int, columns: int) -> Design:
     file = read_design_file(EXAMPLES / f"{name}.toml")
@@ -69,7 +71,13 @@ def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
     feet = find_feet(design)
     assert feet is not None
     ties = tuple(feet_ties(design.mechanism, feet.rows))
-    structure = Structure(1e9, 0.3, (Support("feet", "friction"),), (), thickness=0.01)
+    structure = Structure(
+        modulus=1e9,
+        poisson=0.3,
+        supports=(PINNED,),
+        cases=(),
+        thickness=0.01,
+    ).having(supports=(PINNED.having(kind="friction"),))
     model = Model(design, structure, Frame("m", feet.rows, ties, 1.0, None), 2, 0.0)
     count = len(ties) + len(model.flaps())
     assert count > len(ties)

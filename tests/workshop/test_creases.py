@@ -43,7 +43,7 @@ def board(rows: int, columns: int, size: float = 1.0) -> Document:
 
 
 def lines_of(document: Document, **settings: Any) -> tuple[Line, ...]:
-    workshop = replace(Workshop(), **settings)
+    workshop = Workshop(**settings)
     return crease_lines(document, whole_sheet(document), workshop)
 
 

@@ -18,7 +18,7 @@ from orishell.workshop.title_block import round_length
 def drawn(family: str, unit: str = "m", factor: float = 1.0, **settings: Any) -> Drawing:
     document = demo_document(family)
     document = replace(document, unit=unit, flat=factor * document.require_flat())
-    workshop = replace(Workshop(), **settings)
+    workshop = Workshop(**settings)
     return draw_part(document, whole_sheet(document), workshop)
 
 

@@ -1,5 +1,3 @@
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from shapely import MultiPolygon, Point, Polygon, affinity, box
@@ -29,7 +27,7 @@ def panels(document: Document) -> list[Polygon]:
 
 
 def labels(document: Document, kind: Labels, part: Part | None = None) -> tuple[Text, ...]:
-    workshop = replace(Workshop(), labels=kind)
+    workshop = Workshop(labels=kind)
     return part_labels(document, part or whole_sheet(document), workshop)
 
 

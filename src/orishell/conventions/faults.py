@@ -116,7 +116,7 @@ def _fault(
 
 def _remedy(kind: str, got: Any) -> str:
     """What to write, where a number is a text or has a decimal comma, or a list is one table."""
-    if kind == "list_type" and isinstance(got, dict):
+    if kind in ("list_type", "tuple_type") and isinstance(got, dict):
         return "write the table's name in double brackets, [[...]]: there may be several of it"
     if isinstance(got, str) and kind in NUMBERS and NUMBER.fullmatch(got):
         return f"write {got.replace(',', '.')} without quotes"
@@ -133,6 +133,7 @@ _EXPECTED = {
     "string_type": "a text",
     "bool_type": "true or false",
     "list_type": "a list, in brackets",
+    "tuple_type": "a list, in brackets",
     "dict_type": "a table",
     "model_type": "a table",
     "model_attributes_type": "a table",
@@ -157,5 +158,5 @@ def _expected(details: ErrorDetails) -> str:
 
 
 def _shown(value: Any) -> str:
-    text = repr(value)
+    text = repr(list(value) if isinstance(value, tuple) else value)
     return text if len(text) <= 60 else text[:57] + "..."

@@ -228,7 +228,7 @@ def _checked(
     panel = file.panel.settings()
     try:
         structure = structure_of(file.structure, file.load_case, panel)
-        workshop = file.workshop.settings(directory)
+        workshop = file.workshop.beside(directory)
         target = known
         if target is None and file.target is not None:
             target = file.target.curves(directory, file.shell.unit)
@@ -240,15 +240,15 @@ def _checked(
         unit=file.shell.unit,
         target=target,
         pattern=pattern,
-        tolerance=None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
+        tolerance=file.tolerance,
         frames=file.motion.frames,
         contact_tolerance=file.motion.contact_tolerance,
         workshop=workshop,
         ground=file.shell.ground,
-        deployment=file.deployment.settings(),
+        deployment=file.deployment,
         panel=panel,
         structure=structure,
-        search=None if file.search is None else file.search.settings(),
+        search=file.search,
         tables=raw,
         files=files,
     )

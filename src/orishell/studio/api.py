@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Any, Literal, NotRequired, TypedDict
 
+from orishell.conventions.knob import Kind, Measure
 from orishell.document import FirstContact
-from orishell.families.parameters import Kind, Measure
 from orishell.io.view import Curves
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
