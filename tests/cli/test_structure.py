@@ -14,7 +14,7 @@ from orishell.cli.structure_summary import brief_structure, summarize_structure
 from orishell.conventions.errors import InputError
 from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
-from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.report import StructureReport, describe_structure
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

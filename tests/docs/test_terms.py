@@ -20,8 +20,16 @@ from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.panel import PanelTable, SetbackTable
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
+from orishell.locking.panel_report import MeetingReport, PanelReport
+from orishell.locking.report import PathReport
 from orishell.search.figures import NAMES
-from orishell.shell.case_report import (
+from orishell.shell.deployment_report import (
+    DeploymentReport,
+    PackedReport,
+    TieReport,
+    WeightReport,
+)
+from orishell.structure.case_report import (
     CaseReport,
     CreaseReport,
     DisplacementReport,
@@ -32,15 +40,7 @@ from orishell.shell.case_report import (
     StressReport,
     UtilisationReport,
 )
-from orishell.shell.deployment_report import (
-    DeploymentReport,
-    PackedReport,
-    TieReport,
-    WeightReport,
-)
-from orishell.shell.lock_report import PathReport
-from orishell.shell.panel_report import MeetingReport, PanelReport
-from orishell.shell.structure_report import (
+from orishell.structure.report import (
     GoverningReport,
     ModelReport,
     StructureReport,

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from orishell.curves import Curve, curve_from_points
+from orishell.deployment.feet import find_feet
 from orishell.design import Design, PanelBuild
 from orishell.design_file import read_design_file
 from orishell.deviation import locked_shell
@@ -30,7 +31,6 @@ from orishell.shell.caveats import (
 )
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
-from orishell.shell.standing import find_feet
 from orishell.workshop import Workshop
 from strategies import graph, pair
 

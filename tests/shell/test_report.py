@@ -11,9 +11,9 @@ from orishell.cli.summary import summarize
 from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import check_design, read_design_file
 from orishell.locking import find_lock
+from orishell.locking.report import describe_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
-from orishell.shell.lock_report import describe_lock
 from orishell.shell.parts import MEASURES, PARTS, Part
 from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.workshop import Workshop

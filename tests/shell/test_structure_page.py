@@ -17,10 +17,10 @@ from analysed import STRUCTURE, analysed
 from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
-from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_files import write_structure_files
-from orishell.shell.structure_page import structure_page
-from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.build_warnings import name_of
+from orishell.structure.files import write_structure_files
+from orishell.structure.page import structure_page
+from orishell.structure.report import StructureReport, describe_structure
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

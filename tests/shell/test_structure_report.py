@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
-from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.report import StructureReport, describe_structure
 from orishell.structure.results import CaseResult, FreeMotion
 from orishell.structure.settings import NO_CODE, LoadCase
 

@@ -10,9 +10,9 @@ import pytest
 from scipy.spatial import cKDTree
 
 from orishell.deployment import feet_ties
+from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
-from orishell.shell.standing import find_feet
 from orishell.structure.analyse import analyse
 from orishell.structure.model import Frame
 from orishell.structure.results import Analysis

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
-from orishell.shell.standing import find_feet
 from orishell.structure.analyse import analyse
 from orishell.structure.model import Frame
 from orishell.structure.settings import LoadCase, Structure, Support

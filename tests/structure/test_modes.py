@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from orishell.deployment import feet_ties
+from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.shell.standing import find_feet
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import hold
 from orishell.structure.inverse import Inverse

@@ -16,9 +16,9 @@ import pytest
 
 from orishell.conventions.units import GRAVITY
 from orishell.deployment import feet_ties, measure_weight
+from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
-from orishell.shell.standing import find_feet
 from orishell.structure.acting import respond
 from orishell.structure.loads import case_forces
 from orishell.structure.model import Frame, Model

@@ -1,6 +1,6 @@
 """Lengths, areas and mass against sums over panels, one by one."""
 
-from dataclasses import astuple, replace
+from dataclasses import asdict, astuple, replace
 
 import pytest
 

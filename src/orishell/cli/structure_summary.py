@@ -10,8 +10,8 @@ from orishell.cli.files import shortened
 from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
-    from orishell.shell.case_report import CaseReport, StandingReport, Vector
-    from orishell.shell.structure_report import ModelReport, StructureReport
+    from orishell.structure.case_report import CaseReport, StandingReport, Vector
+    from orishell.structure.report import ModelReport, StructureReport
 
 GOVERNING = {
     "panels": "the stress in panels, {percent} % of what they bear",
@@ -26,7 +26,7 @@ ROUNDING = 1e-6
 
 def summarize_structure(report: StructureReport, unit: str, written: list[Path]) -> Iterator[str]:
     """Lines that say what was analysed and found, and which files were written."""
-    from orishell.shell.structure_caveats import name_of
+    from orishell.structure.build_warnings import name_of
 
     yield from _model(report.model, unit)
     for each in {case.name: case for case in report.cases}.values():
@@ -41,7 +41,7 @@ def summarize_structure(report: StructureReport, unit: str, written: list[Path])
 
 def brief_structure(report: StructureReport, unit: str) -> Iterator[str]:
     """A line for every load case, and what governs."""
-    from orishell.shell.structure_caveats import name_of
+    from orishell.structure.build_warnings import name_of
 
     for case in report.cases:
         found = case.moves or f"stands, {_displacement(case.stands, unit)}"

@@ -46,6 +46,7 @@ def first_fault(
     found = [
         (_key_path(raw, (*inside, *details["loc"]), details["type"]), details)
         for details in error.errors()
+        if details["type"] != "default_factory_not_called"  # what it lacks is a fault itself
     ]
     places = {location for location, _ in found}
     faults: dict[Location, list[ErrorDetails]] = {}

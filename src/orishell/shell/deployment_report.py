@@ -21,13 +21,13 @@ from orishell.deployment import (
     find_ties,
     measure_weight,
 )
+from orishell.deployment.feet import Feet
 from orishell.design import Design, PanelBuild
 from orishell.design_file import DesignFile
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
 from orishell.motion.grid import VertexPair
 from orishell.shell.parts import Part
-from orishell.shell.standing import Feet
 from orishell.solids import Built, largest_thickness
 
 PACKS = 9

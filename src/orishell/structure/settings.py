@@ -41,9 +41,9 @@ Positive = Annotated[Number, Field(ge=1e-12, le=1e15)]
 
 def _as_range(given: Any) -> tuple[float, float]:
     """The least and the largest stiffness of creases."""
-    words: dict[Any, Any] = {"free": 0.0, "rigid": math.inf}
+    words = {"free": 0.0, "rigid": math.inf}
     both = given if isinstance(given, tuple) else (given, given)
-    least, most = (words.get(each, each) for each in both)
+    least, most = (words[each] if isinstance(each, str) else each for each in both)
     if least > most:
         raise PydanticCustomError(
             "stiffness_range", "the least stiffness first, then the largest", {"got": given}

@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import Literal
 
 from orishell.conventions.record import record
+from orishell.locking.report import Panel
 from orishell.motion.grid import Vertex, VertexPair
-from orishell.shell.lock_report import Panel
 from orishell.structure.loads import LoadKind
 
 Vector = tuple[float, float, float]

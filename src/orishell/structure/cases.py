@@ -9,9 +9,11 @@ import numpy as np
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.units import GRAVITY, conversion
+from orishell.locking.report import Panel
 from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
-from orishell.shell.case_report import (
+from orishell.structure.build_warnings import motion_in_words
+from orishell.structure.case_report import (
     CaseReport,
     CreaseReport,
     DisplacementReport,
@@ -25,8 +27,6 @@ from orishell.shell.case_report import (
     UtilisationReport,
     Vector,
 )
-from orishell.shell.lock_report import Panel
-from orishell.shell.structure_caveats import motion_in_words
 from orishell.structure.exposure import Exposure
 from orishell.structure.loads import Load, case_loads, cylinder_coefficient
 from orishell.structure.results import Analysis, CaseResult

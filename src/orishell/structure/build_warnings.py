@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import plain
-from orishell.shell.case_report import CaseReport, StandingReport
+from orishell.structure.case_report import CaseReport, StandingReport
 from orishell.structure.results import FreeMotion, Hold
 from orishell.structure.settings import LoadCase, Structure
 

@@ -8,9 +8,9 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.design import PanelBuild
 from orishell.motion.grid import Vertex
-from orishell.shell.case_report import CaseReport, Part, Stiffness
-from orishell.shell.structure_cases import describe_case, height_of, stiffness_in_words
-from orishell.shell.structure_caveats import NOT_COVERED, warn_of_structure
+from orishell.structure.build_warnings import NOT_COVERED, warn_of_structure
+from orishell.structure.case_report import CaseReport, Part, Stiffness
+from orishell.structure.cases import describe_case, height_of, stiffness_in_words
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Place, Structure, SupportKind
 

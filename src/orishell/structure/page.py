@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.static_page import bullets, heading, paragraph, picture, static_page, table
-from orishell.shell.case_report import CaseReport, PairReport, StandingReport, Vector
-from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_model_page import model_parts
-from orishell.shell.structure_report import StructureReport
+from orishell.structure.build_warnings import name_of
+from orishell.structure.case_report import CaseReport, PairReport, StandingReport, Vector
+from orishell.structure.model_page import model_parts
+from orishell.structure.report import StructureReport
 
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""

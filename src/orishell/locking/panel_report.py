@@ -8,7 +8,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design import Construction, Design
 from orishell.locking import Lock
-from orishell.shell.lock_report import PathReport, describe_path
+from orishell.locking.report import PathReport, describe_path
 from orishell.solids import Built, find_meetings, find_set_backs
 
 
