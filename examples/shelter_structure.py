@@ -110,7 +110,7 @@ def on_the_ground(shell: Shell, friction: float) -> Analysis:
     structure = shell.file.structure.having(
         cases=(*(case for case in loads if case.name != "winter"), snow),
         crease_stiffness=(inf, inf),
-        supports=(Support(at="feet", kind="friction", friction=friction),),
+        supports=(Support(at="feet", kind="friction", friction=1.0).having(friction=friction),),
     )
     return analyse_structure(shell, structure)
 
