@@ -16,8 +16,8 @@ import typer
 import orishell
 from orishell.cli.main import app
 from orishell.deployment import Deployment
+from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
-from orishell.design_file.panel import PanelTable, SetbackTable
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
 from orishell.locking.panel_report import MeetingReport, PanelReport
@@ -241,8 +241,8 @@ def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
 
 
 def test_the_guide_explains_every_key_and_field_of_panels() -> None:
-    keys = set(PanelTable.model_fields) - {"largest_setback"}
-    keys |= {f"largest_setback.{name}" for name in SetbackTable.model_fields}
+    keys = set(PanelSpec.model_fields) - {"largest_setback"}
+    keys |= {f"largest_setback.{name}" for name in Setback.model_fields}
     assert fields_in_table("[panel]", "thickness") == keys
     fields = {field.name for field in dataclasses.fields(PanelReport)}
     for name, part in (("meeting", MeetingReport), ("path", PathReport)):

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
 from orishell.curves import curve_from_formulas, parse_formula
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
@@ -81,12 +81,14 @@ def with_panels(design: Design, draw: st.DataObject) -> Design:
     size = float(np.ptp(mechanism.positions(0.0), axis=(0, 1)).max())
     thickness = draw.draw(st.floats(0.05, 0.9)) * min(most, 0.1 * size)
     if draw.draw(st.booleans()):
-        build = PanelBuild(thickness, membrane=0.05 * thickness)
+        build = PanelSpec(thickness=thickness, membrane=0.05 * thickness)
     else:
-        build = PanelBuild(thickness, "bevel", gap=draw.draw(st.floats(0.05, 0.3)) * thickness)
-    return replace(
-        design, panel=replace(build, reach=draw.draw(st.sampled_from(["target", "pack"])))
-    )
+        build = PanelSpec(
+            thickness=thickness,
+            construction="bevel",
+            gap=draw.draw(st.floats(0.05, 0.3)) * thickness,
+        )
+    return replace(design, panel=build, opens_from_pack=draw.draw(st.booleans()))
 
 
 def check(design: Design) -> Lock:

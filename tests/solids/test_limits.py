@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, Grid
@@ -129,7 +129,7 @@ def test_flaps_that_fold_flat_limit_nothing(figure: int) -> None:
     """They carry no boards where they close; what limits the motion is what does without them."""
     file = read_design_file(SHELTER.with_name(f"figure{figure}.toml"))
     sheet = file.pattern.design(file.f, file.g).mechanism
-    build = PanelBuild(0.01, membrane=1e-3)
+    build = PanelSpec(thickness=0.01, membrane=1e-3)
     room = find_room(sheet, build)
     assert not room.on_flap
     assert 0 < room.thickness <= find_room(sheet.without_flaps(), build).thickness * (1 + 1e-12)

@@ -62,4 +62,5 @@ class Table(BaseModel):
 
     def having(self, **values: Any) -> Self:
         """The table with other values, which nobody checks."""
+        assert values.keys() <= type(self).model_fields.keys()
         return self.model_copy(update=values)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from orishell.conventions.errors import InputError
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.structure.settings import OWN_WEIGHT, LoadCase, Structure, StructureTable
 
 
 def structure_of(
-    table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelBuild | None
+    table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelSpec | None
 ) -> Structure | None:
     """The structure that a design file asks for; None without the table.
 
@@ -59,7 +59,7 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
                 )
 
 
-def _require_one_thickness(table: StructureTable, panel: PanelBuild | None) -> None:
+def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> None:
     if panel is None and table.thickness is None:
         raise InputError(
             "the thickness of panels is not known",

@@ -12,7 +12,7 @@ from orishell.conventions.faults import Location
 from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.units import Unit
 from orishell.deployment import FROM_FLAT, Deployment
-from orishell.design_file.panel import PanelTable
+from orishell.design import PanelSpec
 from orishell.design_file.search import Search
 from orishell.design_file.target import Targets
 from orishell.families.pattern import Tolerance
@@ -49,7 +49,7 @@ class FileTable(Table):
     tolerance: Tolerance | None = None
     motion: MotionTable = MotionTable()
     deployment: Deployment = FROM_FLAT
-    panel: PanelTable = PanelTable()
+    panel: PanelSpec = PanelSpec()
     structure: StructureTable | None = None
     load_case: Several[LoadCase] = ()
     workshop: Workshop = DEFAULT

@@ -22,7 +22,7 @@ from orishell.deployment import (
     measure_weight,
 )
 from orishell.deployment.feet import Feet
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
@@ -229,7 +229,7 @@ def _thickness(design: Design) -> float:
 
 
 def _largest_thickness(design: Design) -> float | None:
-    flapped, build = design.clipped or design.mechanism, design.panel or PanelBuild(0.0)
+    flapped, build = design.clipped or design.mechanism, design.panel or PanelSpec(thickness=0.0)
     most = largest_thickness(flapped, build)
     return most if np.isfinite(most) else None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans
@@ -15,7 +15,7 @@ from orishell.solids.setbacks import find_set_backs
 def build_boards(
     flat: Array,
     grid: Grid,
-    build: PanelBuild,
+    build: PanelSpec,
     folds: CreaseValues,
     reliefs: Array | None = None,
 ) -> Boards:

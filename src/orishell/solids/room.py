@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import rounded, rounded_down
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
@@ -45,7 +45,7 @@ COARSE, SURELY = 1e-3, 0.99
 """Accuracy of the widest gap, and the share of it that is offered."""
 
 
-def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
+def find_room(mechanism: Mechanism, build: PanelSpec) -> Room:
     """How thick the panels of a sheet with its flaps, folded or clipped on, may be at its target.
 
     Flaps whose creases fold flat carry no boards there, and are left out.
@@ -69,7 +69,7 @@ def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
     return Room(most, _crease(panel, way, np.abs(folds.on_edges()), grid), bool(of_flaps[panel]))
 
 
-def room_for(build: PanelBuild, most: float) -> str:
+def room_for(build: PanelSpec, most: float) -> str:
     """How thick panels may be at most, rounded down, and how thick they are, in words.
 
     Parameters
@@ -81,7 +81,7 @@ def room_for(build: PanelBuild, most: float) -> str:
     return f"set-backs leave room for {limit:g} at most, and panels are {build.thickness:.4g} thick"
 
 
-def thinner(build: PanelBuild, most: float) -> list[Remedy]:
+def thinner(build: PanelSpec, most: float) -> list[Remedy]:
     """Changes to panels that are thinner than a largest thickness; a membrane fits into them.
 
     Parameters
@@ -98,7 +98,7 @@ def thinner(build: PanelBuild, most: float) -> list[Remedy]:
     return offered
 
 
-def wide_gap(build: PanelBuild, place: str, room: Callable[[PanelBuild], float]) -> DesignError:
+def wide_gap(build: PanelSpec, place: str, room: Callable[[PanelSpec], float]) -> DesignError:
     """The refusal of a gap that alone takes more of a panel than set-backs may.
 
     Parameters
@@ -122,12 +122,12 @@ def wide_gap(build: PanelBuild, place: str, room: Callable[[PanelBuild], float])
     )
 
 
-def _widest_gap(build: PanelBuild, room: Callable[[PanelBuild], float]) -> float | None:
+def _widest_gap(build: PanelSpec, room: Callable[[PanelSpec], float]) -> float | None:
     """The widest gap with room for panels as thick as they are, or else for any; None if none."""
 
     def widest(least: float) -> float | None:
         def works(gap: float) -> bool:
-            return room(replace(build, gap=gap)) > least
+            return room(build.having(gap=gap)) > least
 
         return largest_below(works, build.gap, smallest=NARROWEST, relative=COARSE)
 
