@@ -3,7 +3,8 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { Keeper, keepUnsaved, readKept } from "../src/studio/state/kept.ts";
 import { faultOf } from "../src/studio/state/faults.ts";
 import { designOf, fragmentOf } from "../src/studio/files/link.ts";
-import { type Named, Store, type Work } from "../src/studio/state/store.ts";
+import type { Named, Work } from "../src/studio/state/named.ts";
+import { Store } from "../src/studio/state/store.ts";
 import type { Info } from "../src/studio/state/types.ts";
 
 const kept: Named = {
