@@ -164,7 +164,7 @@ test("a browser that is full, or keeps nothing, does not hold another design", (
 /** A page with a store whose unsaved work is kept in the room. */
 function opened(): Store {
   const page = { localStorage: room, setTimeout, clearTimeout, addEventListener: () => undefined, document: { addEventListener: () => undefined } };
-  const store = new Store({ families: {} } as unknown as Info, kept);
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, kept);
   keepUnsaved(store, page as unknown as Window);
   return store;
 }

@@ -13,13 +13,6 @@ if TYPE_CHECKING:
     from orishell.structure.case_report import CaseReport, StandingReport, Vector
     from orishell.structure.report import ModelReport, StructureReport
 
-GOVERNING = {
-    "panels": "the stress in panels, {percent} % of what they bear",
-    "creases": "the moment of creases, {percent} % of what they bear",
-    "ties": "the force in ties, {percent} % of what they bear",
-    "buckling": "buckling, under {factor} times the loads",
-}
-"""Words for what governs."""
 ROUNDING = 1e-6
 """Components of a vector below this share of the largest are none."""
 
@@ -125,16 +118,18 @@ def _displacement(found: StandingReport | None, unit: str) -> str:
 
 
 def _governing(report: StructureReport) -> Iterator[str]:
+    from orishell.shell.case_report import GOVERNING
+
     governs = report.governs
     if governs is None:
         return
     share = governs.utilisation
-    words = GOVERNING[governs.part].format(
-        percent=plain(100 * share, 3), factor=plain(1 / share, 3)
-    )
+    buckles = governs.part == "buckling"
+    borne = f"{plain(100 * share, 3)} % of what can be borne"
+    much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
     creases = governs.creases
     stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
-    yield f"governs   {words}: {governs.case}, {stiffness}"
+    yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
 
 
 def _used(share: float | None) -> str:

@@ -1,18 +1,6 @@
-// Words for what the workshop's settings are set to, and for the layers of its drawings.
+// Words for the layers of the workshop's drawings, and which of its settings are shown.
 
 import type { LayerPen } from "../../shared/api-types.ts";
-
-const CHOICES: Record<string, Record<string, string>> = {
-  palette: { plain: "Plain", lightburn: "LightBurn", glowforge: "Glowforge", epilog: "Epilog", shop: "Laser shop", plotter: "Plotter" },
-  creases: { score: "Scored", dashes: "Dashes", perforation: "Perforated" },
-  labels: { none: "None", panels: "Panels", creases: "Creases", both: "Panels and creases" },
-  joint: { tabs: "Tabs", strips: "Strips" },
-};
-
-/** A choice as a person reads it. */
-export function wordsOfChoice(key: string, value: string): string {
-  return CHOICES[key]?.[value] ?? value;
-}
 
 export const LAYERS: Record<LayerPen["layer"], string> = {
   CUT: "Cut",

@@ -58,7 +58,7 @@ export class Store {
     this.history = new History(workOf(first));
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
-    this.labels = new Labels(info.families, () => this.design.value.shell.family);
+    this.labels = new Labels(info.families, info.tables, () => this.design.value.shell.family);
   }
 
   get named(): Work {
