@@ -384,9 +384,10 @@ export interface Largest {
   seconds: number;
 }
 
-/** A layer of the drawings, and its colour ("#rrggbb"). */
+/** A layer of the drawings, its name in words and its colour ("#rrggbb"). */
 export interface LayerPen {
   layer: "CUT" | "MOUNTAIN" | "VALLEY" | "ENGRAVE" | "LABEL";
+  label: string;
   colour: string;
 }
 

@@ -269,9 +269,10 @@ class DrawnSheet(TypedDict):
 
 
 class LayerPen(TypedDict):
-    """A layer of the drawings, and its colour ("#rrggbb")."""
+    """A layer of the drawings, its name in words and its colour ("#rrggbb")."""
 
     layer: Layer
+    label: str
     colour: str
 
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 from orishell.studio.api import KeyWords, TableWords
 from orishell.studio.knobs import describe_workshop
+from orishell.workshop.drawing import Layer
 
 
 def describe_tables() -> dict[str, TableWords]:
@@ -114,3 +115,11 @@ WORKSHOP_CHOICES = {
     },
     "joint": {"tabs": "Tabs", "strips": "Strips"},
 }
+LAYERS: Mapping[Layer, str] = {
+    "CUT": "Cut",
+    "MOUNTAIN": "Mountain creases",
+    "VALLEY": "Valley creases",
+    "ENGRAVE": "Engraved",
+    "LABEL": "Beside the work",
+}
+"""Layers of the workshop's drawings in words."""

@@ -14,6 +14,7 @@ from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, Sheets
+from orishell.studio.labels import LAYERS
 from orishell.workshop import Workshop
 from orishell.workshop.drawing import ORDER
 from orishell.workshop.glue import has_sheet
@@ -65,7 +66,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
             drawn.update(circle.layer for circle in drawing.circles)
             drawn.update(text.layer for text in drawing.texts)
     layers: list[LayerPen] = [
-        {"layer": layer, "colour": palette.pens[layer].colour}
+        {"layer": layer, "label": LAYERS[layer], "colour": palette.pens[layer].colour}
         for layer in ORDER
         if layer in drawn and layer in palette.pens
     ]

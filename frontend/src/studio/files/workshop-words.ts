@@ -1,14 +1,4 @@
-// Words for the layers of the workshop's drawings, and which of its settings are shown.
-
-import type { LayerPen } from "../../shared/api-types.ts";
-
-export const LAYERS: Record<LayerPen["layer"], string> = {
-  CUT: "Cut",
-  MOUNTAIN: "Mountain creases",
-  VALLEY: "Valley creases",
-  ENGRAVE: "Engraved",
-  LABEL: "Beside the work",
-};
+// Which settings of the workshop are shown, and shares in words.
 
 /** Settings that say nothing while others have these values, and so are not shown. */
 export function isIdle(key: string, value: (key: string) => unknown): boolean {
