@@ -193,7 +193,10 @@ def find(path: str) -> object:
     thing = by_name.get(head) or getattr(orishell, head, None)
     assert thing is not None, f"no {head}"
     for name in tail:
-        fields = getattr(thing, "__dataclass_fields__", {})
+        fields = {
+            **getattr(thing, "__dataclass_fields__", {}),
+            **getattr(thing, "model_fields", {}),
+        }
         assert name in fields or hasattr(thing, name), f"no {name} in {path}"
         thing = getattr(thing, name, None)
     return thing

@@ -118,7 +118,7 @@ def _displacement(found: StandingReport | None, unit: str) -> str:
 
 
 def _governing(report: StructureReport) -> Iterator[str]:
-    from orishell.shell.case_report import GOVERNING
+    from orishell.structure.case_report import GOVERNING
 
     governs = report.governs
     if governs is None:
