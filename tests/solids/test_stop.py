@@ -69,7 +69,7 @@ def test_a_stop_that_is_found_is_the_least_that_works(
 ) -> None:
     mechanism = request.feasible().mechanism
     edge = float(np.median(lengths(np.diff(mechanism.positions(0.0), axis=0))))
-    build = PanelSpec(
+    build = PanelSpec().having(
         thickness=size * edge,
         membrane=0.1 * size * edge,
         gap=gap * size * edge,
@@ -164,7 +164,7 @@ def test_shells_with_boards_on_their_flaps(figure: int, clipped: bool) -> None:
     fold = np.abs(design.mechanism.fold_angles(made.lock.target).row)
     (row, column), _ = contact.panels
     assert fold[row, column] == fold[:, list(design.mechanism.flap_columns)].max()
-    assert fold[row, column] == pytest.approx(np.pi - 2 * design.panel.stop, abs=1e-14)
+    assert fold[row, column] == pytest.approx(np.pi - 2 * stop, abs=1e-14)
 
 
 def refusal(figure: int, panel: PanelSpec) -> DesignError:
