@@ -60,5 +60,5 @@ def plot_tradeoff(
     axes.set_ylabel(f"largest distance between shell and surface ({unit})")
     axes.set_title("Fewest panels for a distance from the surface")
     axes.grid(visible=True, which="both", color="#e4e4e4", linewidth=0.6)
-    axes.legend(frameon=False)
+    axes.legend(loc="upper right", frameon=False)
     figure.savefig(path, dpi=DPI, metadata={"Software": None})
