@@ -59,12 +59,9 @@ def part_name(document: Document, board: int) -> str:
 
 
 def seen_from_outside(document: Document, side: Side) -> SeenBoards:
-    """The boards of a side; those at the bottom are seen from below, mirrored about the y axis.
+    """The boards of a side: 1 top, -1 bottom, 0 solid panels (seen from above).
 
-    Parameters
-    ----------
-    side
-        1 top, -1 bottom, 0 solid panels (seen from above).
+    Those at the bottom are seen from below, mirrored about the y axis.
     """
     assert document.boards is not None
     numbers = np.flatnonzero(document.boards.sides == side)
@@ -97,14 +94,8 @@ def board_labels(
 ) -> tuple[Text, ...]:
     """Part numbers in the middle of boards, or of the places where they are glued on.
 
-    Parameters
-    ----------
-    side
-        Of the boards; those at the bottom are seen from below, mirrored about the y axis.
-    panels
-        Only boards on these panels; None for all.
-    taken
-        Width (F,) of what other labels take along the panels' edges.
+    Boards at the bottom are seen from below, mirrored about the y axis. ``panels`` leaves out
+    boards on others; ``taken`` (F,) is the width of other labels along the panels' edges.
     """
     boards = seen_from_outside(document, side)
     corners = document.require_flat()[document.mesh.faces[boards.panels]]

@@ -55,10 +55,7 @@ class Placement:
     def turned_over(self, width: float) -> Placement:
         """Where the part, mirrored about the y axis, lies when its sheet is turned over.
 
-        Parameters
-        ----------
-        width
-            Of what can be used of the sheet.
+        ``width`` is that of the sheet within its margins.
         """
         x, y = self.shift.tolist()
         return Placement(self.sheet, -self.angle, np.array([width - x, y]))
@@ -77,15 +74,7 @@ class Placement:
 
 
 def shifted(content: Content, x: float, y: float) -> Content:
-    """Lines, circles and texts by so much to the right and up.
-
-    Parameters
-    ----------
-    content
-        What is drawn.
-    x, y
-        The shift.
-    """
+    """Lines, circles and texts moved right by ``x`` and up by ``y``."""
     lines, circles, texts = content
     return (
         tuple(replace(line, points=line.points + np.array([x, y])) for line in lines),
@@ -95,15 +84,7 @@ def shifted(content: Content, x: float, y: float) -> Content:
 
 
 def turned(points: Array, angle: float) -> Array:
-    """Points (k, 2) turned about the origin.
-
-    Parameters
-    ----------
-    points
-        The points.
-    angle
-        The turn (radians, counter-clockwise).
-    """
+    """Points (k, 2) turned about the origin (radians, counter-clockwise)."""
     cosine, sine = np.cos(angle), np.sin(angle)
     return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]]))
 
@@ -117,14 +98,8 @@ def draw_stock_sheet(
 ) -> Drawing:
     """A drawing exactly of the stock's size, in the order of work: marks, creases, holes, cuts.
 
-    Parameters
-    ----------
-    parts
-        What is drawn of every part, in its own coordinates, and where it lies within the margins.
-    title
-        What stands in the margin, if there is one.
-    unit
-        Unit of length.
+    Parts are in their own coordinates, placements within the margins; the title stands in the
+    margin, if there is one.
     """
     if workshop.stock is None:
         raise AssertionError("only stock is drawn sheet by sheet")
