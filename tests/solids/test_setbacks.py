@@ -10,7 +10,7 @@ from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards, find_set_backs, largest_folds
-from orishell.solids.outlines import inset_panels
+from orishell.solids.boards import inset_panels
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 

@@ -16,7 +16,7 @@ from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import Mechanism
 from orishell.motion.quads import lengths
 from orishell.shell.make import Shell, make_shell
-from orishell.solids import find_room, find_stop
+from orishell.solids import find_stop, find_thickness_limit
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
@@ -201,7 +201,10 @@ def test_boards_too_thick_for_any_stop_are_refused(figure: int) -> None:
     works = offered(error)["panel.thickness"]
     made = shell(figure, PanelSpec(thickness=works, membrane=0.002))
     assert made.lock.cause == "flaps"
-    assert find_room(made.design.mechanism, PanelSpec().having(thickness=works)).thickness >= works
+    assert (
+        find_thickness_limit(made.design.mechanism, PanelSpec().having(thickness=works)).thickness
+        >= works
+    )
 
 
 def test_panels_thinner_than_their_membrane_are_offered_with_a_thinner_one() -> None:

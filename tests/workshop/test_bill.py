@@ -19,9 +19,9 @@ from orishell.motion.grid import Grid
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
-from orishell.workshop.bill import PanelBill, measure_panels
 from orishell.workshop.board_parts import nest_boards
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.quantities import PanelBill, measure_panels
 
 
 def two_panels() -> Document:

@@ -10,8 +10,8 @@ from orishell.conventions.units import MILLIMETRES
 from orishell.motion.mesh import build_mesh
 from orishell.motion.quads import signed_areas
 from orishell.workshop import Drawing, Line, Workshop
+from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import draw_part, part_lines
-from orishell.workshop.outline import whole_sheet
 from orishell.workshop.title_block import round_length
 
 

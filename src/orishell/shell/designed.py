@@ -13,7 +13,14 @@ from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
-from orishell.solids import drive_for_height, find_room, find_stop, room_for, thinner, wide_gap
+from orishell.solids import (
+    drive_for_height,
+    find_stop,
+    find_thickness_limit,
+    limit_in_words,
+    thinner,
+    wide_gap,
+)
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
@@ -130,18 +137,18 @@ def _require_room(design: Design) -> None:
         return
 
     sheet = design.clipped or design.mechanism
-    room = find_room(sheet, build)
+    room = find_thickness_limit(sheet, build)
     if build.thickness <= room.thickness:
         return
     place = f"at the target, {room.crease}"
-    if not room.thickness and find_room(sheet, build.having(gap=0.0)).thickness:
-        raise wide_gap(build, place, lambda other: find_room(sheet, other).thickness)
+    if not room.thickness and find_thickness_limit(sheet, build.having(gap=0.0)).thickness:
+        raise wide_gap(build, place, lambda other: find_thickness_limit(sheet, other).thickness)
     earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
     raise DesignError(
         "boards would take more of a panel than set-backs may",
         place=place,
         keys=("panel.thickness",),
-        size=room_for(build, room.thickness),
+        size=limit_in_words(build, room.thickness),
         candidates=[*earlier, *thinner(build, room.thickness)],
         excess=build.thickness / room.thickness - 1 if room.thickness else None,
     )

@@ -12,7 +12,7 @@ from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.bisection import bisect_integers
 from orishell.solids.limits import largest_height
-from orishell.solids.room import find_room, room_for, thinner, wide_gap
+from orishell.solids.thickness_limit import find_thickness_limit, limit_in_words, thinner, wide_gap
 
 STEPS = 100
 """Steps in a degree: a stop that is found is a whole number of them."""
@@ -67,7 +67,7 @@ def _no_room(mechanism: Mechanism, build: PanelSpec) -> DesignError:
         "boards on flaps would stand back too far from their creases, however early flaps stop",
         place="at the target",
         keys=("panel.thickness",),
-        size=room_for(build, most) if most else "no thickness is small enough",
+        size=limit_in_words(build, most) if most else "no thickness is small enough",
         candidates=_candidates(build, most),
         excess=build.thickness / most - 1 if most else None,
     )
@@ -85,7 +85,7 @@ def largest_thickness(mechanism: Mechanism, build: PanelSpec) -> float:
     build
         What its panels are made of; with a stop of 0 flaps carry no boards.
     """
-    most = find_room(mechanism.with_stop(0.0), build).thickness
+    most = find_thickness_limit(mechanism.with_stop(0.0), build).thickness
     if not mechanism.flap_columns or build.stop == 0:
         return most
     return min(most, 2 * _most(mechanism, _last(mechanism), build))

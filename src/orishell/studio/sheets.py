@@ -16,8 +16,8 @@ from orishell.shell.parts import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, Sheets
 from orishell.studio.labels import LAYERS
 from orishell.workshop import Workshop
+from orishell.workshop.boards import has_sheet
 from orishell.workshop.drawing import ORDER
-from orishell.workshop.glue import has_sheet
 from orishell.workshop.palettes import Palette, load_palette
 from orishell.workshop.paper_model import make_paper_model
 from orishell.workshop.sheets import draw_sheet_files, measure_waste
