@@ -20,7 +20,7 @@ from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import largest_folds, largest_height
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -125,6 +125,7 @@ def test_orthodiagonal(request: Request, data: st.DataObject) -> None:
     check(with_panels(few(request, data).feasible(), data))
 
 
+@thorough
 @generated
 @given(st.floats(0.2, 1.0), st.sampled_from([2, 3, 5]), st.integers(3, 7), st.data())
 def test_longitudinal(start: float, rows: int, columns: int, data: st.DataObject) -> None:
