@@ -41,9 +41,9 @@ def entries(count: int | None = None) -> BeforeValidator:
             value = tuple(value)
         if count is None or not isinstance(value, tuple) or len(value) == count:
             return value
-        kind, limit = ("too_short", "min") if len(value) < count else ("too_long", "max")
-        size = {"field_type": "List", "actual_length": len(value), f"{limit}_length": count}
-        raise PydanticKnownError(kind, size)  # type: ignore[arg-type]
+        few = len(value) < count
+        size = {"actual_length": len(value), "min_length" if few else "max_length": count}
+        raise PydanticKnownError("too_short" if few else "too_long", {"field_type": "List", **size})
 
     return BeforeValidator(unchangeable)
 

@@ -52,7 +52,7 @@ def designed(file: DesignFile) -> Design:
         design = design.with_clipped_flaps()
     design = _as_far_as_it_goes(design)
     _require_hinges(design, opening)
-    _require_room(design)
+    _require_thickness(design)
     return design
 
 
@@ -130,25 +130,25 @@ def _with_panels(design: Design, panel: PanelSpec) -> Design:
     return replace(design.with_stop(stop), panel=panel)
 
 
-def _require_room(design: Design) -> None:
+def _require_thickness(design: Design) -> None:
     """Refuse boards so thick that they take too much of a panel at the target."""
     build = design.panel
     if build is None:
         return
 
     sheet = design.clipped or design.mechanism
-    room = find_thickness_limit(sheet, build)
-    if build.thickness <= room.thickness:
+    limit = find_thickness_limit(sheet, build)
+    if build.thickness <= limit.thickness:
         return
-    place = f"at the target, {room.crease}"
-    if not room.thickness and find_thickness_limit(sheet, build.having(gap=0.0)).thickness:
+    place = f"at the target, {limit.crease}"
+    if not limit.thickness and find_thickness_limit(sheet, build.having(gap=0.0)).thickness:
         raise wide_gap(build, place, lambda other: find_thickness_limit(sheet, other).thickness)
-    earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
+    earlier = [Remedy({"panel.stop_deg": "auto"})] if limit.on_flap else []
     raise DesignError(
         "boards would take more of a panel than set-backs may",
         place=place,
         keys=("panel.thickness",),
-        size=limit_in_words(build, room.thickness),
-        candidates=[*earlier, *thinner(build, room.thickness)],
-        excess=build.thickness / room.thickness - 1 if room.thickness else None,
+        size=limit_in_words(build, limit.thickness),
+        candidates=[*earlier, *thinner(build, limit.thickness)],
+        excess=build.thickness / limit.thickness - 1 if limit.thickness else None,
     )
