@@ -18,7 +18,7 @@ from orishell.conventions.record import record
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.families.candidates import fewer, sizes
+from orishell.families.shared.candidates import fewer, sizes
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
     choose_auto,

@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
-from orishell.families.candidates import fewer, values
+from orishell.families.shared.candidates import fewer, values
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
     nearer_to_90,

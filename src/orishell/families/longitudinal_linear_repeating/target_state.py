@@ -11,7 +11,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.families.candidates import angles
+from orishell.families.shared.candidates import angles
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end
 from orishell.families.longitudinal_linear_repeating.section import Section, turnings

@@ -12,7 +12,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.families.candidates import fewer
+from orishell.families.shared.candidates import fewer
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     choose_auto,
     choose_solution,

@@ -15,7 +15,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
-from orishell.families.candidates import fewer
+from orishell.families.shared.candidates import fewer
 from orishell.families.orthodiagonal.flap_cuts import cut_flaps, depth_below_feet
 from orishell.families.orthodiagonal.headings import (
     HeadingConditions,

@@ -22,7 +22,7 @@ from orishell.families.parallel_repeating.sheet import (
     require_row_edges,
     warn_of_stretched_columns,
 )
-from orishell.families.parallel_repeating.target import approach, sweep
+from orishell.families.parallel_repeating.profile import approach, sweep
 from orishell.families.parameters import (
     Auto,
     ColumnCount,

@@ -33,7 +33,7 @@ from orishell.families.parameters import (
     OddRowCount,
 )
 from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
-from orishell.families.slips import forgiving
+from orishell.families.shared.candidates import forgiving
 from orishell.polylines import Placement, Spacing, measure_chords, place_chords
 
 XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)
