@@ -15,7 +15,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from brute_force import exact_contacts
 from orishell.curves import curve_from_formulas, parse_formula
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
 from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
@@ -180,8 +180,8 @@ def with_boards(bare: Design, *, to_pack: bool = False) -> Design:
     mechanism = bare.mechanism
     folds = largest_folds(mechanism, mechanism.target_drive)
     most = 2 * largest_height(mechanism.positions(0.0), mechanism.grid, folds)
-    build = PanelBuild(most / 3, membrane=most / 100, gap=most / 30)
-    return replace(bare, panel=replace(build, reach="pack" if to_pack else "target"))
+    build = PanelSpec(thickness=most / 3, membrane=most / 100, gap=most / 30)
+    return replace(bare, panel=build, opens_from_pack=to_pack)
 
 
 def test_boards_of_10_000_panels(benchmark: BenchmarkFixture) -> None:

@@ -109,7 +109,10 @@ nitpick_ignore_regex = [
     (r"py:class", "|".join(autodoc_type_aliases)),
     # Bounds of the design file's numbers, which pydantic checks.
     (r"py:class", r"(annotated_types\.)?(Ge|Gt|Le|Lt|MinLen|MaxLen)|FieldInfo|AllowInfNan|[0-9.]+"),
-    (r"py:class", r"orishell\.conventions\.table\._no_trace"),
+    (
+        r"py:class",
+        r"orishell\.(conventions\.table|structure\.settings)\..*(_no_trace|unchangeable|_as_range)",
+    ),
     # Type variables.
     (r"py:class", r"(orishell\.[\w.]+\.)?[CFJPRT]"),
     (r"py:.*", r"(Path|Callable|Iterator|Iterable|Sequence|Mapping|Literal|Self|Any|Protocol)"),

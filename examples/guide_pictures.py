@@ -26,7 +26,7 @@ from orishell import (
 )
 from orishell.conventions.colours import LIGHT
 from orishell.curves import trace_curve
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.design_file.file import check_design
 from orishell.document.from_design import document_of_motion
 from orishell.families.longitudinal_linear_repeating import Sectors
@@ -267,8 +267,11 @@ def draw_layers(path: Path) -> None:
     sheet = design.mechanism
     folds = largest_folds(sheet, sheet.target_drive)
     for build, shown in (
-        (PanelBuild(3.2, "sandwich", membrane=0.2), ("pattern.svg", "pattern-top.svg")),
-        (PanelBuild(3.2, "bevel"), ("pattern-panels.svg",)),
+        (
+            PanelSpec(thickness=3.2, construction="sandwich", membrane=0.2),
+            ("pattern.svg", "pattern-top.svg"),
+        ),
+        (PanelSpec().having(thickness=3.2, construction="bevel"), ("pattern-panels.svg",)),
     ):
         document = document_of_motion(
             FoldingMotion(sheet, 2),
@@ -285,7 +288,7 @@ def draw_layers(path: Path) -> None:
     save(figure, path)
 
 
-def draw_hinge(path: Path, build: PanelBuild) -> None:
+def draw_hinge(path: Path, build: PanelSpec) -> None:
     """A section through a hinge of Figure 1, its panels thicker than they should be."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -339,8 +342,12 @@ PICTURES: Mapping[str, Callable[[Path], None]] = {
     "orthodiagonal-depth.png": draw_zigzags,
     "longitudinal-angles.png": draw_sections,
     "tolerance.png": draw_choice,
-    "thickness-sandwich.png": partial(draw_hinge, build=PanelBuild(0.1, "sandwich", membrane=0.01)),
-    "thickness-bevel.png": partial(draw_hinge, build=PanelBuild(0.1, "bevel", gap=0.02)),
+    "thickness-sandwich.png": partial(
+        draw_hinge, build=PanelSpec(thickness=0.1, construction="sandwich", membrane=0.01)
+    ),
+    "thickness-bevel.png": partial(
+        draw_hinge, build=PanelSpec(thickness=0.1, construction="bevel", gap=0.02)
+    ),
     "workshop-sheets.png": draw_sheets,
     "workshop-layers.png": draw_layers,
     "locking-clash.png": draw_clash,

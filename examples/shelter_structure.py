@@ -80,10 +80,9 @@ def design(panel: Panel | None = None) -> Shell:
     """The shelter of boards or of other panels, without the proof that none meet."""
     file = read_design_file(Path(__file__).with_suffix(".toml"))
     if panel is not None:
-        workshop = replace(file.workshop, areal_density=panel.areal_density)
+        workshop = file.workshop.having(areal_density=panel.areal_density)
         assert file.structure is not None
-        structure = replace(
-            file.structure,
+        structure = file.structure.having(
             modulus=panel.modulus,
             strength=panel.strength,
             thickness=panel.thickness,
@@ -97,22 +96,21 @@ def design(panel: Panel | None = None) -> Shell:
 def with_creases(shell: Shell, stiffness: float = inf, cells: int = 4) -> Analysis:
     """A shell with creases of one stiffness (N m per metre and radian)."""
     assert shell.file.structure is not None
-    structure = replace(shell.file.structure, crease_stiffness=(stiffness,) * 2, cells=cells)
+    structure = shell.file.structure.having(crease_stiffness=(stiffness,) * 2, cells=cells)
     return analyse_structure(shell, structure)
 
 
 def on_the_ground(shell: Shell, friction: float) -> Analysis:
     """A shell that is not anchored, with rigid creases: under snow, or in a storm."""
     assert shell.file.structure is not None
-    snow = LoadCase("snow", combine=(("dead", 1.35), ("snowed", 1.5)))
+    snow = LoadCase(name="snow", combine={"dead": 1.35, "snowed": 1.5})
     loads = [
-        replace(case, name="snowed") if case.snow else case for case in shell.file.structure.cases
+        case.having(name="snowed") if case.snow else case for case in shell.file.structure.cases
     ]
-    structure = replace(
-        shell.file.structure,
+    structure = shell.file.structure.having(
         cases=(*(case for case in loads if case.name != "winter"), snow),
         crease_stiffness=(inf, inf),
-        supports=(Support("feet", "friction", friction),),
+        supports=(Support(at="feet", kind="friction", friction=1.0).having(friction=friction),),
     )
     return analyse_structure(shell, structure)
 

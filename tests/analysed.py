@@ -19,12 +19,28 @@ SPAN, LENGTH, RISE, THICKNESS = 4.0, 3.0, 2.0, 0.01
 STRUCTURE = Structure(
     modulus=270e6,
     poisson=0.3,
-    supports=(Support("feet", "sliding"), Support(((0, 1), (2, 1)), "friction", 0.5)),
+    supports=(
+        Support(at="feet", kind="sliding"),
+        Support(at=((0, 1), (2, 1)), kind="friction", friction=0.5),
+    ),
     cases=(
-        LoadCase("dead", self_weight=True),
-        LoadCase("snow", snow=Snow(500, "cylinder"), points=(PointLoad((1, 1), (0, 0, -80)),)),
-        LoadCase("both", combine=(("dead", 1.35), ("snow", 1.5))),
-        LoadCase("wind", pressure=10, wind=Wind(26, "II", np.pi / 2, ((0, 0.8), (np.pi, -0.4)))),
+        LoadCase(name="dead", self_weight=True),
+        LoadCase(
+            name="snow",
+            snow=Snow(ground=500, shape="cylinder"),
+            points=(PointLoad(at=(1, 1), force=(0, 0, -80)),),
+        ),
+        LoadCase(name="both", combine={"dead": 1.35, "snow": 1.5}),
+        LoadCase(
+            name="wind",
+            pressure=10,
+            wind=Wind(
+                speed=26,
+                terrain="II",
+                direction_deg=90.0,
+                coefficients=((0, 0.8), (180.0, -0.4)),
+            ),
+        ),
     ),
     thickness=THICKNESS,
     strength=5.5e6,

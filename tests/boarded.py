@@ -8,12 +8,14 @@ import numpy as np
 
 from documents import boarded
 from orishell import curve_from_formulas, parse_formula
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.document import Document
 from orishell.families.parallel_repeating import design_parallel_repeating
 
-CARD = PanelBuild(4.2, "sandwich", membrane=0.2, density=650, membrane_density=800)
-SOLID = PanelBuild(4.2, "bevel", gap=0.4, density=650)
+CARD = PanelSpec(
+    thickness=4.2, construction="sandwich", membrane=0.2, density=650, membrane_density=800
+)
+SOLID = PanelSpec(thickness=4.2, construction="bevel", gap=0.4, density=650)
 BUILDS = {"sandwich": CARD, "bevel": SOLID}
 
 

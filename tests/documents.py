@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from orishell.design import Construction, Design, PanelBuild
+from orishell.design import Construction, Design, PanelSpec
 from orishell.design_file import check_design, read_design_file, starter_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_motion
@@ -77,7 +77,7 @@ def thick_document(
     family: str = "parallel-repeating",
     construction: Construction = "sandwich",
     frames: int = 5,
-    build: PanelBuild | None = None,
+    build: PanelSpec | None = None,
 ) -> Document:
     """The same of panels half as thick as they may be, or as given.
 
@@ -90,14 +90,16 @@ def thick_document(
         folds = largest_folds(sheet, sheet.target_drive)
         most = largest_height(sheet.positions(0.0), sheet.grid, folds)
         membrane = 0.05 * most if construction == "sandwich" else 0.0
-        build = PanelBuild(0.5 * most, construction, membrane=membrane, gap=0.02 * most)
+        build = PanelSpec(
+            thickness=0.5 * most, construction=construction, membrane=membrane, gap=0.02 * most
+        )
     stopped = design.with_stop(find_stop(design.mechanism, build))
     return boarded(stopped.with_clipped_flaps(), build, "m", frames=frames, title=family)
 
 
 def boarded(
     design: Design,
-    build: PanelBuild,
+    build: PanelSpec,
     unit: str,
     *,
     frames: int,
@@ -117,7 +119,7 @@ def boarded(
     )
 
 
-def boards_of(sheet: Mechanism, build: PanelBuild, reliefs: Array | None = None) -> Boards:
+def boards_of(sheet: Mechanism, build: PanelSpec, reliefs: Array | None = None) -> Boards:
     """Boards set back for all folds from the flat sheet to the target."""
     folds = largest_folds(sheet, sheet.target_drive)
     return build_boards(sheet.positions(0.0), sheet.grid, build, folds, reliefs)

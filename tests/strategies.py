@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import reject
+from hypothesis import assume, reject
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError, Remedy
@@ -168,6 +168,7 @@ def requests(draw: st.DrawFn) -> Request:
     low, high = trace_curve(f).heading_range()
     middle = 0.5 * (low + high)
     limit = np.pi - (high - low)
+    assume(limit > np.deg2rad(2))
     tilt = draw(numbers(-0.4, 0.4)) * limit / 2
     xi = draw(numbers(0.1, 0.95)) * (limit - 2 * abs(tilt))
     theta = tilt - (middle - np.round(middle / np.pi) * np.pi)

@@ -15,7 +15,7 @@ import httpx
 import pytest
 
 from node_tools import lacking
-from samples import THOROUGH
+from samples import THOROUGH, thorough
 from studio_server import running_studio
 
 ROOT = Path(__file__).parents[1]
@@ -154,6 +154,7 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
     assert ran(python, "-c", SHOW, where=nowhere) == "Viewer\n"
 
 
+@thorough
 @pytest.mark.slow
 def test_a_build_without_npm_says_so_and_what_it_lacks_says_so(tmp_path: Path) -> None:
     nowhere = tmp_path / "empty"

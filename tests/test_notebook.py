@@ -20,7 +20,6 @@ from orishell import (
     analyse_structure,
     curve_from_formulas,
     design_parallel_repeating,
-    notebook,
     parse_formula,
 )
 from orishell.conventions.errors import InputError
@@ -31,6 +30,7 @@ from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.export import write_format, write_shell, write_structure
 from orishell.shell.overlay import lay_surface
+from orishell.studio import notebook
 from orishell.studio.notebook import show
 from public_names import public_callables
 from viewer_pages import pixels, require_viewer, watched_page

@@ -19,9 +19,9 @@ from PIL import Image
 
 from orishell import Design
 from orishell.deployment import Tie, feet_ties, find_ties
+from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
 from orishell.shell.designed import designed
-from orishell.shell.standing import find_feet
 
 DIRECTORY = EXAMPLES.parent / "docs" / "images"
 STRIP = (0.0, 0.32, 0.56, 0.78, LOCKED)

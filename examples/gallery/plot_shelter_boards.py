@@ -12,7 +12,6 @@ from the pack over the target to the flat sheet.
 """
 
 import runpy
-from dataclasses import replace
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -90,7 +89,7 @@ def drawn(name: str) -> Figure:
     return figure
 
 
-workshop = replace(shell.file.workshop, stock=None, title_block=False)
+workshop = shell.file.workshop.having(stock=None, title_block=False)
 files = draw_sheet_files(Path("pattern.svg"), document, workshop)
 drawings = {path.name: drawing for path, drawing in files}
 figure = drawn("pattern.svg")

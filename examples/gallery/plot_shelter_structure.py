@@ -23,7 +23,7 @@ from orishell import Shell
 from orishell.cli.structure_summary import summarize_structure
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
-from orishell.shell.structure_files import draw_structure
+from orishell.structure.files import draw_structure
 
 example = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
 design, judge, row = (example[name] for name in ("design", "judge", "row"))
@@ -97,7 +97,7 @@ print(row("rigid, twice the cells", judge(plywood, with_creases(plywood, cells=8
 # %%
 # Where the plywood shelter bears most: the picture of its loads, and what governs.
 
-asked = replace(plywood.file.structure, crease_stiffness=(2e4, 2e4))
+asked = plywood.file.structure.having(crease_stiffness=(2e4, 2e4))
 shell = make_shell(
     replace(plywood.file, structure=asked),
     clash="unexamined",

@@ -72,7 +72,7 @@ test("a design comes to rest where the server dies over its ranges", async () =>
     asked.push(path);
     return path === "api/design" ? new Response(refused, { status: 422 }) : body("{");
   });
-  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: DESIGN });
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, { name: "shell", design: DESIGN });
   const live = new Live(store, () => Promise.resolve());
   live.changed();
   await vi.advanceTimersByTimeAsync(1000);
@@ -87,7 +87,7 @@ test("a server that does not answer is asked again, and sizes are chosen anew wi
     asked++;
     throw new TypeError("failed to fetch");
   });
-  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: { ...DESIGN, tolerance: { surface: 1 } } });
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, { name: "shell", design: { ...DESIGN, tolerance: { surface: 1 } } });
   const live = new Live(store, () => Promise.resolve());
   const words: unknown[] = [];
   store.busy.watch((word) => words.push(word));
@@ -102,7 +102,7 @@ test("a studio with another key is asked again until the browser has it", async 
   const refused = JSON.stringify({ error: { kind: "key", what: "the studio's key is missing", keys: [] } });
   let known = false;
   answers((path) => (!known ? new Response(refused, { status: 403 }) : path === "api/design" ? new Response(bytes) : body("{")));
-  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: DESIGN });
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, { name: "shell", design: DESIGN });
   const live = new Live(store, () => Promise.resolve());
   live.changed();
   await vi.advanceTimersByTimeAsync(100);
@@ -116,7 +116,7 @@ test("a studio with another key is asked again until the browser has it", async 
 
 test("a change breaks the search for sizes off, with its word", async () => {
   answers(() => new Promise(() => undefined));
-  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: { ...DESIGN, tolerance: { surface: 1 } } });
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, { name: "shell", design: { ...DESIGN, tolerance: { surface: 1 } } });
   const live = new Live(store, () => Promise.resolve());
   live.choose();
   expect(store.busy.value).toBe("Choosing rows and columns");
@@ -127,7 +127,7 @@ test("a change breaks the search for sizes off, with its word", async () => {
 test("what is wrong with a file stays when the view comes, and goes with the design", async () => {
   const bytes = Uint8Array.from(atob(scipy.view), (each) => each.charCodeAt(0));
   answers((path) => (path === "api/design" ? new Response(bytes) : body("{")));
-  const store = new Store({ families: {} } as unknown as Info, { name: "shell", design: DESIGN });
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, { name: "shell", design: DESIGN });
   const live = new Live(store, () => Promise.resolve());
   forgetWhatIsStale(store);
   live.changed();

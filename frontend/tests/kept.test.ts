@@ -3,7 +3,8 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { Keeper, keepUnsaved, readKept } from "../src/studio/state/kept.ts";
 import { faultOf } from "../src/studio/state/faults.ts";
 import { designOf, fragmentOf } from "../src/studio/files/link.ts";
-import { type Named, Store, type Work } from "../src/studio/state/store.ts";
+import type { Named, Work } from "../src/studio/state/named.ts";
+import { Store } from "../src/studio/state/store.ts";
 import type { Info } from "../src/studio/state/types.ts";
 
 const kept: Named = {
@@ -163,7 +164,7 @@ test("a browser that is full, or keeps nothing, does not hold another design", (
 /** A page with a store whose unsaved work is kept in the room. */
 function opened(): Store {
   const page = { localStorage: room, setTimeout, clearTimeout, addEventListener: () => undefined, document: { addEventListener: () => undefined } };
-  const store = new Store({ families: {} } as unknown as Info, kept);
+  const store = new Store({ families: {}, tables: {} } as unknown as Info, kept);
   keepUnsaved(store, page as unknown as Window);
   return store;
 }

@@ -7,8 +7,15 @@ function family(keys: Record<string, string>): Info["families"][string] {
   const parameters = Object.entries(keys).map(([key, label]) => ({ key, label }));
   return { label: "", what: "", parameters } as unknown as Info["families"][string];
 }
+const key = (label: string): Info["tables"][string]["keys"][string] => ({ label, help: "", choices: {} });
+const TABLES: Info["tables"] = {
+  pattern: { label: "Pattern", keys: {} },
+  deployment: { label: "Deployment", keys: { flap_attachment: key("Flaps"), largest_fold_deg: key("Hinges close to") } },
+  motion: { label: "", keys: { frames: key("Frames") } },
+};
 const LABELS = new Labels(
   { one: family({ xi_deg: "Crease angle ξ", flap: "Flap", rows: "Rows" }), two: family({ flap: "Border", stage_deg: "Stage" }) },
+  TABLES,
   () => "one",
 );
 
@@ -22,10 +29,21 @@ test.each([
   ["[pattern] rows, columns", "Pattern rows, columns"],
   ["[target.f] range", "curve f: range"],
   ["add the table [structure]", "add the table [structure]"],
+  ["frames in [motion]", "frames in [motion]"],
   ["stage_deg = 12 is beyond", "Stage = 12° is beyond"],
   ["a depth of no_such_key = 3", "a depth of no_such_key = 3"],
 ])("%s", (text, expected) => {
   expect(LABELS.said(text)).toBe(expected);
+});
+
+test.each([
+  ["deployment.largest_fold_deg", "Hinges close to", "Deployment"],
+  ["motion.frames", "Frames", "Motion"],
+  ["pattern.flap", "Flap", "Pattern"],
+  ["structure.tie_stiffness", "Tie stiffness", "Structure"],
+  ["target.f.range.1", "Range 2 of f", "Target"],
+])("%s", (place, label, section) => {
+  expect([LABELS.place(place), LABELS.section(place)]).toEqual([label, section]);
 });
 
 test("a remedy is said by the labels of what it changes", () => {

@@ -7,7 +7,7 @@ import { candidates, otherwise, suggestion } from "../src/studio/search/numbers.
 import { countOf, hasValues, keyOf, lacking, listed, searchOf, withSearch, withValues } from "../src/studio/search/table.ts";
 import { Labels } from "../src/studio/state/labels.ts";
 import { isSameShell } from "../src/studio/state/sizing.ts";
-import type { Design, Parameter, Report, SearchTable } from "../src/studio/state/types.ts";
+import type { Design, Info, Parameter, Report, SearchTable } from "../src/studio/state/types.ts";
 
 const PARAMETERS = [
   { key: "rows", label: "Rows", kind: "integer", default: null, slider: [1, 61], step: 2, choices: [] },
@@ -16,7 +16,11 @@ const PARAMETERS = [
   { key: "solution", label: "Solution", kind: "integer", default: 0, slider: [0, 1], step: 1, choices: [] },
   { key: "placement", label: "Placement", kind: "choice", default: "inscribed", choices: ["inscribed", "balanced"] },
 ] as unknown as Parameter[];
-const LABELS = new Labels({ one: { label: "", what: "", parameters: PARAMETERS } }, () => "one");
+const TABLES: Info["tables"] = {
+  target: { label: "Curves", keys: {} },
+  panel: { label: "Panels", keys: { thickness: { label: "Thickness", help: "", choices: {} } } },
+};
+const LABELS = new Labels({ one: { label: "", what: "", parameters: PARAMETERS } }, TABLES, () => "one");
 const design: Design = {
   shell: { family: "one", unit: "m" },
   target: { f: { formula: "-x**2", range: [-1, 1] }, g: { points: [[0, 0], [1, 0]] } },

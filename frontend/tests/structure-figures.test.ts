@@ -22,7 +22,7 @@ test("what moves, the largest displacement and what governs are named with their
   expect(structureFigures(reportOf(cases, governs), "m")).toEqual([
     { name: "Moves", value: "snow, free creases", note: "the shell opens under its loads" },
     { name: "Displaced", value: "0.05 m", note: "at most, under snow, creases of 150 N" },
-    { name: "Used", value: "80.3 %", note: "force in a tie governs, under wind, free creases" },
+    { name: "Used", value: "80.3 %", note: "the force in a tie governs, under wind, free creases" },
   ]);
 });
 

@@ -1,12 +1,7 @@
 import { expect, it } from "vitest";
 import type { Sheets } from "../src/shared/api-types.ts";
 import { factsOf } from "../src/studio/files/sheet-preview.ts";
-import { isIdle, percent, wordsOfChoice } from "../src/studio/files/workshop-words.ts";
-
-it("choices are said in words, those of the file's own as they are", () => {
-  expect(wordsOfChoice("creases", "score")).toBe("Scored");
-  expect(wordsOfChoice("palette", "ourshop.toml")).toBe("ourshop.toml");
-});
+import { isIdle, percent } from "../src/studio/files/workshop-words.ts";
 
 it("settings that others make idle are not shown", () => {
   const plain = (key: string): unknown => ({ creases: "score", stock: null })[key];

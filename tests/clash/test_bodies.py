@@ -15,7 +15,7 @@ from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState
 from orishell.clash.broad_phase import PanelTree
 from orishell.clash.opposite import opposite_panels
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking.boards import prove_boards
 from orishell.motion import diagonal, panel_normals
@@ -32,7 +32,7 @@ def figure_2(thickness: float) -> Design:
     """Figure 2 without flaps: with boards, opposite ones meet at its vertices."""
     file = read_design_file(EXAMPLES / "figure2.toml")
     design = replace(file.pattern.design(file.f, file.g).with_clipped_flaps(), clipped=None)
-    return replace(design, panel=PanelBuild(thickness, membrane=0.02 * thickness))
+    return replace(design, panel=PanelSpec(thickness=thickness, membrane=0.02 * thickness))
 
 
 def meet(first: Array, second: Array) -> bool:
@@ -74,7 +74,7 @@ def test_bodies_are_apart_where_their_hulls_have_no_common_point(construction: s
     design = figure_2(0.05)
     assert design.panel is not None
     if construction == "bevel":
-        design = replace(design, panel=PanelBuild(0.05, "bevel", gap=0.002))
+        design = replace(design, panel=PanelSpec(thickness=0.05, construction="bevel", gap=0.002))
     mechanism = design.mechanism
     bodies, state = state_of(design, mechanism.target_drive)
     inner = np.zeros((mechanism.grid.rows - 2, mechanism.grid.columns - 2), np.bool_)
@@ -125,7 +125,7 @@ def test_boards_along_a_straight_line_are_settled() -> None:
     """A straight g: column creases do not fold, and boards touch at vertices without a gap."""
     f, g = graph("-x**2", -1, 1), graph("0*x", 0, 4)
     design = parallel_repeating(f, g, rows=5, columns=6, xi=np.deg2rad(50), flap=0.0).design()
-    design = replace(design, panel=PanelBuild(0.02, membrane=1e-3))
+    design = replace(design, panel=PanelSpec(thickness=0.02, membrane=1e-3))
     built, path = prove_boards(design, design.mechanism.target_drive, 1e-9)
     assert built.settled().all()
     assert path.contact is None

@@ -12,6 +12,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from orishell.deployment import OwnWeight, measure_weight
+from orishell.deployment.feet import find_feet
 from orishell.deployment.weight import _Body
 from orishell.design import Design
 from orishell.design_file import read_design_file
@@ -20,7 +21,6 @@ from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.motion import Mechanism
 from orishell.motion.grid import Grid
-from orishell.shell.standing import find_feet
 from samples import examples
 from strategies import Request, graph, orthodiagonal_requests, requests
 

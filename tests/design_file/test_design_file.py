@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import InputError
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.design_file import read_design_file, starter_file
-from orishell.design_file.panel import PanelTable
 
 GOOD = """
 [shell]
@@ -47,9 +46,9 @@ def test_the_starter_explains_every_key_of_panels(tmp_path: Path) -> None:
     """What its comments say of [panel] is a table with all keys, and is read with its defaults."""
     lines = starter_file("parallel-repeating").partition("# [panel]")[2].partition("\n\n")[0]
     table = "\n".join(line.removeprefix("# ") for line in lines.splitlines()[1:])
-    assert set(tomllib.loads(table)) == set(PanelTable.model_fields)
+    assert set(tomllib.loads(table)) == set(PanelSpec.model_fields)
     panel = read_design_file(write(tmp_path, f"{GOOD}[panel]\n{table}")).panel
-    assert panel == PanelBuild(0.01, membrane=0.001)
+    assert panel == PanelSpec(thickness=0.01, membrane=0.001)
 
 
 def test_pair_of_formulas_and_scale(tmp_path: Path) -> None:

@@ -36,7 +36,7 @@ from samples import THOROUGH
 from test_malformed_inputs import GENTLE, HARSH
 
 SEED = 26
-FILES = 3000 if THOROUGH else 60
+FILES = 3000 if THOROUGH else 30
 READING = 5.0
 """Most processor time that reading a file may take (seconds)."""
 MAKING = 8.0

@@ -1,6 +1,5 @@
 """The table [workshop]: defaults, faults, palettes of one's own."""
 
-from dataclasses import asdict
 from importlib.resources import files
 from pathlib import Path
 
@@ -8,7 +7,6 @@ import pytest
 
 from orishell.conventions.errors import InputError
 from orishell.design_file import read_design_file, read_workshop, starter_file
-from orishell.design_file.workshop import WorkshopTable
 from orishell.workshop import DEFAULT, Workshop
 
 
@@ -16,12 +14,12 @@ def read(tmp_path: Path, table: str) -> Workshop:
     path = tmp_path / "shell.toml"
     path.write_text(starter_file("parallel-repeating") + "\n[workshop]\n" + table)
     settings = read_design_file(path).workshop
-    assert asdict(read_workshop(path)) == asdict(settings)
+    assert dict(read_workshop(path)) == dict(settings)
     return settings
 
 
 def test_defaults_are_those_of_the_workshop(tmp_path: Path) -> None:
-    assert WorkshopTable().settings(None) == DEFAULT
+    assert Workshop().beside(None) == DEFAULT
     assert read(tmp_path, "") == DEFAULT
 
 
@@ -49,8 +47,8 @@ def test_all_keys(tmp_path: Path) -> None:
     assert settings.stock == (1.2, 0.8)
     given = dict(line.split(" = ", 1) for line in map(str.strip, text.splitlines()) if line)
     # Every setting is named here, and none has its default.
-    assert set(given) == set(asdict(settings))
-    assert all(value != getattr(DEFAULT, key) for key, value in asdict(settings).items())
+    assert set(given) == set(dict(settings))
+    assert all(value != getattr(DEFAULT, key) for key, value in dict(settings).items())
 
 
 @pytest.mark.parametrize(

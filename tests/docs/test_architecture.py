@@ -16,7 +16,7 @@ from house_picture import (
     upward,
 )
 
-MOST_ROOMS = 26
+MOST_ROOMS = 23
 """More than these nobody keeps in mind.
 
 How a shell travels and what holds it, ``deployment``, what its panels are as boards, ``solids``,

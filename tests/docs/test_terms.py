@@ -15,15 +15,21 @@ import typer
 
 import orishell
 from orishell.cli.main import app
+from orishell.deployment import Deployment
+from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
-from orishell.design_file.deployment import DeploymentTable
-from orishell.design_file.load_case import LoadCaseTable, SnowTable, WindTable
-from orishell.design_file.panel import PanelTable, SetbackTable
-from orishell.design_file.search import SearchTable
-from orishell.design_file.structure import StructureTable, SupportTable
+from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
+from orishell.locking.panel_report import MeetingReport, PanelReport
+from orishell.locking.report import PathReport
 from orishell.search.figures import NAMES
-from orishell.shell.case_report import (
+from orishell.shell.deployment_report import (
+    DeploymentReport,
+    PackedReport,
+    TieReport,
+    WeightReport,
+)
+from orishell.structure.case_report import (
     CaseReport,
     CreaseReport,
     DisplacementReport,
@@ -34,20 +40,13 @@ from orishell.shell.case_report import (
     StressReport,
     UtilisationReport,
 )
-from orishell.shell.deployment_report import (
-    DeploymentReport,
-    PackedReport,
-    TieReport,
-    WeightReport,
-)
-from orishell.shell.lock_report import PathReport
-from orishell.shell.panel_report import MeetingReport, PanelReport
-from orishell.shell.structure_report import (
+from orishell.structure.report import (
     GoverningReport,
     ModelReport,
     StructureReport,
     SupportReport,
 )
+from orishell.structure.settings import LoadCase, Snow, StructureTable, Support, Wind
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
@@ -194,7 +193,10 @@ def find(path: str) -> object:
     thing = by_name.get(head) or getattr(orishell, head, None)
     assert thing is not None, f"no {head}"
     for name in tail:
-        fields = getattr(thing, "__dataclass_fields__", {})
+        fields = {
+            **getattr(thing, "__dataclass_fields__", {}),
+            **getattr(thing, "model_fields", {}),
+        }
         assert name in fields or hasattr(thing, name), f"no {name} in {path}"
         thing = getattr(thing, name, None)
     return thing
@@ -230,7 +232,7 @@ def fields_in_table(title: str, name: str = "pack-and-deploy") -> set[str]:
 
 
 def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
-    keys = {field.alias or name for name, field in DeploymentTable.model_fields.items()}
+    keys = {field.alias or name for name, field in Deployment.model_fields.items()}
     assert fields_in_table("[deployment]") >= keys
     assert fields_in_table("`deployment` in the report") == {
         field.name for field in dataclasses.fields(DeploymentReport)
@@ -242,8 +244,8 @@ def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
 
 
 def test_the_guide_explains_every_key_and_field_of_panels() -> None:
-    keys = set(PanelTable.model_fields) - {"largest_setback"}
-    keys |= {f"largest_setback.{name}" for name in SetbackTable.model_fields}
+    keys = set(PanelSpec.model_fields) - {"largest_setback"}
+    keys |= {f"largest_setback.{name}" for name in Setback.model_fields}
     assert fields_in_table("[panel]", "thickness") == keys
     fields = {field.name for field in dataclasses.fields(PanelReport)}
     for name, part in (("meeting", MeetingReport), ("path", PathReport)):
@@ -269,10 +271,10 @@ PARTS_OF_STRUCTURE = (
 
 def test_the_guide_explains_every_key_and_field_of_structure() -> None:
     assert fields_in_table("[structure]", "structure") == {
-        *StructureTable.model_fields, *SupportTable.model_fields,
+        *StructureTable.model_fields, *Support.model_fields,
     }  # fmt: skip
-    keys = set(LoadCaseTable.model_fields)
-    for table in (SnowTable, WindTable):
+    keys = set(LoadCase.model_fields)
+    for table in (Snow, Wind):
         keys |= set(table.model_fields)
     assert fields_in_table("[[load_case]]", "structure") == keys
     page = (ROOT / "docs" / "guide" / "structure.md").read_text(encoding="utf-8")
@@ -282,4 +284,4 @@ def test_the_guide_explains_every_key_and_field_of_structure() -> None:
 
 
 def test_the_guide_explains_every_key_and_figure_of_a_search() -> None:
-    assert fields_in_table("[search]", "searching") == {*SearchTable.model_fields, *NAMES}
+    assert fields_in_table("[search]", "searching") == {*Search.model_fields, *NAMES}

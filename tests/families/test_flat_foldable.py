@@ -289,4 +289,4 @@ def test_what_goes_together_is_taken() -> None:
     assert (found["row"], found["row_angle_deg"]) == ("zigzag", 120)
     assert "placement" not in found
     # A tolerance leaves the kind of row as it is.
-    assert list(pattern.variants(PARABOLA, Tolerance(0.1)).telling) == [pattern]
+    assert list(pattern.variants(PARABOLA, Tolerance(surface=0.1)).telling) == [pattern]

@@ -13,14 +13,14 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
 from orishell.curves import curve_from_formulas, parse_formula
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import largest_folds, largest_height
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -81,12 +81,14 @@ def with_panels(design: Design, draw: st.DataObject) -> Design:
     size = float(np.ptp(mechanism.positions(0.0), axis=(0, 1)).max())
     thickness = draw.draw(st.floats(0.05, 0.9)) * min(most, 0.1 * size)
     if draw.draw(st.booleans()):
-        build = PanelBuild(thickness, membrane=0.05 * thickness)
+        build = PanelSpec(thickness=thickness, membrane=0.05 * thickness)
     else:
-        build = PanelBuild(thickness, "bevel", gap=draw.draw(st.floats(0.05, 0.3)) * thickness)
-    return replace(
-        design, panel=replace(build, reach=draw.draw(st.sampled_from(["target", "pack"])))
-    )
+        build = PanelSpec(
+            thickness=thickness,
+            construction="bevel",
+            gap=draw.draw(st.floats(0.05, 0.3)) * thickness,
+        )
+    return replace(design, panel=build, opens_from_pack=draw.draw(st.booleans()))
 
 
 def check(design: Design) -> Lock:
@@ -123,6 +125,7 @@ def test_orthodiagonal(request: Request, data: st.DataObject) -> None:
     check(with_panels(few(request, data).feasible(), data))
 
 
+@thorough
 @generated
 @given(st.floats(0.2, 1.0), st.sampled_from([2, 3, 5]), st.integers(3, 7), st.data())
 def test_longitudinal(start: float, rows: int, columns: int, data: st.DataObject) -> None:

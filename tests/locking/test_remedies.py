@@ -124,7 +124,7 @@ def random_design(rng: np.random.Generator) -> Tables:
 
 
 SHARES = 6
-REFUSALS = 50 if THOROUGH else 4
+REFUSALS = 50 if THOROUGH else 2
 
 
 @pytest.mark.slow

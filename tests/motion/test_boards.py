@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from cad_tools import closed_volume
 from documents import FAMILIES, thick_document
-from orishell.design import Construction, PanelBuild
+from orishell.design import Construction, PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards
@@ -59,7 +59,11 @@ def test_boards_with_cut_corners(
 ) -> None:
     """Also where two corners of an outline nearly coincide, as after a cut of 1e-9."""
     flat, grid, folds = sheet(3, 3, 1.5)
-    build = PanelBuild(thickness, construction, 0.1 * thickness * (construction == "sandwich"))
+    build = PanelSpec().having(
+        thickness=thickness,
+        construction=construction,
+        membrane=0.1 * thickness * (construction == "sandwich"),
+    )
     reliefs = cut * np.random.default_rng(seed).integers(0, 2, (4, 4)).astype(np.float64)
     boards = build_boards(flat, grid, build, folds, reliefs)
     # What a cut of less than COINCIDING leaves of an edge is not kept.
@@ -84,7 +88,7 @@ def test_a_cube_by_hand() -> None:
 
 def test_ten_thousand_panels_in_well_under_a_second() -> None:
     flat, grid, folds = sheet(100, 100, 1.0)
-    boards = build_boards(flat, grid, PanelBuild(0.1, membrane=0.01), folds)
+    boards = build_boards(flat, grid, PanelSpec(thickness=0.1, membrane=0.01), folds)
     assert len(boards) == 20_000
     corners = boards.carried(grid.faces_vertices(), flat.reshape(-1, 3)[:, :2], flat.reshape(-1, 3))
     start = time.process_time()

@@ -8,20 +8,20 @@ from PIL import Image
 
 from documents import EXAMPLES, thick_document
 from orishell.conventions.colours import rgb
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.design_file import read_design_file
 from orishell.motion import FoldingMotion, Mechanism
 from orishell.motion.boards import Boards
 from orishell.plot import HingeSection, find_hinge_section, plot_overview
 from orishell.solids import build_boards, drive_for_height, find_set_backs, largest_folds
 
-SANDWICH = PanelBuild(0.03, membrane=0.002, gap=0.004)
-BEVEL = PanelBuild(0.03, construction="bevel")
+SANDWICH = PanelSpec(thickness=0.03, membrane=0.002, gap=0.004)
+BEVEL = PanelSpec().having(thickness=0.03, construction="bevel")
 FIGURES = ("figure1", "figure2")
 
 
 def section_of(
-    name: str, build: PanelBuild, *, packed: bool = False
+    name: str, build: PanelSpec, *, packed: bool = False
 ) -> tuple[HingeSection, Mechanism, Boards, int]:
     """The section, its sheet with its boards, and the number of its crease."""
     file = read_design_file(EXAMPLES / f"{name}.toml")
@@ -39,7 +39,7 @@ def section_of(
 
 @pytest.mark.parametrize("name", FIGURES)
 @pytest.mark.parametrize("build", [SANDWICH, BEVEL])
-def test_boards_stand_back_as_far_as_is_asked(name: str, build: PanelBuild) -> None:
+def test_boards_stand_back_as_far_as_is_asked(name: str, build: PanelSpec) -> None:
     """On both sides of the crease with the largest set-back of all, on both faces."""
     section, mechanism, _, edge = section_of(name, build)
     folds = largest_folds(mechanism, mechanism.target_drive)
@@ -61,7 +61,7 @@ def test_boards_stand_back_as_far_as_is_asked(name: str, build: PanelBuild) -> N
 
 @pytest.mark.parametrize("name", FIGURES)
 @pytest.mark.parametrize("build", [SANDWICH, BEVEL])
-def test_they_meet_on_the_bisecting_plane_where_they_close(name: str, build: PanelBuild) -> None:
+def test_they_meet_on_the_bisecting_plane_where_they_close(name: str, build: PanelSpec) -> None:
     """In the section, and in space: as far from the plane that halves the two panels' angle."""
     section, mechanism, boards, edge = section_of(name, build)
     fold = section.folds[section.states.index("target")]
@@ -96,7 +96,7 @@ def test_they_meet_on_the_bisecting_plane_where_they_close(name: str, build: Pan
 
 def test_a_pack_is_the_third_state() -> None:
     section, mechanism, _, edge = section_of(
-        "shelter", PanelBuild(0.01, membrane=0.0002), packed=True
+        "shelter", PanelSpec(thickness=0.01, membrane=0.0002), packed=True
     )
     assert section.states == ("flat", "target", "pack")
     assert section.folds[0] == 0
@@ -106,7 +106,7 @@ def test_a_pack_is_the_third_state() -> None:
 
 
 @pytest.mark.parametrize("build", [SANDWICH, BEVEL])
-def test_it_is_drawn_below_the_states(tmp_path: Path, build: PanelBuild) -> None:
+def test_it_is_drawn_below_the_states(tmp_path: Path, build: PanelSpec) -> None:
     document = thick_document(build=build)
     assert document.boards is not None
     file = read_design_file(EXAMPLES / "figure1.toml")

@@ -135,6 +135,7 @@ def test_a_cluster_without_workers_is_refused(tmp_path: Path) -> None:
         apart(lambda: enter(empty.address, 2.0))
 
 
+@thorough
 def test_a_scheduler_that_stops_ends_a_search(tmp_path: Path) -> None:
     with dask_cluster(tmp_path, 1) as running:
         apart(lambda: list(work_on(running.address, 1)))  # while workers import they say nothing

@@ -16,7 +16,7 @@ import tomlkit
 from orishell.conventions.errors import InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from orishell.design_file.search import RangeTable
+from orishell.design_file.search import Range
 from orishell.search.problem import pose, read_problem
 from orishell.search.space import Choices, Interval
 from orishell.search.variant_file import variant_text
@@ -167,7 +167,7 @@ def test_a_design_is_told_from_others_by_its_tables_and_files(tmp_path: Path) ->
 
 def test_the_narrowest_and_the_widest_range_have_values_that_differ() -> None:
     for low, high in ((0.0, 1e-300), (1.0, 1 + 1.1e-9), (-5e299, 5e299)):
-        RangeTable(low=low, high=high)
+        Range(low=low, high=high)
         axis = Interval(low, high)
         values = [axis.value(share) for share in (0.0, 0.25, 0.5, 1.0)]
         assert len(set(values)) == 4

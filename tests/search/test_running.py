@@ -14,7 +14,7 @@ import pytest
 
 from command_line import orishell
 from orishell.search.journal import NAME
-from samples import THOROUGH
+from samples import THOROUGH, thorough
 from search.searching import design, lines, searched, searching, wait_for_lines, written
 from studio_server import descendants
 
@@ -89,6 +89,7 @@ def command(process: str) -> str:
     return Path(f"/proc/{process}/cmdline").read_text()
 
 
+@thorough
 def test_a_search_killed_again_and_again_ends_with_the_same_bytes(
     file: Path, whole: dict[str, bytes], tmp_path: Path
 ) -> None:

@@ -15,6 +15,7 @@ from orishell.search import Crew, Found, Outcome, Problem, read_problem
 from orishell.search.crew import Work
 from orishell.search.evaluate import evaluate, job_of
 from orishell.search.feasible import violation
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 AGREE = 1e-6
@@ -67,6 +68,7 @@ def test_the_front_keeps_the_limits(problem: Problem, found: Found) -> None:
     assert any(violation(problem, each) > 0 for each in found.outcomes)
 
 
+@thorough
 @pytest.mark.slow
 def test_designs_of_the_front_are_made_again(
     example: dict[str, Any], problem: Problem, found: Found

@@ -70,10 +70,10 @@ def test_a_grid_has_all_variants_once() -> None:
 @pytest.mark.parametrize(
     ("given", "whole", "values"),
     [
-        (Range(3, 9), True, (3, 4, 5, 6, 7, 8, 9)),
-        (Range(3, 9, 2), True, (3, 5, 7, 9)),
-        (Range(3, 8, 2), True, (3, 5, 7)),
-        (Range(0.1, 0.4, 0.1), False, (0.1, 0.2, 0.3, 0.4)),
+        (Range(low=3, high=9), True, (3, 4, 5, 6, 7, 8, 9)),
+        (Range(low=3, high=9, step=2), True, (3, 5, 7, 9)),
+        (Range(low=3, high=8, step=2), True, (3, 5, 7)),
+        (Range(low=0.1, high=0.4, step=0.1), False, (0.1, 0.2, 0.3, 0.4)),
     ],
 )
 def test_steps_reach_the_end_whatever_rounding_does(

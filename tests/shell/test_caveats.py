@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from orishell.curves import Curve, curve_from_points
-from orishell.design import Design, PanelBuild
+from orishell.deployment.feet import find_feet
+from orishell.design import Design, PanelSpec
 from orishell.design_file import read_design_file
 from orishell.deviation import locked_shell
 from orishell.families.longitudinal_linear_repeating import (
@@ -30,7 +31,6 @@ from orishell.shell.caveats import (
 )
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
-from orishell.shell.standing import find_feet
 from orishell.workshop import Workshop
 from strategies import graph, pair
 
@@ -187,13 +187,15 @@ def test_chamfers_steeper_than_saws_make() -> None:
     folds = design.mechanism.fold_angles(design.mechanism.target_drive)
     half = np.rad2deg(np.abs(folds.on_edges())) / 2
     assert half.max() > SAW
-    solid = replace(design, panel=PanelBuild(0.02, "bevel", gap=1e-9))
+    solid = replace(design, panel=PanelSpec(thickness=0.02, construction="bevel", gap=1e-9))
     (said,) = matching(solid, "chamfers lean")
     assert f"up to {half.max():.3g}:" in said
     # Each of the two panels beside a crease has one.
     assert said.startswith(f"{2 * (half > SAW).sum()} of ")
     assert not matching(solid, "larger than any board")
-    assert not matching(replace(design, panel=PanelBuild(0.02, membrane=0.001)), "chamfers lean")
+    assert not matching(
+        replace(design, panel=PanelSpec(thickness=0.02, membrane=0.001)), "chamfers lean"
+    )
 
 
 def test_folds_that_hide_the_curve() -> None:

@@ -11,9 +11,9 @@ from orishell.cli.summary import summarize
 from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import check_design, read_design_file
 from orishell.locking import find_lock
+from orishell.locking.report import describe_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
-from orishell.shell.lock_report import describe_lock
 from orishell.shell.parts import MEASURES, PARTS, Part
 from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.workshop import Workshop
@@ -60,7 +60,11 @@ def test_each_part_is_left_out_by_itself() -> None:
         pattern=file.pattern.model_copy(update={"rows": 3, "columns": 5}),
         workshop=Workshop(stock=(8.0, 8.0)),
         structure=Structure(
-            1e9, 0.3, (Support("feet", "pinned"),), (LoadCase("snow", pressure=-500.0),), 0.02
+            modulus=1e9,
+            poisson=0.3,
+            supports=(Support(at="feet", kind="pinned"),),
+            cases=(LoadCase(name="snow", pressure=-500.0),),
+            thickness=0.02,
         ),
         frames=2,
     )

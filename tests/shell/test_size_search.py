@@ -78,7 +78,7 @@ ERRORS: dict[str, Error] = {
 @pytest.mark.parametrize("name", ERRORS)
 @pytest.mark.parametrize("surface", [0.3, 0.05])
 def test_no_sheet_with_fewer_panels_does(name: str, surface: float) -> None:
-    tolerance = Tolerance(surface)
+    tolerance = Tolerance(surface=surface)
     _, choice = choose(sizes(ERRORS[name]), tolerance)
     assert choice.trial.error <= surface
     assert choice.trial.panels == fewest(ERRORS[name], tolerance)
@@ -100,14 +100,14 @@ def test_errors_that_do_not_fall_with_rows_or_columns(surface: float) -> None:
         ripple=1.5,
         orderly=False,
     )
-    tolerance = Tolerance(surface)
+    tolerance = Tolerance(surface=surface)
     assert choose(asked, tolerance)[1].trial.panels == fewest(rippled, tolerance)
 
 
 @settings(max_examples=10)
 @given(st.floats(0.8, 1.0))
 def test_a_quick_measure_that_is_too_kind_is_made_up_for(quick: float) -> None:
-    tolerance = Tolerance(0.05)
+    tolerance = Tolerance(surface=0.05)
     _, choice = choose(sizes(ERRORS["sum"], quick), tolerance)
     assert choice.trial.error <= 0.05
     assert choice.trial.panels == fewest(ERRORS["sum"], tolerance)
@@ -120,7 +120,7 @@ def test_other_variants_are_tried_where_the_telling_ones_nearly_do() -> None:
         rows, name = variant
         return Measured(shares[name] * ERRORS["sum"](rows, columns), 1.0, 1.0)
 
-    tolerance = Tolerance(0.3)
+    tolerance = Tolerance(surface=0.3)
     (_, name), choice = choose(
         Sizes(
             variants=lambda rows: Variants([(rows, "telling")], [(rows, "other")]),
@@ -135,7 +135,7 @@ def test_other_variants_are_tried_where_the_telling_ones_nearly_do() -> None:
 
 
 def test_no_trial_of_the_tradeoff_is_beaten() -> None:
-    _, choice = choose(sizes(ERRORS["sum"]), Tolerance(0.05))
+    _, choice = choose(sizes(ERRORS["sum"]), Tolerance(surface=0.05))
     panels = [trial.panels for trial in choice.tradeoff]
     errors = [trial.error for trial in choice.tradeoff]
     assert panels == sorted(set(panels))
@@ -145,7 +145,7 @@ def test_no_trial_of_the_tradeoff_is_beaten() -> None:
 
 @pytest.mark.parametrize(("least", "most"), [(0.3, 3), (0.0, 0.7), (0.35, 1.2)])
 def test_panels_have_the_sizes_asked_for(least: float, most: float) -> None:
-    tolerance = Tolerance(0.2, least, most)
+    tolerance = Tolerance(surface=0.2, panel_min=least, panel_max=most)
     trial = choose(sizes(ERRORS["sum"]), tolerance)[1].trial
     assert trial.shortest >= least
     assert trial.longest <= most
@@ -157,11 +157,11 @@ def test_panels_fit_the_boards() -> None:
         return 20 / columns / 1.5
 
     asked = sizes(ERRORS["rows"], oversize=oversize)
-    trial = choose(asked, Tolerance(0.3))[1].trial
+    trial = choose(asked, Tolerance(surface=0.3))[1].trial
     # Columns are of no use to the distance, but these make panels as long as the boards.
     assert trial.columns == 14
     with pytest.raises(DesignError, match="no shell of this family") as caught:
-        choose(replace(asked, oversize=lambda *_: 2.0), Tolerance(0.3))
+        choose(replace(asked, oversize=lambda *_: 2.0), Tolerance(surface=0.3))
     assert not list(caught.value.candidates)
 
 
@@ -170,8 +170,8 @@ def test_long_panels_do_where_square_ones_are_too_small() -> None:
     def error(rows: int, columns: int) -> float:
         return 10 / columns**2 + 1e-6 / rows
 
-    _, choice = choose(sizes(error), Tolerance(0.01, panel_min=0.5))
-    assert choice.trial.panels == fewest(error, Tolerance(0.01, panel_min=0.5))
+    _, choice = choose(sizes(error), Tolerance(surface=0.01, panel_min=0.5))
+    assert choice.trial.panels == fewest(error, Tolerance(surface=0.01, panel_min=0.5))
 
 
 def test_what_cannot_be_met_says_what_can() -> None:
@@ -179,28 +179,28 @@ def test_what_cannot_be_met_says_what_can() -> None:
         return 0.1 + 1 / rows + 1 / columns
 
     with pytest.raises(DesignError) as caught:
-        choose(sizes(error), Tolerance(0.05))
+        choose(sizes(error), Tolerance(surface=0.05))
     nearest = float(str(next(iter(caught.value.candidates)).changes["tolerance.surface"]))
     # With 201 rows and columns, the most that are tried.
     assert caught.value.excess == pytest.approx((0.1 + 2 / 201) / 0.05 - 1)
-    assert choose(sizes(error), Tolerance(nearest))
+    assert choose(sizes(error), Tolerance(surface=nearest))
     with pytest.raises(DesignError, match="panel edges from 1 to"):
-        choose(sizes(ERRORS["sum"]), Tolerance(0.05, panel_min=1))
+        choose(sizes(ERRORS["sum"]), Tolerance(surface=0.05, panel_min=1))
 
 
 def test_a_target_out_of_reach_is_refused_for_its_own_reason() -> None:
     with pytest.raises(DesignError, match="does not cross"):
-        choose(sizes(ERRORS["sum"], refuses=lambda *_: True), Tolerance(0.05))
+        choose(sizes(ERRORS["sum"], refuses=lambda *_: True), Tolerance(surface=0.05))
 
 
 def test_sheets_that_cannot_be_made_are_passed_over() -> None:
     asked = sizes(ERRORS["sum"], refuses=lambda _, columns: columns < 12)
-    assert choose(asked, Tolerance(0.3))[1].trial.columns == 12
+    assert choose(asked, Tolerance(surface=0.3))[1].trial.columns == 12
 
 
 def test_few_are_tried_where_only_small_sheets_can_be_made() -> None:
     asked: list[tuple[int, int]] = []
     only_small = sizes(ERRORS["sum"], refuses=lambda m, n: m > 3 or n > 3, asked=asked)
     with pytest.raises(DesignError, match="comes within"):
-        choose(only_small, Tolerance(0.01, panel_min=1e-3))
+        choose(only_small, Tolerance(surface=0.01, panel_min=1e-3))
     assert len(asked) < 40

@@ -1,5 +1,6 @@
 """What a shell stands on, found on its rows, and where that puts it."""
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ from typer.testing import CliRunner
 
 from orishell.cli.main import app
 from orishell.conventions.errors import InputError
+from orishell.deployment.feet import find_feet, stand
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.design_file.file import check_design
@@ -18,7 +20,6 @@ from orishell.io import read_fold
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.parts import MEASURES
 from orishell.shell.report import StandsReport
-from orishell.shell.standing import find_feet, stand
 from strategies import graph, pair
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -123,7 +124,9 @@ def test_the_whole_motion_moves_by_the_same_height() -> None:
     stands = drawn.report.stands
     assert stands is not None
     assert stands.z == pytest.approx(-drawn.report.deployed.height)
-    assert standing.report.stands == StandsReport((0, 10), 0.0, stands.uneven, level=True)
+    meant = StandsReport((0, 10), 0.0, stands.uneven, level=True)
+    assert standing.report.stands is not None
+    assert asdict(standing.report.stands) == asdict(meant)
     up = standing.design.origin - drawn.design.origin
     assert up[2] > 0
     for before, after in zip(drawn.document.states, standing.document.states, strict=True):

@@ -13,7 +13,7 @@ from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
-from orishell.shell.structure_report import StructureReport
+from orishell.structure.report import StructureReport
 
 STORM = {"speed": 26, "terrain": "II", "direction_deg": 90}
 

@@ -17,10 +17,10 @@ from analysed import STRUCTURE, analysed
 from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
-from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_files import write_structure_files
-from orishell.shell.structure_page import structure_page
-from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.build_warnings import name_of
+from orishell.structure.files import write_structure_files
+from orishell.structure.page import structure_page
+from orishell.structure.report import StructureReport, describe_structure
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -145,7 +145,7 @@ def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path
 
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
-    plain = replace(STRUCTURE, strength=None, crease_strength=None, tie_strength=None)
+    plain = STRUCTURE.having(strength=None, crease_strength=None, tie_strength=None)
     text = words(page(describe_structure(plain, analysed(), None)))
     assert "of panels and creases and ties no strength is given" in text
     assert "Buckling governs" in text

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
-from orishell.shell.structure_report import StructureReport, describe_structure
+from orishell.structure.report import StructureReport, describe_structure
 from orishell.structure.results import CaseResult, FreeMotion
 from orishell.structure.settings import NO_CODE, LoadCase
 
@@ -114,7 +114,7 @@ def test_what_governs(report: StructureReport) -> None:
 
 
 def test_a_strength_that_is_not_known_governs_nothing() -> None:
-    bare = replace(STRUCTURE, strength=None, crease_strength=None, tie_strength=None)
+    bare = STRUCTURE.having(strength=None, crease_strength=None, tie_strength=None)
     found = describe_structure(bare, analysed(), None)
     assert found.governs is not None
     assert found.governs.part == "buckling"
@@ -169,9 +169,9 @@ def test_what_bears_too_much(change: Callable[[CaseResult], CaseResult], says: s
 def test_coefficients_of_no_code_are_named() -> None:
     wind = STRUCTURE.cases[3].wind
     assert wind is not None
-    gusts = replace(wind, coefficients=NO_CODE)
-    cases = (*STRUCTURE.cases[:3], LoadCase("wind", wind=gusts))
-    asked = replace(STRUCTURE, cases=cases)
+    gusts = wind.having(coefficients=NO_CODE)
+    cases = (*STRUCTURE.cases[:3], LoadCase(name="wind", wind=gusts))
+    asked = STRUCTURE.having(cases=cases)
     found = describe_structure(asked, analysed(), None)
     assert found.cases[1].loads[0].rule.endswith("of no code")
     assert any("wind are of no code" in text for text in found.warnings)
@@ -179,7 +179,7 @@ def test_coefficients_of_no_code_are_named() -> None:
 
 def test_a_sound_structure_is_warned_of_nothing() -> None:
     found = analysed()
-    dead = replace(STRUCTURE, cases=STRUCTURE.cases[:1])
+    dead = STRUCTURE.having(cases=STRUCTURE.cases[:1])
     small = 0.1 * found.cases[2].displacements
     case = replace(found.cases[2], name="dead", displacements=small, buckling=(4.0, small))
     assert not describe_structure(dead, replace(found, cases=(case,)), None).warnings

@@ -88,7 +88,7 @@ def test_every_family_comes_as_near_as_asked(
 def test_panels_keep_the_sizes_asked_for(tmp_path: Path) -> None:
     text = "surface = 0.4\npanel_min = 0.2\npanel_max = 2.5"
     file = read_design_file(write_file(tmp_path, "parallel-repeating", text))
-    assert file.tolerance == Tolerance(0.4, 0.2, 2.5)
+    assert file.tolerance == Tolerance(surface=0.4, panel_min=0.2, panel_max=2.5)
     pattern, _ = meet_tolerance(file, file.tolerance)
     measured = measure(pattern.design(file.f, file.g), False)
     assert measured.shortest >= 0.2
@@ -102,7 +102,7 @@ def test_what_panels_of_the_smallest_size_cannot_meet(tmp_path: Path) -> None:
     with pytest.raises(DesignError, match=r"within 0\.02 of the surface") as caught:
         meet_tolerance(file, file.tolerance)
     nearest = float(str(next(iter(caught.value.candidates)).changes["tolerance.surface"]))
-    assert meet_tolerance(file, Tolerance(nearest, 0.2))[1].trial.error <= nearest
+    assert meet_tolerance(file, Tolerance(surface=nearest, panel_min=0.2))[1].trial.error <= nearest
 
 
 def test_what_the_file_says_is_kept(tmp_path: Path) -> None:

@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.shell.make import Shell, make_shell
-from orishell.solids import drive_for_height, find_room, largest_folds, largest_height
+from orishell.solids import drive_for_height, find_thickness_limit, largest_folds, largest_height
 from orishell.solids.limits import bare_faces
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
@@ -129,12 +129,13 @@ def test_flaps_that_fold_flat_limit_nothing(figure: int) -> None:
     """They carry no boards where they close; what limits the motion is what does without them."""
     file = read_design_file(SHELTER.with_name(f"figure{figure}.toml"))
     sheet = file.pattern.design(file.f, file.g).mechanism
-    build = PanelBuild(0.01, membrane=1e-3)
-    room = find_room(sheet, build)
-    assert not room.on_flap
-    assert 0 < room.thickness <= find_room(sheet.without_flaps(), build).thickness * (1 + 1e-12)
-    assert drive_for_height(sheet, 0.49 * room.thickness) == sheet.end_drive
-    assert drive_for_height(sheet, 0.6 * room.thickness) < sheet.end_drive
-    with_boards = find_room(sheet.with_stop(np.deg2rad(0.1)), build)
+    build = PanelSpec(thickness=0.01, membrane=1e-3)
+    limit = find_thickness_limit(sheet, build)
+    without = find_thickness_limit(sheet.without_flaps(), build)
+    assert not limit.on_flap
+    assert 0 < limit.thickness <= without.thickness * (1 + 1e-12)
+    assert drive_for_height(sheet, 0.49 * limit.thickness) == sheet.end_drive
+    assert drive_for_height(sheet, 0.6 * limit.thickness) < sheet.end_drive
+    with_boards = find_thickness_limit(sheet.with_stop(np.deg2rad(0.1)), build)
     assert with_boards.on_flap
     assert with_boards.thickness < 0.01

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
-from orishell.design import Construction, PanelBuild
+from orishell.design import Construction, PanelSpec, Setback
 from orishell.design_file import read_design_file
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
@@ -19,10 +19,10 @@ from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-Built = tuple[Mechanism, PanelBuild, Boards, Meetings]
+Built = tuple[Mechanism, PanelSpec, Boards, Meetings]
 
 
-def built(request: Request, build: PanelBuild) -> Built | None:
+def built(request: Request, build: PanelSpec) -> Built | None:
     """The sheet with the stop that boards need, and where they meet; None if it has no room."""
     mechanism = request.feasible().mechanism
     try:
@@ -72,12 +72,12 @@ def test_play_is_that_of_the_boards_as_they_are(
     """Boards that no gap sets back touch, to 1e-12 of their thickness; others are as far apart."""
     size = float(np.linalg.norm(np.ptp(request.feasible().mechanism.positions(0.0), axis=(0, 1))))
     thickness = share * size / 10
-    build = PanelBuild(
-        thickness,
-        construction,
-        0.0 if construction == "bevel" else 0.1 * thickness,
+    build = PanelSpec().having(
+        largest_setback=Setback(share=0.9),
+        thickness=thickness,
+        construction=construction,
+        membrane=0.0 if construction == "bevel" else 0.1 * thickness,
         gap=gap * thickness,
-        share=0.9,
     )
     made = built(request, build)
     if made is None:
@@ -105,7 +105,9 @@ def test_play_is_that_of_the_boards_as_they_are(
 def test_a_flap_turns_by_the_angle_until_its_boards_meet(figure: int) -> None:
     """The motion goes on beyond the target: there the play is gone, and boards would cross."""
     sheet = example(figure)
-    build = PanelBuild(0.01, membrane=1e-3, gap=0.09, setback=0.046)
+    build = PanelSpec(
+        thickness=0.01, membrane=1e-3, gap=0.09, largest_setback=Setback(length=0.046)
+    )
     sheet = sheet.with_stop(np.deg2rad(9.0))
     folds = largest_folds(sheet, sheet.target_drive)
     boards = build_boards(sheet.positions(0.0), sheet.grid, build, folds)
@@ -129,7 +131,7 @@ def test_a_flap_turns_by_the_angle_until_its_boards_meet(figure: int) -> None:
 @pytest.mark.parametrize("figure", [1, 2])
 def test_flaps_that_fold_flat_have_no_boards_that_meet(figure: int) -> None:
     """The paper's flaps: no board lies on the closing side of their row creases."""
-    sheet, build = example(figure), PanelBuild(0.01, membrane=1e-3)
+    sheet, build = example(figure), PanelSpec(thickness=0.01, membrane=1e-3)
     folds = largest_folds(sheet, sheet.target_drive)
     boards = build_boards(sheet.positions(0.0), sheet.grid, build, folds)
     assert len(boards)
@@ -138,7 +140,7 @@ def test_flaps_that_fold_flat_have_no_boards_that_meet(figure: int) -> None:
 
 def test_cut_corners_shorten_the_line_of_contact() -> None:
     """Edges stand back by 0.03; corners are cut off at 0.08 from every vertex."""
-    sheet, build = example(1).with_stop(np.deg2rad(9.0)), PanelBuild(0.01, membrane=1e-3)
+    sheet, build = example(1).with_stop(np.deg2rad(9.0)), PanelSpec(thickness=0.01, membrane=1e-3)
     folds = largest_folds(sheet, sheet.target_drive)
     flat = sheet.positions(0.0)
     whole, cut = (

@@ -6,11 +6,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.solids import build_boards, find_set_backs, largest_folds
-from orishell.solids.outlines import inset_panels
+from orishell.solids.boards import inset_panels
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
@@ -76,7 +76,7 @@ def test_boards_of_squares_are_rectangles() -> None:
     folds = CreaseValues(
         row=np.array([[2 * np.arctan(2.5), 0.0]]), column=np.array([[2 * np.arctan(1.0)], [0.0]])
     )
-    boards = build_boards(flat, grid, PanelBuild(0.2, membrane=0.02), folds)
+    boards = build_boards(flat, grid, PanelSpec(thickness=0.2, membrane=0.02), folds)
     assert boards.panels.tolist() == [0, 0, 1, 1, 2, 2, 3, 3]
     assert boards.sides.tolist() == [1, -1] * 4
     top, bottom = (boards.chosen(boards.sides == side) for side in (1, -1))
@@ -91,7 +91,9 @@ def test_bevelled_squares_are_frusta() -> None:
     """Gap 0.1: 0.05 all along a crease on the hinge plane, 0.25 more on the closing side."""
     flat, grid = square()
     folds = CreaseValues(row=np.array([[2 * np.arctan(2.5), 0.0]]), column=np.zeros((2, 1)))
-    boards = build_boards(flat, grid, PanelBuild(0.2, "bevel", gap=0.1), folds)
+    boards = build_boards(
+        flat, grid, PanelSpec(thickness=0.2, construction="bevel", gap=0.1), folds
+    )
     assert boards.sides.tolist() == [0] * 4
     below, middle, above = boards.outlines[0, :, :, 2].T[0]
     assert (below, middle, above) == pytest.approx((-0.1, 0.0, 0.1))
@@ -138,12 +140,12 @@ def test_a_panel_that_vanishes_is_named() -> None:
     flat, grid = square()
     folds = CreaseValues(row=np.full((1, 2), 2.8), column=np.full((2, 1), 2.8))
     with pytest.raises(DesignError, match=r"leave nothing of a panel, of panel \[0, 0\]"):
-        build_boards(flat, grid, PanelBuild(0.4), folds)
+        build_boards(flat, grid, PanelSpec().having(thickness=0.4), folds)
 
 
 def test_no_board_lies_where_a_crease_folds_flat() -> None:
     flat, grid = square()
     folds = CreaseValues(row=np.array([[np.pi, 0.0]]), column=np.zeros((2, 1)))
-    boards = build_boards(flat, grid, PanelBuild(0.1, membrane=0.01), folds)
+    boards = build_boards(flat, grid, PanelSpec(thickness=0.1, membrane=0.01), folds)
     named = set(zip(boards.panels.tolist(), boards.sides.tolist(), strict=True))
     assert named == {(0, -1), (1, 1), (1, -1), (2, -1), (3, 1), (3, -1)}

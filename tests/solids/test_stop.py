@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError, Value
 from orishell.curves import curve_from_formulas, curve_from_points, parse_formula
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import Mechanism
 from orishell.motion.quads import lengths
 from orishell.shell.make import Shell, make_shell
-from orishell.solids import find_room, find_stop
+from orishell.solids import find_stop, find_thickness_limit
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 
@@ -24,7 +24,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 HUNDREDTH = np.deg2rad(0.01)
 
 
-def taken(mechanism: Mechanism, build: PanelBuild) -> tuple[float, float]:
+def taken(mechanism: Mechanism, build: PanelSpec) -> tuple[float, float]:
     """The largest share that set-backs of row creases take of a flap, and the longest of them.
 
     Panel by panel: a flap's panel has a closing crease at its top, at its bottom, or one of each
@@ -69,12 +69,11 @@ def test_a_stop_that_is_found_is_the_least_that_works(
 ) -> None:
     mechanism = request.feasible().mechanism
     edge = float(np.median(lengths(np.diff(mechanism.positions(0.0), axis=0))))
-    build = PanelBuild(
-        size * edge,
+    build = PanelSpec().having(
+        thickness=size * edge,
         membrane=0.1 * size * edge,
-        share=share,
         gap=gap * size * edge,
-        setback=0.1 * edge if limited else np.inf,
+        largest_setback=Setback(share=share, length=0.1 * edge if limited else None),
     )
     try:
         stop = find_stop(mechanism, build)
@@ -97,7 +96,7 @@ def test_a_stop_that_is_found_is_the_least_that_works(
 def test_sheets_without_flaps_need_no_stop() -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
     mechanism = file.pattern.design(file.f, file.g).mechanism
-    assert find_stop(mechanism.without_flaps(), PanelBuild(0.01, membrane=1e-3)) == 0
+    assert find_stop(mechanism.without_flaps(), PanelSpec(thickness=0.01, membrane=1e-3)) == 0
 
 
 @pytest.mark.parametrize("gap", [0.0, 1e-4])
@@ -117,11 +116,11 @@ def test_flaps_beside_a_column_that_all_but_folds_flat_have_no_room(gap: float) 
         flap=0.1,
     )
     with pytest.raises(DesignError, match="no thickness is small enough") as refused:
-        find_stop(design.mechanism, PanelBuild(1e-3, membrane=1e-4, gap=gap))
+        find_stop(design.mechanism, PanelSpec(thickness=1e-3, membrane=1e-4, gap=gap))
     assert refused.value.excess is None
 
 
-def shell(figure: int, panel: PanelBuild, *, clipped: bool = False) -> Shell:
+def shell(figure: int, panel: PanelSpec, *, clipped: bool = False) -> Shell:
     file = read_design_file(EXAMPLES / f"figure{figure}.toml")
     changes: dict[str, Value | None] = {
         "panel.thickness": panel.thickness,
@@ -137,15 +136,13 @@ def shell(figure: int, panel: PanelBuild, *, clipped: bool = False) -> Shell:
 @pytest.mark.parametrize("clipped", [False, True])
 def test_shells_with_boards_on_their_flaps(figure: int, clipped: bool) -> None:
     """The target is met as without a thickness; folded flaps end the motion there."""
-    panel = PanelBuild(0.01, membrane=2e-4)
+    panel = PanelSpec(thickness=0.01, membrane=2e-4)
     made = shell(figure, panel, clipped=clipped)
     file = read_design_file(EXAMPLES / f"figure{figure}.toml")
     design = made.design
-    assert design.panel is not None
-    assert design.panel.stop is not None
-    assert design.parameters["stop_deg"] == pytest.approx(np.rad2deg(design.panel.stop))
     flapped = design.clipped or design.mechanism
-    assert design.panel.stop == find_stop(flapped.with_stop(0.0), panel)
+    stop = find_stop(flapped.with_stop(0.0), panel)
+    assert design.parameters["stop_deg"] == pytest.approx(np.rad2deg(stop), rel=1e-12)
     assert taken(flapped, panel)[0] <= 0.5
     at_target = design.mechanism.positions(design.mechanism.target_drive)
     paper = file.pattern.design(file.f, file.g).mechanism
@@ -167,10 +164,10 @@ def test_shells_with_boards_on_their_flaps(figure: int, clipped: bool) -> None:
     fold = np.abs(design.mechanism.fold_angles(made.lock.target).row)
     (row, column), _ = contact.panels
     assert fold[row, column] == fold[:, list(design.mechanism.flap_columns)].max()
-    assert fold[row, column] == pytest.approx(np.pi - 2 * design.panel.stop, abs=1e-14)
+    assert fold[row, column] == pytest.approx(np.pi - 2 * stop, abs=1e-14)
 
 
-def refusal(figure: int, panel: PanelBuild) -> DesignError:
+def refusal(figure: int, panel: PanelSpec) -> DesignError:
     with pytest.raises(DesignError) as refused:
         shell(figure, panel)
     return refused.value
@@ -182,40 +179,43 @@ def offered(error: DesignError) -> dict[str, Any]:
 
 def test_a_stop_that_is_too_early_for_the_boards_is_refused() -> None:
     """Set-backs would be 0.005/tan(0.05 degrees) = 5.7: the crease of the flap is named."""
-    error = refusal(2, PanelBuild(0.01, membrane=2e-4, stop=np.deg2rad(0.05)))
+    error = refusal(2, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=0.05))
     assert "at the crease of row 5 between columns 0 and 1" in error.place
     assert error.remedies[0].changes == {"panel.stop_deg": "auto"}
 
 
 def test_a_stop_that_no_flap_can_have_is_refused() -> None:
     """Flaps of Figure 1 can stop short by less than half of its xi of 50 degrees."""
-    error = refusal(1, PanelBuild(0.01, membrane=2e-4, stop=np.deg2rad(30.0)))
+    error = refusal(1, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=30.0))
     assert error.keys == ("panel.stop_deg",)
     assert "less than 25, half" in error.size
     works = offered(error)["panel.stop_deg"]
     assert 0 < works < 25
-    assert shell(1, PanelBuild(0.01, membrane=2e-4, stop=np.deg2rad(works))).lock.cause == "flaps"
+    assert shell(1, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=works)).lock.cause == "flaps"
 
 
 @pytest.mark.parametrize("figure", [1, 2])
 def test_boards_too_thick_for_any_stop_are_refused(figure: int) -> None:
     """What is offered is the largest, but for a share of 0.99, that works in the whole design."""
-    error = refusal(figure, PanelBuild(2.0, membrane=0.002))
+    error = refusal(figure, PanelSpec(thickness=2.0, membrane=0.002))
     works = offered(error)["panel.thickness"]
-    made = shell(figure, PanelBuild(works, membrane=0.002))
+    made = shell(figure, PanelSpec(thickness=works, membrane=0.002))
     assert made.lock.cause == "flaps"
-    assert find_room(made.design.mechanism, PanelBuild(works)).thickness >= works
+    assert (
+        find_thickness_limit(made.design.mechanism, PanelSpec().having(thickness=works)).thickness
+        >= works
+    )
 
 
 def test_panels_thinner_than_their_membrane_are_offered_with_a_thinner_one() -> None:
     """Figure 1 may have panels 0.12 thick at most, and the membrane alone is 0.2, a tenth."""
-    works = offered(refusal(1, PanelBuild(2.0, membrane=0.2)))
+    works = offered(refusal(1, PanelSpec(thickness=2.0, membrane=0.2)))
     assert works["panel.membrane"] == pytest.approx(0.1 * works["panel.thickness"], rel=1e-3)
-    build = PanelBuild(works["panel.thickness"], membrane=works["panel.membrane"])
+    build = PanelSpec(thickness=works["panel.thickness"], membrane=works["panel.membrane"])
     assert shell(1, build).lock.cause == "flaps"
 
 
 def test_a_gap_that_takes_too_much_is_named() -> None:
-    error = refusal(1, PanelBuild(0.01, membrane=2e-4, gap=0.4))
+    error = refusal(1, PanelSpec(thickness=0.01, membrane=2e-4, gap=0.4))
     assert error.keys == ("panel.gap",)
     assert offered(error)["panel.gap"] < 0.4

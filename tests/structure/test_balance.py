@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,24 +10,41 @@ import pytest
 from scipy.spatial import cKDTree
 
 from orishell.deployment import feet_ties
+from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
-from orishell.shell.standing import find_feet
 from orishell.structure.analyse import analyse
 from orishell.structure.model import Frame
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-WIND = Wind(10, "II", 0.3, ((0.0, 0.8), (0.5 * np.pi, -0.6), (np.pi, -0.4)))
+SMOOTH = Support(at="feet", kind="pinned").having(kind="friction")
+"""Ground that only pushes."""
+NOTHING = LoadCase(name="none", self_weight=True).having(self_weight=False)
+WIND = Wind(
+    speed=10,
+    terrain="II",
+    direction_deg=17.0,
+    coefficients=((0.0, 0.8), (90.0, -0.6), (180.0, -0.4)),
+)
 CASES = (
-    LoadCase("dead", self_weight=True),
-    LoadCase("snow", snow=Snow(500.0)),
-    LoadCase("wind", wind=WIND),
-    LoadCase("point", self_weight=True, points=(PointLoad((2, 2), (3.0, -2.0, -5.0)),)),
+    LoadCase(name="dead", self_weight=True),
+    LoadCase(name="snow", snow=Snow(ground=500.0)),
+    LoadCase(name="wind", wind=WIND),
+    LoadCase(
+        name="point", self_weight=True, points=(PointLoad(at=(2, 2), force=(3.0, -2.0, -5.0)),)
+    ),
 )
 MODULUS, THICKNESS = 270e6, 0.01
-STRUCTURE = Structure(MODULUS, 0.3, (Support("feet", "pinned"),), CASES, THICKNESS, cells=2)
+STRUCTURE = Structure(
+    modulus=MODULUS,
+    poisson=0.3,
+    supports=(Support(at="feet", kind="pinned"),),
+    cases=CASES,
+    thickness=THICKNESS,
+    cells=2,
+)
 
 
 @cache
@@ -54,11 +70,11 @@ def analysed(
 @pytest.mark.parametrize(
     "support",
     [
-        Support("feet", "pinned"),
-        Support("feet", "fixed"),
-        Support("feet", "sliding"),
-        Support("feet", "friction", 0.0),
-        Support("ends", "fixed"),
+        Support(at="feet", kind="pinned"),
+        Support(at="feet", kind="fixed"),
+        Support(at="feet", kind="sliding"),
+        SMOOTH,
+        Support(at="ends", kind="fixed"),
     ],
 )
 @pytest.mark.parametrize("stiffness", [(0.0, np.inf), (20.0, 20.0)])
@@ -67,7 +83,7 @@ def test_reactions_balance_loads(
     shell: tuple[str, int, int], stiffness: tuple[float, float], support: Support, tied: bool
 ) -> None:
     """To 1e-12 of them; found on four kernels of OpenBLAS: 1e-15."""
-    structure = replace(STRUCTURE, supports=(support,), crease_stiffness=stiffness)
+    structure = STRUCTURE.having(supports=(support,), crease_stiffness=stiffness)
     found = analysed(structure, shell, tied=tied)
     for case in found.cases:
         if case.motion is None:
@@ -87,16 +103,14 @@ def test_reactions_balance_loads(
 
 
 def test_wind_pushes_aside_what_nothing_holds() -> None:
-    found = analysed(replace(STRUCTURE, supports=(Support("feet", "sliding"),)))
+    found = analysed(STRUCTURE.having(supports=(Support(at="feet", kind="sliding"),)))
     motion = {case.name: case.motion for case in found.cases}["wind"]
     assert motion is not None
     assert not motion.folding
 
 
 def test_a_case_without_loads_is_one() -> None:
-    found = analysed(
-        replace(STRUCTURE, cases=(LoadCase("none"), LoadCase("dead", self_weight=True)))
-    )
+    found = analysed(STRUCTURE.having(cases=(NOTHING, LoadCase(name="dead", self_weight=True))))
     nothing = found.cases[0]
     assert nothing.motion is None
     assert nothing.buckling is None
@@ -105,9 +119,9 @@ def test_a_case_without_loads_is_one() -> None:
 
 def test_linear_cases_superpose() -> None:
     """Rigid creases, pinned feet, and flaps that are left out."""
-    both = LoadCase("both", combine=(("dead", 2.0), ("wind", -3.0)))
-    parts = replace(STRUCTURE, crease_stiffness=(np.inf, np.inf))
-    whole = replace(parts, cases=(*CASES, both))
+    both = LoadCase(name="both", combine={"dead": 2.0, "wind": -3.0})
+    parts = STRUCTURE.having(crease_stiffness=(np.inf, np.inf))
+    whole = parts.having(cases=(*CASES, both))
     a, b = analysed(parts), analysed(whole)
     assert all(len(case.flap_forces) == len(a.flaps) for case in a.cases)
     if all((case.flap_forces == 0).all() for case in (*a.cases, *b.cases)):
@@ -118,7 +132,10 @@ def test_linear_cases_superpose() -> None:
         )
 
 
-@pytest.mark.parametrize("support", [Support("feet", "pinned"), Support("feet", "friction", 0.0)])
+@pytest.mark.parametrize(
+    "support",
+    [Support(at="feet", kind="pinned"), SMOOTH],
+)
 def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     """The shelter about the middle of its length, under its own weight and snow."""
     file = read_design_file(EXAMPLES / "shelter.toml")
@@ -126,8 +143,8 @@ def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     feet = find_feet(design)
     assert feet is not None
     ties = tuple(feet_ties(design.mechanism, feet.rows))
-    cases = (LoadCase("all", self_weight=True, snow=Snow(500.0)),)
-    structure = replace(STRUCTURE, supports=(support,), cases=cases, tie_stiffness=1e6)
+    cases = (LoadCase(name="all", self_weight=True, snow=Snow(ground=500.0)),)
+    structure = STRUCTURE.having(supports=(support,), cases=cases, tie_stiffness=1e6)
     found = analyse(design, structure, Frame("m", feet.rows, ties, 1.9, None))
     points = found.mesh.facets.points
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
@@ -150,12 +167,12 @@ def test_forces_of_a_shell_without_conditions_are_superposed() -> None:
     """Pinned, without flaps and ties, all is linear: twice one case and half another."""
     file = read_design_file(EXAMPLES / "figure2.toml")
     pattern = file.pattern.sized(7, 9).model_copy(update={"flap": 0})
-    both = LoadCase("both", combine=(("dead", 2.0), ("wind", 0.5)))
+    both = LoadCase(name="both", combine={"dead": 2.0, "wind": 0.5})
     feet = find_feet(pattern.design(file.f, file.g))
     assert feet is not None
 
     def moved(*cases: LoadCase) -> np.ndarray:
-        structure = replace(STRUCTURE, cases=cases, crease_stiffness=(20.0, 20.0))
+        structure = STRUCTURE.having(cases=cases, crease_stiffness=(20.0, 20.0))
         frame = Frame("m", feet.rows, (), 1.9, None)
         found = analyse(pattern.design(file.f, file.g), structure, frame)
         return np.stack([case.displacements for case in found.cases])

@@ -85,7 +85,7 @@ def limit(found: list[list[float]], cells: tuple[int, int]) -> Array:
 @pytest.mark.parametrize(
     ("name", "cells", "buckling"),
     [
-        ("figure2", (2, 3), 0.2),
+        pytest.param("figure2", (2, 3), 0.2, marks=thorough),
         pytest.param("figure2", (3, 5), 0.03, marks=thorough),
         pytest.param("shelter", (4, 6), 0.07, marks=thorough),
     ],

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
-from orishell.shell.standing import find_feet
 from orishell.structure.analyse import analyse
 from orishell.structure.model import Frame
 from orishell.structure.settings import LoadCase, Structure, Support
 from samples import thorough
 
-CASES = (LoadCase("own weight", self_weight=True),)
+CASES = (LoadCase(name="own weight", self_weight=True),)
 RIGID = (np.inf, np.inf)
-PINNED = (Support("feet", "pinned"),)
-STRUCTURE = Structure(8e9, 0.3, PINNED, CASES, thickness=0.01, crease_stiffness=RIGID)
+PINNED = (Support(at="feet", kind="pinned"),)
+STRUCTURE = Structure(
+    modulus=8e9, poisson=0.3, supports=PINNED, cases=CASES, thickness=0.01
+).having(crease_stiffness=RIGID)
 FIGURE_2 = Path(__file__).parents[2] / "examples" / "figure2.toml"
 
 
@@ -28,7 +29,7 @@ def largest(cells: int, refine: float = 0.0) -> tuple[float, float, int]:
     design = file.pattern.sized(7, 9).model_copy(update={"flap": 0}).design(file.f, file.g)
     feet = find_feet(design)
     assert feet is not None
-    asked = replace(STRUCTURE, cells=cells, refine=refine)
+    asked = STRUCTURE.having(cells=cells, refine=refine)
     found = analyse(design, asked, Frame("m", feet.rows, (), 6.0, None))
     (case,) = found.cases
     size = float(np.linalg.norm(case.displacements, axis=1).max())

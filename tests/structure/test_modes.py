@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from orishell.deployment import feet_ties
+from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.shell.standing import find_feet
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import hold
 from orishell.structure.inverse import Inverse
@@ -25,6 +25,8 @@ from orishell.structure.vibration import find_frequencies
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
+
+PINNED = Support(at="feet", kind="pinned")
 
 
 def designed(name: str, rows: int, columns: int) -> Design:
@@ -69,7 +71,13 @@ def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
     feet = find_feet(design)
     assert feet is not None
     ties = tuple(feet_ties(design.mechanism, feet.rows))
-    structure = Structure(1e9, 0.3, (Support("feet", "friction"),), (), thickness=0.01)
+    structure = Structure(
+        modulus=1e9,
+        poisson=0.3,
+        supports=(PINNED,),
+        cases=(),
+        thickness=0.01,
+    ).having(supports=(PINNED.having(kind="friction"),))
     model = Model(design, structure, Frame("m", feet.rows, ties, 1.0, None), 2, 0.0)
     count = len(ties) + len(model.flaps())
     assert count > len(ties)

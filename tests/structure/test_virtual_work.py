@@ -16,9 +16,9 @@ import pytest
 
 from orishell.conventions.units import GRAVITY
 from orishell.deployment import feet_ties, measure_weight
+from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
-from orishell.shell.standing import find_feet
 from orishell.structure.acting import respond
 from orishell.structure.loads import case_forces
 from orishell.structure.model import Frame, Model
@@ -46,6 +46,9 @@ class Carried:
     size: float
 
 
+PINNED = Support(at="feet", kind="pinned")
+
+
 def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> Carried:
     family = pattern["family"]
     tables = {
@@ -60,11 +63,11 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
     structure = Structure(
         modulus=1e11,
         poisson=0.3,
-        supports=(Support("feet", "friction"),),
-        cases=(LoadCase("own weight", self_weight=True),),
+        supports=(PINNED,),
+        cases=(LoadCase(name="own weight", self_weight=True),),
         thickness=0.05,
         crease_stiffness=(0.0, 0.0),
-    )
+    ).having(supports=(PINNED.having(kind="friction"),))
     ties = tuple(feet_ties(sheet, feet.rows)) if tied else ()
     model = Model(design, structure, Frame("m", feet.rows, ties, MASS, None), 2, 0.0)
     forces = case_forces(model.exposure, structure.cases[0], structure.cases)

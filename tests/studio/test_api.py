@@ -16,14 +16,23 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
+from orishell.structure.case_report import GOVERNING
 from orishell.studio import api, search_api
 from orishell.studio.refusals import make_refusal
 from typescript import declarations, fits
 
-TYPES = Path(__file__).parents[2] / "frontend" / "src" / "shared" / "api-types.ts"
+SHARED = Path(__file__).parents[2] / "frontend" / "src" / "shared"
+TYPES = SHARED / "api-types.ts"
+WORDS = SHARED / "api-words.ts"
 HEAD = """\
 // What the server sends and pages have in them, from orishell.studio.api, orishell.io.view and
 // orishell.search.page. Do not edit:
+// ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
+
+"""
+WORDS_HEAD = """\
+// Words that every page has, those without a server too, from orishell.structure.case_report.
+// Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
 """
@@ -50,6 +59,14 @@ def test_pages_have_the_servers_types() -> None:
     if os.environ.get("ORISHELL_WRITE_GOLDEN"):
         TYPES.write_text(text)
     assert TYPES.read_text() == text
+
+
+def test_pages_have_the_programs_words() -> None:
+    lines = "".join(f'  {part}: "{words}",\n' for part, words in GOVERNING.items())
+    text = f"{WORDS_HEAD}/** What governs. */\nexport const GOVERNING = {{\n{lines}}} as const;\n"
+    if os.environ.get("ORISHELL_WRITE_GOLDEN"):
+        WORDS.write_text(text)
+    assert WORDS.read_text() == text
 
 
 def test_what_the_page_asks_for_first(client: httpx.Client) -> None:

@@ -14,6 +14,7 @@ import pytest
 from command_line import orishell
 from node_tools import lacking
 from orishell.design_file import starter_file
+from samples import thorough
 from studio_pages import TOUCHING, choose, drag, drawn, figures, fold, opened, settle, type_into
 from viewer_pages import (
     await_frames,
@@ -124,6 +125,7 @@ def test_save_is_the_same_design(page: Page, tmp_path: Path) -> None:
     assert json.loads(done.stdout)["sheet"]["area"] == pytest.approx(area, rel=1e-12)
 
 
+@thorough
 def test_latency_of_a_drag(page: Page, record_property: Callable[[str, object], None]) -> None:
     """Reported, not asserted tightly: other work may be going on."""
     choose(page, "parallel-repeating")

@@ -64,7 +64,7 @@ def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page)
     page.get_by_test_id("front-0").click()
     most = page.get_by_test_id("tradeoff-facts").inner_text()
     page.keyboard.press("ArrowRight")
-    assert page.get_by_test_id("front-1").get_attribute("aria-checked") == "true"
+    assert page.get_by_test_id("front-1").get_attribute("aria-selected") == "true"
     assert page.get_by_test_id("tradeoff-facts").inner_text() != most
     page.get_by_test_id("take-tolerance").click()
     assert design(page)["tolerance"]["surface"] != offered

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from node_tools import PACKAGES, lacking
-from samples import led_by
+from samples import led_by, thorough
 from studio_pages import SIZES, TOUCHING, choose, fold, opened, settle
 from viewer_pages import await_frames, keep_picture, pixels, require_apart, wait_until
 
@@ -203,6 +203,7 @@ def test_what_stands_around_a_shell(page: Page) -> None:
     wait_until(page, "document.querySelector('[data-testid=person]').closest('label').hidden")
 
 
+@thorough
 def test_designs_are_compared(page: Page) -> None:
     choose(page, "orthodiagonal")
     settle(page)

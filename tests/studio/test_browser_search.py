@@ -75,13 +75,13 @@ def test_the_front_grows_and_a_point_of_it_is_the_open_design(page: Page) -> Non
     drawn(page)
     picked = design(page)
     assert picked["pattern"] | {"rows": 3, "columns": 4} == picked["pattern"]
-    assert page.get_by_test_id("searched-0").get_attribute("aria-checked") == "true"
+    assert page.get_by_test_id("searched-0").get_attribute("aria-selected") == "true"
     assert page.evaluate("window.__orishell.report.columns") == 4
     assert "Against the knee" in page.get_by_test_id("search-facts").inner_text()
     page.get_by_test_id("undo").click()
     drawn(page)
     assert design(page)["pattern"] == before["pattern"]  # one step
-    assert page.locator(".search .point[aria-checked=true]").count() == 0
+    assert page.locator(".search .point[aria-selected=true]").count() == 0
 
     # By keys: the point that was looked at keeps the focus's place.
     page.get_by_test_id("searched-0").focus()
@@ -89,7 +89,7 @@ def test_the_front_grows_and_a_point_of_it_is_the_open_design(page: Page) -> Non
     assert design(page)["pattern"] == before["pattern"]  # walking picks nothing
     page.keyboard.press("Enter")
     settle(page)
-    assert page.get_by_test_id("searched-1").get_attribute("aria-checked") == "true"
+    assert page.get_by_test_id("searched-1").get_attribute("aria-selected") == "true"
     assert design(page)["pattern"] != before["pattern"]
     page.get_by_test_id("search-facts").scroll_into_view_if_needed()
     keep_picture(page, "studio-search")
@@ -167,9 +167,7 @@ def test_axes_are_chosen_among_three_figures(page: Page) -> None:
     page.get_by_test_id("search-go").click()
     await_end(page)
     across = page.get_by_test_id("search-axis-across")
-    places = (
-        "[...document.querySelectorAll('.search .point .dot')].map((dot) => dot.cx.baseVal.value)"
-    )
+    places = "[...document.querySelectorAll('.search .ring')].map((ring) => ring.cx.baseVal.value)"
     first = page.evaluate(places)
     across.select_option("cut_length")
     assert page.evaluate(places) != first

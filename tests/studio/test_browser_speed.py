@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from samples import thorough
 from studio_pages import opened, settle
 from viewer_pages import wait_until
 
@@ -37,6 +38,7 @@ DRAG = """() => {
 }"""
 
 
+@thorough
 def test_a_drag_over_a_slow_network(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         page.evaluate(FAR)

@@ -21,6 +21,7 @@ from ezdxf.filemanagement import new, readfile
 
 from command_line import orishell
 from orishell.shell.make import design_shell
+from samples import thorough
 from studio_pages import choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
@@ -154,6 +155,7 @@ def test_a_shelter_from_a_drawn_profile_to_cut_files(
     assert all(len(readfile(tmp_path / name).modelspace()) for name in names)
 
 
+@thorough
 def test_a_canopy_from_a_dropped_drawing_with_a_tolerance(
     browser: Browser, address: str, tmp_path: Path, steps: Steps
 ) -> None:
@@ -183,6 +185,7 @@ def test_a_canopy_from_a_dropped_drawing_with_a_tolerance(
     assert len(json.loads(table.read_text())["faces_vertices"]) == report["quantities"]["panels"]
 
 
+@thorough
 def test_a_lampshade_of_card_with_its_printed_model(
     browser: Browser, address: str, tmp_path: Path, steps: Steps
 ) -> None:

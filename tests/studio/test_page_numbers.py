@@ -17,7 +17,7 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from orishell import curve_from_points, design_parallel_repeating
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.document.from_design import document_of_motion
 from orishell.io.view import dump_view
 from orishell.motion import FoldingMotion
@@ -116,7 +116,10 @@ def test_boards_are_carried_by_their_panels() -> None:
     flat = mechanism.positions(0.0)
     folds = largest_folds(mechanism, mechanism.target_drive)
     shown = []
-    for build in (PanelBuild(0.04, membrane=0.002), PanelBuild(0.04, "bevel", gap=0.002)):
+    for build in (
+        PanelSpec(thickness=0.04, membrane=0.002),
+        PanelSpec(thickness=0.04, construction="bevel", gap=0.002),
+    ):
         boards = build_boards(flat, mechanism.grid, build, folds)
         document = document_of_motion(
             motion, "m", title="boards", curves={}, origin=np.zeros(3), panel=build, boards=boards

@@ -10,7 +10,7 @@ import pytest
 
 from boarded import BUILDS, boarded_document
 from documents import demo_document
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.document import Document, DocumentState
 from orishell.io.formats.tables import write_tables
 from orishell.io.settings import Settings
@@ -19,9 +19,9 @@ from orishell.motion.grid import Grid
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
-from orishell.workshop.bill import PanelBill, measure_panels
 from orishell.workshop.board_parts import nest_boards
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.quantities import PanelBill, measure_panels
 
 
 def two_panels() -> Document:
@@ -51,7 +51,7 @@ def two_panels() -> Document:
         grid_shape=(2, 3),
         curves={},
         origin=np.array([100.0, 200.0, 300.0]),
-        panel=PanelBuild(0.05, membrane=0.01, density=100, membrane_density=50),
+        panel=PanelSpec(thickness=0.05, membrane=0.01, density=100, membrane_density=50),
         boards=Boards(np.array([0, 1]), np.array([1, -1]), np.array(outlines, dtype=float)),
     )
 
@@ -92,7 +92,7 @@ def test_unit() -> None:
 def test_without_a_density_there_is_no_mass() -> None:
     document = two_panels()
     assert document.panel is not None
-    light = bill_of(replace(document, panel=replace(document.panel, density=0.0)))
+    light = bill_of(replace(document, panel=document.panel.having(density=0.0)))
     assert light.mass_kg.boards is None
     assert light.mass_kg.membrane == pytest.approx(2.0)
     assert (light.mass_kg.total, light.centre_of_mass) == (None, None)

@@ -17,9 +17,9 @@ from orishell.conventions.errors import InputError
 from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.board_outlines import part_name
 from orishell.workshop.board_parts import board_parts, nest_boards
 from orishell.workshop.board_sheets import draw_boards
+from orishell.workshop.boards import part_name
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.layout import require_stock
 from orishell.workshop.paper_model import make_board_models, make_paper_model
@@ -74,7 +74,7 @@ def test_names_of_files() -> None:
         "pattern-bottom.svg",
     ]
     assert names(boarded_document("bevel"), plain) == ["pattern.svg", "pattern-panels.svg"]
-    large = replace(STOCK, stock=(1000.0, 700.0))
+    large = STOCK.having(stock=(1000.0, 700.0))
     assert names(boarded_document(), large) == [
         "pattern.svg",
         "pattern-back.svg",
@@ -95,7 +95,7 @@ def test_layers_have_the_outlines_of_the_boards(construction: str, *, clipped: b
     document = boarded_document(construction, clipped=clipped)
     boards = boards_of(document)
     endings = {"-top": 1, "-bottom": -1, "-panels": 0}
-    drawn = dict(draw_boards(document, replace(Workshop(), spacing=3.0)))
+    drawn = dict(draw_boards(document, Workshop(spacing=3.0)))
     assert set(drawn) == {
         ending for ending, side in endings.items() if (boards.sides == side).any()
     }
@@ -225,7 +225,7 @@ def test_of_solid_panels_only_these_are_cut(
     """There is no sheet to be cut: a plan shows every panel and its number, and cuts nothing."""
     document = boarded_document("bevel", clipped=clipped)
     areas = boards_of(document).areas()
-    workshop = replace(Workshop(), stock=stock, margin=5.0, spacing=1.0)
+    workshop = Workshop(stock=stock, margin=5.0, spacing=1.0)
     (_, plan), *sheets = draw_sheet_files(Path("pattern.dxf"), document, workshop)
     assert {line.layer for line in plan.lines} == {"ENGRAVE", "MOUNTAIN", "VALLEY", "LABEL"}
     assert not plan.circles
@@ -247,7 +247,7 @@ def test_of_solid_panels_only_these_are_cut(
 
 def test_a_solid_panel_too_large_for_its_stock_is_refused() -> None:
     document = boarded_document("bevel")
-    small = replace(Workshop(), stock=(40.0, 30.0))
+    small = Workshop(stock=(40.0, 30.0))
     for ask in (require_stock, measure_waste):
         with pytest.raises(InputError, match="stock"):
             ask(document, small)
@@ -315,4 +315,4 @@ def test_layers_of_the_paper_model_have_its_scale() -> None:
 
 def test_a_board_larger_than_the_stock_is_refused() -> None:
     with pytest.raises(InputError, match="stock"):
-        list(draw_boards(boarded_document(), replace(STOCK, stock=(60.0, 60.0))))
+        list(draw_boards(boarded_document(), STOCK.having(stock=(60.0, 60.0))))

@@ -10,15 +10,15 @@ from orishell.conventions.units import MILLIMETRES
 from orishell.motion.mesh import build_mesh
 from orishell.motion.quads import signed_areas
 from orishell.workshop import Drawing, Line, Workshop
+from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import draw_part, part_lines
-from orishell.workshop.outline import whole_sheet
 from orishell.workshop.title_block import round_length
 
 
 def drawn(family: str, unit: str = "m", factor: float = 1.0, **settings: Any) -> Drawing:
     document = demo_document(family)
     document = replace(document, unit=unit, flat=factor * document.require_flat())
-    workshop = replace(Workshop(), **settings)
+    workshop = Workshop(**settings)
     return draw_part(document, whole_sheet(document), workshop)
 
 

@@ -11,9 +11,9 @@ import shapely
 from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.motion.mesh import build_mesh
+from orishell.workshop.cut_parts import CutPart
 from orishell.workshop.drawing import Text
 from orishell.workshop.joints import Joint, make_parts
-from orishell.workshop.part import Part
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.settings import Workshop
 from orishell.workshop.splitting import split_sheet
@@ -26,7 +26,7 @@ every = pytest.mark.parametrize(
 
 def made(
     family: str, kind: JointKind
-) -> tuple[Document, tuple[Part, ...], tuple[Part, ...], tuple[Joint, ...]]:
+) -> tuple[Document, tuple[CutPart, ...], tuple[CutPart, ...], tuple[Joint, ...]]:
     document = demo_document(family)
     width = choose_joint_width(document, Workshop())
     side = 0.55 * np.ptp(document.require_flat(), axis=0).max()
@@ -35,13 +35,13 @@ def made(
     return document, *make_parts(document, split, kind, width)
 
 
-def panels_of(document: Document, part: Part) -> shapely.Geometry:
+def panels_of(document: Document, part: CutPart) -> shapely.Geometry:
     return shapely.union_all(
         shapely.polygons(document.require_flat()[document.mesh.faces[part.panels]])
     )
 
 
-def words(part: Part) -> list[str]:
+def words(part: CutPart) -> list[str]:
     return [mark.words for mark in part.marks if isinstance(mark, Text)]
 
 

@@ -1,5 +1,3 @@
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from shapely import MultiPolygon, Point, Polygon, affinity, box
@@ -9,10 +7,9 @@ from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.motion.mesh import build_mesh
 from orishell.workshop import Text, Workshop
+from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.fitted_words import CHARACTER
 from orishell.workshop.labels import part_labels
-from orishell.workshop.outline import whole_sheet
-from orishell.workshop.part import Part
 from orishell.workshop.settings import Labels
 
 
@@ -28,8 +25,8 @@ def panels(document: Document) -> list[Polygon]:
     return [Polygon(corners) for corners in document.require_flat()[document.mesh.faces]]
 
 
-def labels(document: Document, kind: Labels, part: Part | None = None) -> tuple[Text, ...]:
-    workshop = replace(Workshop(), labels=kind)
+def labels(document: Document, kind: Labels, part: CutPart | None = None) -> tuple[Text, ...]:
+    workshop = Workshop(labels=kind)
     return part_labels(document, part or whole_sheet(document), workshop)
 
 
@@ -85,7 +82,7 @@ def test_labels_of_a_part_stand_on_it() -> None:
     mesh = document.mesh
     chosen = np.arange(20, 40)
     inside = np.isin(mesh.edge_faces, chosen).any(axis=1) & mesh.crease
-    part = Part(1, chosen, np.flatnonzero(inside), ())
+    part = CutPart(1, chosen, np.flatnonzero(inside), ())
     area = MultiPolygon([panels(document)[k] for k in chosen]).buffer(1e-9)
     found = labels(document, "both", part)
     assert len(found) == len(chosen) + sum(document.assignment[k] in "MV" for k in part.creases)

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from documents import FAMILIES, demo_document
 from orishell.motion.quads import signed_areas
-from orishell.workshop.outline import (
+from orishell.workshop.cut_parts import (
     find_outlines,
     whole_sheet,
     without_straight,

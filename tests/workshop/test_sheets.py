@@ -69,7 +69,7 @@ def assert_cuttable(drawing: Drawing, workshop: Workshop) -> None:
 @pytest.mark.parametrize("family", list(FAMILIES))
 def test_parts_lie_on_the_stock_and_map_names_them(family: str, joint: JointKind) -> None:
     document = demo_document(family)
-    workshop = replace(stock_for(family), joint=joint)
+    workshop = stock_for(family).having(joint=joint)
     layout = lay_out(document, workshop)
     first, *sheets = draw_sheets(document, workshop)
     assert len(sheets) == layout.sheets > 1
@@ -184,12 +184,12 @@ def test_a_layout_is_made_once_for_a_flat_sheet_and_its_stock() -> None:
     document, workshop = demo_document(), Workshop(stock=(10.0, 8.0))
     layout = lay_out(document, workshop)
     assert len(layout.parts) > 1
-    drawn_otherwise = replace(workshop, labels="both", creases="dashes")
+    drawn_otherwise = workshop.having(labels="both", creases="dashes")
     assert lay_out(replace(document, states=(), title="other"), drawn_otherwise) is layout
     assert document.flat is not None
     larger = lay_out(replace(document, flat=document.flat * 1.01), workshop)
     assert larger.parts[0].outlines[0].max() > layout.parts[0].outlines[0].max()
-    assert lay_out(document, replace(workshop, joint="strips")) is not layout
+    assert lay_out(document, workshop.having(joint="strips")) is not layout
 
 
 def test_drawings_do_not_depend_on_the_hash_seed() -> None:

@@ -2,8 +2,9 @@
 
 import type { FrontPage } from "../shared/api-types.ts";
 import { element } from "../viewer/elements.ts";
-import { diamond, square } from "./plot.ts";
+import { diamond } from "../shared/chooser.ts";
 import { svg } from "../shared/svg.ts";
+import { square } from "./plot.ts";
 
 export function keyOf(page: FrontPage, outside: number): HTMLElement[] {
   const beyond = outside ? ` (${outside} more beyond the plot)` : "";

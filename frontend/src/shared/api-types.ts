@@ -362,9 +362,19 @@ export interface Info {
   examples: Example[];
   formats: FileFormat[];
   workshop: Parameter[];
+  tables: Record<string, TableWords>;
   search: SearchInfo;
   limits: Largest;
   start: NamedDesign | null;
+}
+
+/** A key of the design file in words. */
+export interface KeyWords {
+  label: string;
+  /** One line on what it does. */
+  help: string;
+  /** Its values and their labels, the default first; empty where they are not listed. */
+  choices: Record<string, string>;
 }
 
 /** Limits of the studio: vertices of a sheet, bytes of a request, seconds of a design. */
@@ -374,9 +384,10 @@ export interface Largest {
   seconds: number;
 }
 
-/** A layer of the drawings, and its colour ("#rrggbb"). */
+/** A layer of the drawings, its name in words and its colour ("#rrggbb"). */
 export interface LayerPen {
   layer: "CUT" | "MOUNTAIN" | "VALLEY" | "ENGRAVE" | "LABEL";
+  label: string;
   colour: string;
 }
 
@@ -944,6 +955,13 @@ export interface SurfaceReport {
   shell_to_surface: Distances;
   /** Either way by itself. */
   surface_to_shell: Distances;
+}
+
+/** A table of the design file in words. */
+export interface TableWords {
+  /** The section of the page that has its controls; empty where there is none. */
+  label: string;
+  keys: Record<string, KeyWords>;
 }
 
 /** A tie between two vertices. */

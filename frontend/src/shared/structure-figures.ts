@@ -1,6 +1,7 @@
 // The structure's answer in a few lines: what moves, how far the shell is displaced, and what governs.
 
-import type { CaseReport, GoverningReport, StructureReport } from "./api-types.ts";
+import type { CaseReport, StructureReport } from "./api-types.ts";
+import { GOVERNING } from "./api-words.ts";
 import { length, threeDigits } from "./colours.ts";
 
 export interface Figure {
@@ -8,13 +9,6 @@ export interface Figure {
   value: string;
   note: string;
 }
-
-const PARTS: Record<GoverningReport["part"], string> = {
-  panels: "stress in panels",
-  creases: "moment of creases",
-  ties: "force in a tie",
-  buckling: "buckling",
-};
 
 export function structureFigures(report: StructureReport | null, unit: string): Figure[] {
   if (!report) return [];
@@ -32,7 +26,7 @@ export function structureFigures(report: StructureReport | null, unit: string): 
     const found = cases.filter(({ name, creases }) => name === governs.case && creases === governs.creases);
     figures.push({
       name: "Used", value: `${threeDigits(100 * governs.utilisation)} %`,
-      note: `${PARTS[governs.part]} governs, under ${namesOf(found, cases)}`,
+      note: `${GOVERNING[governs.part]} governs, under ${namesOf(found, cases)}`,
     });
   }
   return figures;

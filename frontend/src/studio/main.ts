@@ -25,8 +25,10 @@ import { fetchInfo } from "./server/api.ts";
 import { h } from "./parts/dom.ts";
 import { askEarly } from "./server/early-view.ts";
 import { ServerFault, faultOf } from "./state/faults.ts";
-import { keepUnsaved, readKept, storageOf } from "./state/kept.ts";
-import { type Named, Store, type Work } from "./state/store.ts";
+import { keepUnsaved, readKept } from "./state/kept.ts";
+import type { Named, Work } from "./state/named.ts";
+import { storageOf } from "./state/storage.ts";
+import { Store } from "./state/store.ts";
 import type { Design, Info } from "./state/types.ts";
 
 async function start(root: HTMLElement): Promise<void> {

@@ -10,23 +10,16 @@ from orishell.cli.files import shortened
 from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
-    from orishell.shell.case_report import CaseReport, StandingReport, Vector
-    from orishell.shell.structure_report import ModelReport, StructureReport
+    from orishell.structure.case_report import CaseReport, StandingReport, Vector
+    from orishell.structure.report import ModelReport, StructureReport
 
-GOVERNING = {
-    "panels": "the stress in panels, {percent} % of what they bear",
-    "creases": "the moment of creases, {percent} % of what they bear",
-    "ties": "the force in ties, {percent} % of what they bear",
-    "buckling": "buckling, under {factor} times the loads",
-}
-"""Words for what governs."""
 ROUNDING = 1e-6
 """Components of a vector below this share of the largest are none."""
 
 
 def summarize_structure(report: StructureReport, unit: str, written: list[Path]) -> Iterator[str]:
     """Lines that say what was analysed and found, and which files were written."""
-    from orishell.shell.structure_caveats import name_of
+    from orishell.structure.build_warnings import name_of
 
     yield from _model(report.model, unit)
     for each in {case.name: case for case in report.cases}.values():
@@ -41,7 +34,7 @@ def summarize_structure(report: StructureReport, unit: str, written: list[Path])
 
 def brief_structure(report: StructureReport, unit: str) -> Iterator[str]:
     """A line for every load case, and what governs."""
-    from orishell.shell.structure_caveats import name_of
+    from orishell.structure.build_warnings import name_of
 
     for case in report.cases:
         found = case.moves or f"stands, {_displacement(case.stands, unit)}"
@@ -125,16 +118,18 @@ def _displacement(found: StandingReport | None, unit: str) -> str:
 
 
 def _governing(report: StructureReport) -> Iterator[str]:
+    from orishell.structure.case_report import GOVERNING
+
     governs = report.governs
     if governs is None:
         return
     share = governs.utilisation
-    words = GOVERNING[governs.part].format(
-        percent=plain(100 * share, 3), factor=plain(1 / share, 3)
-    )
+    buckles = governs.part == "buckling"
+    borne = f"{plain(100 * share, 3)} % of what can be borne"
+    much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
     creases = governs.creases
     stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
-    yield f"governs   {words}: {governs.case}, {stiffness}"
+    yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
 
 
 def _used(share: float | None) -> str:

@@ -11,10 +11,10 @@ from orishell.cli.structure_summary import brief_structure
 from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
+    from orishell.deviation.report import DeviationReport
+    from orishell.locking.panel_report import PanelReport
     from orishell.shell.deployment_report import DeploymentReport
-    from orishell.shell.deviation_report import DeviationReport
     from orishell.shell.make import Shell
-    from orishell.shell.panel_report import PanelReport
     from orishell.shell.report import Report
 
 

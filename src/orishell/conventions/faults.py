@@ -46,6 +46,7 @@ def first_fault(
     found = [
         (_key_path(raw, (*inside, *details["loc"]), details["type"]), details)
         for details in error.errors()
+        if details["type"] != "default_factory_not_called"  # what it lacks is a fault itself
     ]
     places = {location for location, _ in found}
     faults: dict[Location, list[ErrorDetails]] = {}
@@ -116,7 +117,7 @@ def _fault(
 
 def _remedy(kind: str, got: Any) -> str:
     """What to write, where a number is a text or has a decimal comma, or a list is one table."""
-    if kind == "list_type" and isinstance(got, dict):
+    if kind in ("list_type", "tuple_type") and isinstance(got, dict):
         return "write the table's name in double brackets, [[...]]: there may be several of it"
     if isinstance(got, str) and kind in NUMBERS and NUMBER.fullmatch(got):
         return f"write {got.replace(',', '.')} without quotes"
@@ -133,6 +134,7 @@ _EXPECTED = {
     "string_type": "a text",
     "bool_type": "true or false",
     "list_type": "a list, in brackets",
+    "tuple_type": "a list, in brackets",
     "dict_type": "a table",
     "model_type": "a table",
     "model_attributes_type": "a table",
@@ -157,5 +159,5 @@ def _expected(details: ErrorDetails) -> str:
 
 
 def _shown(value: Any) -> str:
-    text = repr(value)
+    text = repr(list(value) if isinstance(value, tuple) else value)
     return text if len(text) <= 60 else text[:57] + "..."

@@ -1,42 +1,56 @@
-"""How a shell is deployed: what it is opened or folded up from, and what holds it."""
+"""The table [deployment]: what a shell is opened or folded up from, and what holds it."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
 
-from orishell.motion.grid import VertexPair
+from orishell.conventions.table import Number, Pair, Several, Table
 
 Start = Literal["flat", "pack"]
 """What a shell is folded up or opened from."""
 Attachment = Literal["folded", "clipped"]
-"""Whether flaps are part of the folding sheet, or put on at the target."""
+"""Whether flaps are part of the folding sheet, whose motion they end at the target; or boards that
+are clipped on there, so that the sheet can be closed further."""
+Index = Annotated[int, Field(ge=0)]
+TableVertex = Pair[Index]
+"""Row and column of a vertex of the folding sheet."""
 
 
-@dataclass(frozen=True, slots=True)
-class Deployment:
-    """How a shell is deployed.
+def _usual_attachment(given: dict[str, Any]) -> Attachment:
+    return "clipped" if given.get("start") == "pack" else "folded"
 
-    Parameters
-    ----------
-    start
-        The shell is folded up from the flat sheet, or opened from its pack.
-    flap_attachment
-        Flaps are part of the folding sheet, whose motion they end at the target; or boards that
-        are clipped on there, so that the sheet can be closed further.
-    largest_fold
-        How far hinges close (radians).
-    ties
-        What keeps the shell from opening beyond its target: nothing; ties between the feet of
-        every column; or ties between pairs of vertices.
+
+class Deployment(Table):
+    """How a shell is deployed; flaps are clipped on where it is opened from its pack.
+
+    ``largest_fold_deg`` is how far hinges close. ``ties`` keep the shell from opening beyond its
+    target: none, ties between the feet of every column, or between pairs of vertices.
     """
 
-    start: Start = "flat"
-    flap_attachment: Attachment = "folded"
-    largest_fold: float = np.pi
-    ties: Literal["none", "feet"] | tuple[VertexPair, ...] = "none"
+    start: Annotated[Start, Field(alias="from")] = "flat"
+    flap_attachment: Attachment = Field(default_factory=_usual_attachment)
+    largest_fold_deg: Annotated[Number, Field(gt=0, le=180)] = 180.0
+    ties: Literal["none", "feet"] | Several[Pair[TableVertex]] = "none"
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.start == "pack" and self.flap_attachment == "folded":
+            raise PydanticCustomError(
+                "flaps_in_the_way",
+                '"clipped", because flaps that are part of the sheet keep it from closing beyond '
+                "its target into a pack",
+                {"key": "flap_attachment", "got": self.flap_attachment},
+            )
+        return self
+
+    @property
+    def largest_fold(self) -> float:
+        """How far hinges close (radians)."""
+        return float(np.deg2rad(self.largest_fold_deg))
 
 
 FROM_FLAT = Deployment()

@@ -2,13 +2,12 @@
 
 from orishell.design.design import (
     Approached,
-    Construction,
     Design,
     FlapSide,
-    PanelBuild,
     Parameter,
     warn_of_no_lock,
 )
+from orishell.design.panel import Construction, PanelSpec, Setback
 from orishell.design.path import Path
 from orishell.design.rails import Rail, Sliding, Turning
 from orishell.design.surface import Lattice, Surface
@@ -19,10 +18,11 @@ __all__ = [
     "Design",
     "FlapSide",
     "Lattice",
-    "PanelBuild",
+    "PanelSpec",
     "Parameter",
     "Path",
     "Rail",
+    "Setback",
     "Sliding",
     "Surface",
     "Turning",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Literal
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
+from orishell.design.panel import PanelSpec
 from orishell.design.surface import Surface
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
@@ -18,9 +19,6 @@ from orishell.polylines import Closeness
 
 FlapSide = Literal["start", "end"]
 """To which end of f a flap folds."""
-
-Construction = Literal["sandwich", "bevel"]
-"""How panels with a thickness are built."""
 
 Parameter = float | int | str | list[float] | list[str]
 
@@ -39,52 +37,6 @@ class Approached:
 
     what: str
     surface: Surface | None
-
-
-@dataclass(frozen=True, slots=True)
-class PanelBuild:
-    """What panels with a thickness are made of; lengths in the unit of the curves.
-
-    Parameters
-    ----------
-    thickness
-        Of a panel, boards and membrane together, half of it over the hinge plane.
-    construction
-        "sandwich": boards on both faces of a membrane that is the hinge, cut square. "bevel": solid
-        panels about the hinge plane, chamfered where they close.
-    membrane
-        Thickness of the membrane between the boards of a sandwich.
-    gap
-        What is cut away between two panels where they open.
-    share
-        Largest share of the way across a panel that the set-backs at both its sides may take.
-    setback
-        Longest set-back.
-    stop
-        By how much flaps stop short of folding flat: half of what their row creases lack to 180
-        degrees, at the crease that folds most (radians). None for as little as set-backs allow.
-    reach
-        How far boards let the shell close: they are set back for the way to its target, or to its
-        pack.
-    density, membrane_density
-        Mass of boards, or of solid panels, and of the membrane per volume; 0 if unknown (kg/m^3).
-    """
-
-    thickness: float
-    construction: Construction = "sandwich"
-    membrane: float = 0.0
-    gap: float = 0.0
-    share: float = 0.5
-    setback: float = np.inf
-    stop: float | None = None
-    reach: Literal["target", "pack"] = "target"
-    density: float = 0.0
-    membrane_density: float = 0.0
-
-    @property
-    def height(self) -> float:
-        """How high a panel stands over its hinge plane (length)."""
-        return 0.5 * self.thickness
 
 
 @record
@@ -122,6 +74,8 @@ class Design:
         How far its hinges close (radians).
     panel
         What its panels are made of, which limits how far they fold; None if they have no thickness.
+    opens_from_pack
+        Whether boards are set back for the way to the pack, and not to the target alone.
     ending_at
         The design with its motion ending at a drive (radians), where neither a target nor a stage
         says where it ends; otherwise None.
@@ -138,7 +92,8 @@ class Design:
     origin: Array = field(default_factory=lambda: np.zeros(3))
     clipped: Mechanism | None = None
     largest_fold: float = np.pi
-    panel: PanelBuild | None = None
+    panel: PanelSpec | None = None
+    opens_from_pack: bool = False
     ending_at: Callable[[float], Design] | None = None
 
     def with_clipped_flaps(self) -> Design:
@@ -168,7 +123,12 @@ class Design:
         Its hinges and panels stay what they are.
         """
         assert self.ending_at is not None
-        return replace(self.ending_at(drive), largest_fold=self.largest_fold, panel=self.panel)
+        return replace(
+            self.ending_at(drive),
+            largest_fold=self.largest_fold,
+            panel=self.panel,
+            opens_from_pack=self.opens_from_pack,
+        )
 
     @property
     def surface(self) -> Surface:

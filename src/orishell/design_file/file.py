@@ -15,7 +15,7 @@ from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
 from orishell.deployment import FROM_FLAT, Deployment
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.design_file.faults import explain
 from orishell.design_file.limits import require_memory
 from orishell.design_file.search import Search, with_joined_keys
@@ -88,7 +88,7 @@ class DesignFile:
     tables: dict[str, Any] = field(repr=False)
     ground: Ground = "z0"
     deployment: Deployment = FROM_FLAT
-    panel: PanelBuild | None = None
+    panel: PanelSpec | None = None
     structure: Structure | None = None
     search: Search | None = None
     files: bool = True
@@ -225,10 +225,10 @@ def _checked(
         )
     require_memory(path, pattern, file.motion.frames)
     directory = path.parent if files else None
-    panel = file.panel.settings()
+    panel = file.panel if file.panel.thickness else None
     try:
         structure = structure_of(file.structure, file.load_case, panel)
-        workshop = file.workshop.settings(directory)
+        workshop = file.workshop.beside(directory)
         target = known
         if target is None and file.target is not None:
             target = file.target.curves(directory, file.shell.unit)
@@ -240,15 +240,15 @@ def _checked(
         unit=file.shell.unit,
         target=target,
         pattern=pattern,
-        tolerance=None if file.tolerance is None else Tolerance(**file.tolerance.model_dump()),
+        tolerance=file.tolerance,
         frames=file.motion.frames,
         contact_tolerance=file.motion.contact_tolerance,
         workshop=workshop,
         ground=file.shell.ground,
-        deployment=file.deployment.settings(),
+        deployment=file.deployment,
         panel=panel,
         structure=structure,
-        search=None if file.search is None else file.search.settings(),
+        search=file.search,
         tables=raw,
         files=files,
     )

@@ -3,81 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from orishell.conventions.table import Number, Table
+from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.toml_file import DEEPEST
 
 Method = Literal["auto", "nsga2", "nsga3", "grid"]
 """How designs are chosen: NSGA-II, or III beyond three objectives; or one of them, or all there
 are."""
-
-
-@dataclass(frozen=True, slots=True)
-class Range:
-    """Numbers that a key may have.
-
-    Parameters
-    ----------
-    low, high
-        The least and the largest.
-    step
-        From one to the next; None for all numbers between.
-    """
-
-    low: float
-    high: float
-    step: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Limit:
-    """What a figure of the report may be.
-
-    Parameters
-    ----------
-    least, most
-        The least and the largest; None where there is no limit.
-    """
-
-    least: float | None = None
-    most: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Search:
-    """What is searched for among the variants of a design.
-
-    Parameters
-    ----------
-    variables
-        Values that keys of the design file may have, by key, its tables in front of it.
-    minimise
-        Figures of the report that are to be as small as can be.
-    subject_to
-        What figures of the report may be, by name.
-    evaluations
-        Designs that are made, at most.
-    population
-        Designs of which the next ones are bred.
-    seed
-        Of the random numbers.
-    method
-        How designs are chosen.
-    """
-
-    variables: Mapping[str, Range | tuple[Any, ...]]
-    minimise: tuple[str, ...]
-    subject_to: Mapping[str, Limit]
-    evaluations: int
-    population: int
-    seed: int
-    method: Method
 
 
 LONGEST_KEY, MOST_PARTS = 300, DEEPEST
@@ -87,7 +24,7 @@ DIGITS, NARROWEST, WIDEST = 1e-9, 1e-300, 1e300
 and at most."""
 
 
-class RangeTable(Table):
+class Range(Table):
     """Numbers from one to another."""
 
     low: int | Number
@@ -118,7 +55,7 @@ class RangeTable(Table):
         return self
 
 
-class LimitTable(Table):
+class Limit(Table):
     """What a figure may be at least, and at most."""
 
     least: Number | None = None
@@ -137,20 +74,20 @@ class LimitTable(Table):
         return self
 
 
-Choices = Annotated[list[Any], Field(min_length=1, max_length=1000)]
+Choices = Annotated[Several[Any], Field(min_length=1, max_length=1000)]
 Allowed = Annotated[
-    Annotated[RangeTable, Tag("range")] | Annotated[Choices, Tag("choices")],
+    Annotated[Range, Tag("range")] | Annotated[Choices, Tag("choices")],
     Discriminator(lambda value: "range" if isinstance(value, dict) else "choices"),
 ]
 """What a key may be."""
 
 
-class SearchTable(Table):
+class Search(Table):
     """What may be changed in the design, and what is to be as small as can be."""
 
     variables: Annotated[dict[str, Allowed], Field(min_length=1)]
-    minimise: Annotated[list[str], Field(min_length=1, max_length=8)]
-    subject_to: dict[str, LimitTable] = Field(default_factory=dict)
+    minimise: Annotated[Several[str], Field(min_length=1, max_length=8)]
+    subject_to: dict[str, Limit] = Field(default_factory=dict)
     evaluations: Annotated[int, Field(ge=1, le=1_000_000)] = 400
     population: Annotated[int, Field(ge=4, le=10_000)] = 40
     seed: Annotated[int, Field(ge=0, lt=2**32)] = 1
@@ -170,9 +107,9 @@ class SearchTable(Table):
                         "got": f"{len(key)} characters, {key.count('.') + 1} parts",
                     },
                 )
-            if isinstance(values, list) and not _all_finite(values):
+            if isinstance(values, tuple) and not _all_finite(values):
                 raise PydanticCustomError("finite", "finite numbers", {"key": key, "got": values})
-            if isinstance(values, list) and any(
+            if isinstance(values, tuple) and any(
                 each in values[:k] for k, each in enumerate(values)
             ):
                 raise PydanticCustomError(
@@ -182,34 +119,15 @@ class SearchTable(Table):
 
     @field_validator("minimise")
     @classmethod
-    def _require_different(cls, names: list[str]) -> list[str]:
+    def _require_different(cls, names: tuple[str, ...]) -> tuple[str, ...]:
         if len(set(names)) < len(names):
             raise PydanticCustomError("twice", "figures that differ", {"got": names})
         return names
 
-    def settings(self) -> Search:
-        """The settings."""
-        return Search(
-            variables={
-                key: tuple(each)
-                if isinstance(each, list)
-                else Range(each.low, each.high, each.step)
-                for key, each in self.variables.items()
-            },
-            minimise=tuple(self.minimise),
-            subject_to={
-                name: Limit(each.least, each.most) for name, each in self.subject_to.items()
-            },
-            evaluations=self.evaluations,
-            population=self.population,
-            seed=self.seed,
-            method=self.method,
-        )
-
 
 def _all_finite(value: Any) -> bool:
     """Whether no number in a value is infinite or none: those have no place in a journal."""
-    if isinstance(value, dict | list):
+    if isinstance(value, dict | list | tuple):
         return all(map(_all_finite, value.values() if isinstance(value, dict) else value))
     return not isinstance(value, float) or math.isfinite(value)
 
@@ -243,15 +161,3 @@ def _joined(key: str, value: Any) -> Iterator[tuple[str, Any]]:
             yield from _joined(f"{key}.{name}", inner)
     else:
         yield key, value
-
-
-def search_table_at(location: tuple[str | int, ...]) -> type[Table]:
-    """The table that a key of [search] stands in.
-
-    Parameters
-    ----------
-    location
-        Keys from the outermost table to the key.
-    """
-    inner: dict[str | int, type[Table]] = {"variables": RangeTable, "subject_to": LimitTable}
-    return inner.get(location[1], SearchTable) if len(location) > 2 else SearchTable

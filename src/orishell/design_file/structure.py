@@ -1,128 +1,14 @@
-"""The tables [structure] and [[load_case]] of a design file: what the shell bears, and on what."""
+"""What the tables [structure], [[load_case]] and [panel] ask of each other."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from typing import Annotated, Literal, Self
-
-from pydantic import Field, model_validator
-from pydantic_core import PydanticCustomError
-
 from orishell.conventions.errors import InputError
-from orishell.conventions.faults import Location
-from orishell.conventions.table import Number, Table
-from orishell.design import PanelBuild
-from orishell.design_file.deployment import Vertex
-from orishell.design_file.load_case import (
-    LoadCaseTable,
-    PointTable,
-    SnowTable,
-    WindTable,
-    ZoneTable,
-    load_cases,
-)
-from orishell.structure.settings import LoadCase, Place, Structure, Support, SupportKind
-
-Positive = Annotated[Number, Field(ge=1e-12, le=1e15)]
-"""Numbers beyond these are refused: what is computed from them would overflow in the end."""
-Stiffness = Annotated[Number, Field(ge=0, le=1e15)] | Literal["free", "rigid"]
-OWN_WEIGHT = LoadCase("self-weight", self_weight=True)
-"""The only case where the file has none."""
-
-
-class SupportTable(Table):
-    """What holds some vertices."""
-
-    at: Place | Annotated[list[Vertex], Field(min_length=1)]
-    kind: SupportKind
-    friction: Annotated[Number, Field(ge=0, le=10)] = 0.0
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        if self.kind == "friction" and not self.friction:
-            raise PydanticCustomError(
-                "no_friction",
-                "a value above 0; ground without friction holds like kind = sliding",
-                {"key": "friction", "got": self.friction},
-            )
-        if self.kind != "friction" and self.friction:
-            raise PydanticCustomError(
-                "friction",
-                'no friction, or kind = "friction"',
-                {"key": "friction", "got": self.friction},
-            )
-        return self
-
-    def settings(self) -> Support:
-        """The support."""
-        at = self.at if isinstance(self.at, str) else tuple((row, col) for row, col in self.at)
-        return Support(at, self.kind, self.friction)
-
-
-class StructureTable(Table):
-    """What the shell is made of as a structure, and what holds it."""
-
-    modulus: Positive
-    supports: Annotated[list[SupportTable], Field(min_length=1)]
-    poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3
-    strength: Positive | None = None
-    thickness: Positive | None = None
-    membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
-    crease_stiffness: (
-        Stiffness | Annotated[list[Stiffness], Field(min_length=2, max_length=2)] | None
-    ) = None
-    crease_strength: Positive | None = None
-    tie_stiffness: Positive | None = None
-    tie_strength: Positive | None = None
-    cells: Annotated[int, Field(ge=1, le=32)] = 4
-    refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        low, high = self._stiffness()
-        if low > high:
-            raise PydanticCustomError(
-                "stiffness_range",
-                "the least stiffness first, then the largest",
-                {"key": "crease_stiffness", "got": self.crease_stiffness},
-            )
-        return self
-
-    def settings(self, cases: tuple[LoadCase, ...]) -> Structure:
-        """The structure.
-
-        Parameters
-        ----------
-        cases
-            What loads it.
-        """
-        return Structure(
-            modulus=self.modulus,
-            poisson=self.poisson,
-            supports=tuple(each.settings() for each in self.supports),
-            cases=cases,
-            thickness=self.thickness,
-            strength=self.strength,
-            membrane_modulus=self.membrane_modulus,
-            crease_stiffness=self._stiffness(),
-            crease_strength=self.crease_strength,
-            tie_stiffness=math.inf if self.tie_stiffness is None else self.tie_stiffness,
-            tie_strength=self.tie_strength,
-            cells=self.cells,
-            refine=self.refine,
-        )
-
-    def _stiffness(self) -> tuple[float, float]:
-        given = self.crease_stiffness
-        if given is None:
-            return 0.0, math.inf
-        low, high = given if isinstance(given, list) else (given, given)
-        return _in_numbers(low), _in_numbers(high)
+from orishell.design import PanelSpec
+from orishell.structure.settings import OWN_WEIGHT, LoadCase, Structure, StructureTable
 
 
 def structure_of(
-    table: StructureTable | None, cases: Sequence[LoadCaseTable], panel: PanelBuild | None
+    table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelSpec | None
 ) -> Structure | None:
     """The structure that a design file asks for; None without the table.
 
@@ -147,30 +33,33 @@ def structure_of(
             )
         return None
     _require_one_thickness(table, panel)
-    return table.settings(load_cases(cases) or (OWN_WEIGHT,))
+    _require_names(cases)
+    return table.under(cases or (OWN_WEIGHT,))
 
 
-def table_at(location: Location) -> type[Table]:
-    """The table that a key of [structure] or [[load_case]] stands in.
+def _require_names(cases: tuple[LoadCase, ...]) -> None:
+    """Refuse two cases of one name, and combinations of what is not there or combines itself."""
+    for number, case in enumerate(cases):
+        if case.name in [each.name for each in cases[:number]]:
+            raise InputError(
+                "two load cases have one name",
+                where=f"[[load_case]][{number}] name",
+                got=repr(case.name),
+            )
+    loaded = [case.name for case in cases if not case.combine]
+    for number, case in enumerate(cases):
+        for name in case.combine:
+            if name not in loaded:
+                raise InputError(
+                    "there is no such load case that has loads of its own",
+                    where=f"[[load_case]][{number}] combine",
+                    got=repr(name),
+                    expected="one of " + ", ".join(map(repr, loaded)) if loaded else "",
+                    remedy="" if loaded else "add the cases that are to be combined",
+                )
 
-    Parameters
-    ----------
-    location
-        Keys and indices from the outermost table to the key.
-    """
-    inner: dict[str, type[Table]] = {
-        "supports": SupportTable,
-        "snow": SnowTable,
-        "wind": WindTable,
-        "zones": ZoneTable,
-        "points": PointTable,
-    }
-    names = [each for each in location[:-1] if isinstance(each, str)]
-    outer = StructureTable if names[0] == "structure" else LoadCaseTable
-    return inner.get(names[-1], outer)
 
-
-def _require_one_thickness(table: StructureTable, panel: PanelBuild | None) -> None:
+def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> None:
     if panel is None and table.thickness is None:
         raise InputError(
             "the thickness of panels is not known",
@@ -192,9 +81,3 @@ def _require_one_thickness(table: StructureTable, panel: PanelBuild | None) -> N
             expected='a table [panel] with a thickness and construction = "sandwich"',
             remedy="remove it",
         )
-
-
-def _in_numbers(stiffness: float | str) -> float:
-    if isinstance(stiffness, str):
-        return 0.0 if stiffness == "free" else math.inf
-    return stiffness

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from typing import Annotated, Any, Literal, Self
+from collections.abc import Callable, Iterator
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, Field, ValidationInfo, field_validator, model_validator
+from pydantic import BaseModel, Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.faults import Location
-from orishell.conventions.table import Number, Table
+from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.units import Unit
-from orishell.design_file.deployment import DeploymentTable
-from orishell.design_file.load_case import LoadCaseTable
-from orishell.design_file.panel import PanelTable, SetbackTable
-from orishell.design_file.search import SearchTable, search_table_at
-from orishell.design_file.structure import StructureTable, table_at
-from orishell.design_file.target import Target, Targets
-from orishell.design_file.workshop import WorkshopTable
+from orishell.deployment import FROM_FLAT, Deployment
+from orishell.design import PanelSpec
+from orishell.design_file.search import Search
+from orishell.design_file.target import Targets
+from orishell.families.pattern import Tolerance
 from orishell.families.registry import FAMILIES
 from orishell.locking import CONTACT_TOLERANCE
+from orishell.structure.settings import LoadCase, StructureTable
+from orishell.workshop import DEFAULT, Workshop
 
 Ground = Literal["z0", "as-drawn"]
 """Where a shell that can stand is put: its feet on z = 0, or g in the plane z = 0."""
@@ -41,38 +40,20 @@ class MotionTable(Table):
     contact_tolerance: Annotated[Number, Field(gt=0, le=1e-4)] = CONTACT_TOLERANCE
 
 
-class ToleranceTable(Table):
-    """How near the shell is to be to its surface."""
-
-    surface: Annotated[Number, Field(gt=0)]
-    panel_min: Annotated[Number, Field(ge=0)] = 0.0
-    panel_max: Annotated[float, Field(gt=0)] = math.inf
-
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        if not self.panel_min < self.panel_max:
-            raise PydanticCustomError(
-                "panel_sizes",
-                "a value above panel_min ({low})",
-                {"low": self.panel_min, "key": "panel_max", "got": self.panel_max},
-            )
-        return self
-
-
 class FileTable(Table):
     """All tables of a design file; those of the family's pattern are checked by the family."""
 
     shell: ShellTable
     target: Annotated[Targets | None, Field(validate_default=True)] = None
     pattern: dict[str, Any] = Field(default_factory=dict)
-    tolerance: ToleranceTable | None = None
+    tolerance: Tolerance | None = None
     motion: MotionTable = MotionTable()
-    deployment: DeploymentTable = DeploymentTable()
-    panel: PanelTable = PanelTable()
+    deployment: Deployment = FROM_FLAT
+    panel: PanelSpec = PanelSpec()
     structure: StructureTable | None = None
-    load_case: list[LoadCaseTable] = Field(default_factory=list)
-    workshop: WorkshopTable = WorkshopTable()
-    search: SearchTable | None = None
+    load_case: Several[LoadCase] = ()
+    workshop: Workshop = DEFAULT
+    search: Search | None = None
 
     @field_validator("target")
     @classmethod
@@ -84,40 +65,30 @@ class FileTable(Table):
         return target
 
 
-def keys_of(model: type[BaseModel]) -> Callable[[Location], list[str]]:
-    """The keys that each table of the file may hold, given the family's pattern.
+def keys_of(pattern: type[BaseModel]) -> Callable[[Location], list[str]]:
+    """The keys that may stand beside the last one of a location.
 
     Parameters
     ----------
-    model
+    pattern
         The table [pattern] of the family.
     """
-    tables: dict[str, type[BaseModel]] = {
-        "shell": ShellTable,
-        "tolerance": ToleranceTable,
-        "motion": MotionTable,
-        "deployment": DeploymentTable,
-        "panel": PanelTable,
-        "pattern": model,
-        "workshop": WorkshopTable,
-    }
 
     def keys(location: Location) -> list[str]:
-        match location:
-            case (_,):
-                table: type[BaseModel] = FileTable
-            case ("target", _):
-                table = Targets
-            case ("target", *_):
-                table = Target
-            case ("panel", "largest_setback", *_):
-                table = SetbackTable
-            case ("structure" | "load_case", *_):
-                table = table_at(location)
-            case ("search", *_):
-                table = search_table_at(location)
-            case _:
-                table = tables[str(location[0])]
+        table: type[BaseModel] = FileTable
+        for key in location[:-1]:
+            if table is FileTable and key == "pattern":
+                table = pattern
+            elif key in table.model_fields:
+                table = next(_tables_in(table.model_fields[str(key)].annotation), table)
         return [field.alias or name for name, field in table.model_fields.items()]
 
     return keys
+
+
+def _tables_in(annotation: Any) -> Iterator[type[BaseModel]]:
+    """The tables among the types that a value may have."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for each in get_args(annotation):
+        yield from _tables_in(each)

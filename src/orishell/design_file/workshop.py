@@ -1,158 +1,15 @@
-"""The table [workshop]: how the flat sheet is drawn and cut."""
+"""The table [workshop] of any TOML file."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal, get_args
 
-from pydantic import Field, ValidationError
+from pydantic import ValidationError
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.table import Number, Size, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file.faults import explain
-from orishell.families.parameters import Knob
 from orishell.workshop import Workshop
-from orishell.workshop.palettes import load_palette, palette_names
-from orishell.workshop.settings import CreaseStyle, Joint, Labels, Paper
-
-Auto = Literal["auto"]
-LEAST, MOST = 1e-12, 1e12
-"""Numbers beyond these are refused: what is computed from them would overflow in the end."""
-Length = Annotated[Number, Field(ge=LEAST, le=MOST)]
-NoLength = Annotated[Size, Field(le=MOST)]
-
-
-class WorkshopTable(Table):
-    """Keys of the table; their meaning is said in :class:`orishell.workshop.Workshop`."""
-
-    palette: Annotated[
-        str,
-        Knob(
-            "Palette",
-            "Colours and line widths by which a machine tells layers apart",
-            "choice",
-            choices=palette_names(),
-        ),
-    ] = "plain"
-    creases: Annotated[
-        CreaseStyle,
-        Knob(
-            "Creases",
-            "Scores are one line, dashes are cuts with bridges, perforations short cuts",
-            "choice",
-            choices=get_args(CreaseStyle),
-        ),
-    ] = "score"
-    dash: Annotated[
-        Length | Auto,
-        Knob("Dash", "Length of a dash with the bridge after it", "number", True, "length"),
-    ] = "auto"
-    duty: Annotated[
-        Number,
-        Field(gt=0, lt=1),
-        Knob("Cut share", "Share of a dash that is cut, between 0 and 1", "number", step=0.05),
-    ] = 0.7
-    corner_gap: Annotated[
-        NoLength | Auto,
-        Knob("Corner gap", "Length left uncut at both ends of a crease", "number", True, "length"),
-    ] = "auto"
-    relief_hole: Annotated[
-        NoLength,
-        Knob(
-            "Relief hole",
-            "Diameter of a hole at every inner vertex; 0 for none",
-            "number",
-            unit="length",
-        ),
-    ] = 0.0
-    labels: Annotated[
-        Labels,
-        Knob(
-            "Labels",
-            "What is engraved: row and column of panels, fold angles of creases",
-            "choice",
-            choices=get_args(Labels),
-        ),
-    ] = "none"
-    title_block: Annotated[
-        bool, Knob("Title block", "Title and scale bar below the sheet", "switch")
-    ] = True
-    stock: Annotated[
-        Annotated[list[Length], Field(min_length=2, max_length=2)] | None,
-        Knob(
-            "Stock",
-            "Width and height of the sheets to cut from; empty: one as large as needed",
-            "size",
-            unit="length",
-        ),
-    ] = None
-    margin: Annotated[
-        NoLength, Knob("Margin", "Rim of the stock that is not cut", "number", unit="length")
-    ] = 0.0
-    spacing: Annotated[
-        NoLength, Knob("Spacing", "Least distance between parts", "number", unit="length")
-    ] = 0.0
-    joint: Annotated[
-        Joint,
-        Knob(
-            "Joints",
-            "Tabs on one of two parts, or strips glued under both",
-            "choice",
-            choices=get_args(Joint),
-        ),
-    ] = "tabs"
-    joint_width: Annotated[
-        Length | Auto,
-        Knob("Joint width", "Width of tabs, or half that of strips", "number", True, "length"),
-    ] = "auto"
-    paper: Annotated[
-        Paper, Knob("Paper", "Pages of the paper model", "choice", choices=get_args(Paper))
-    ] = "A4"
-    paper_scale: Annotated[
-        Annotated[Number, Field(gt=0, le=1)] | Auto,
-        Knob("Paper scale", "Size of the paper model relative to the sheet", "number", True),
-    ] = "auto"
-    model_scale: Annotated[
-        Annotated[Number, Field(ge=LEAST, le=MOST)],
-        Knob("Print scale", "Size of a printed model relative to the shell", "number"),
-    ] = 1.0
-    areal_density: Annotated[
-        NoLength,
-        Knob("Mass per area", "Of the sheet; 0 if not known", "number", unit="kg/m²"),
-    ] = 0.0
-
-    def settings(self, directory: Path | None) -> Workshop:
-        """The settings that the table asks for.
-
-        Parameters
-        ----------
-        directory
-            Where a palette of one's own is found; None if no file may be read.
-
-        Raises
-        ------
-        InputError
-            If the palette is not one of ours, nor a file of one.
-        """
-        values = self.model_dump()
-        own = self.palette.endswith(".toml")
-        if own and directory is None:
-            raise InputError(
-                "files are not opened here",
-                where="[workshop] palette",
-                got=repr(self.palette),
-                expected="one of " + ", ".join(palette_names()),
-            )
-        if own and directory is not None:
-            values["palette"] = str(directory / self.palette)
-        try:
-            load_palette(values["palette"])
-        except InputError as error:
-            raise (error.located("[workshop] palette") if own else error) from None
-        if values["stock"] is not None:
-            values["stock"] = tuple(values["stock"])
-        return Workshop(**values)
 
 
 def read_workshop(path: Path) -> Workshop:
@@ -167,11 +24,11 @@ def read_workshop(path: Path) -> Workshop:
     if "workshop" not in raw:
         raise InputError("this file has no table [workshop]", where=str(path))
     try:
-        table = WorkshopTable.model_validate(raw["workshop"])
+        table = Workshop.model_validate(raw["workshop"])
     except ValidationError as error:
-        keys = list(WorkshopTable.model_fields)
+        keys = list(Workshop.model_fields)
         raise explain(path, raw, error, lambda _: keys, ("workshop",)) from None
     try:
-        return table.settings(path.parent)
+        return table.beside(path.parent)
     except InputError as error:
         raise error.located(f"{path}:") from None

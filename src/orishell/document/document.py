@@ -15,7 +15,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.units import MILLIMETRES
 from orishell.curves import nearby_origin
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.document.loaded import LoadedShell
 from orishell.motion.boards import SIDES, Boards
 from orishell.motion.mesh import QuadMesh
@@ -136,7 +136,7 @@ class Document:
     contact: FirstContact | None = field(default=None, repr=False)
     named: Mapping[str, int] = field(default_factory=dict)
     names: tuple[str, ...] = field(default=(), repr=False)
-    panel: PanelBuild | None = field(default=None, repr=False)
+    panel: PanelSpec | None = field(default=None, repr=False)
     boards: Boards | None = field(default=None, repr=False)
     clipped: tuple[Document, ...] = field(default=(), repr=False)
     loaded: LoadedShell | None = field(default=None, repr=False)

@@ -11,7 +11,7 @@ import numpy as np
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
 from orishell.conventions.record import record
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.document import SHELL, Document, DocumentState
 from orishell.motion import FoldedState, FoldingMotion, Mechanism, find_assignment
 from orishell.motion.boards import Boards
@@ -28,7 +28,7 @@ def document_of_motion(
     curves: Mapping[str, Array] | None = None,
     origin: Array | None = None,
     clipped: Mechanism | None = None,
-    panel: PanelBuild | None = None,
+    panel: PanelSpec | None = None,
     boards: Boards | None = None,
     flaps: Boards | None = None,
 ) -> Document:
@@ -84,7 +84,7 @@ def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) 
 
 
 def _clipped_flaps(
-    mechanism: Mechanism, unit: str, panel: PanelBuild | None, boards: Boards | None
+    mechanism: Mechanism, unit: str, panel: PanelSpec | None, boards: Boards | None
 ) -> tuple[Document, ...]:
     """The flaps of a sheet, each a strip of panels on its own, in the sheet's frame.
 

@@ -8,86 +8,17 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Final, Literal, TypedDict, cast
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, Field
+from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.knob import Knob
 from orishell.conventions.table import Number
 from orishell.design import FlapSide
 
 Auto = Literal["auto"]
-Kind = Literal["integer", "number", "choice", "angles4", "switch", "size"]
-Measure = Literal["length", "deg", "kg/m²", ""]
-
-
-@dataclass(frozen=True, slots=True)
-class Knob:
-    """One parameter, as a control of the studio shows it: metadata of its key in a table.
-
-    Parameters
-    ----------
-    label, help
-        Its name, and one line that says what it does.
-    kind
-        What its value is; a "switch" is on or off, a "size" is a width and a height.
-    auto
-        Whether it may be "auto".
-    unit
-        "length" (in the design's unit), another one, or none.
-    slider, step
-        How far the slider reaches; None where that depends on the curves.
-    choices
-        Its values, if they are few.
-    """
-
-    label: str
-    help: str
-    kind: Kind
-    auto: bool = False
-    unit: Measure = ""
-    slider: tuple[float, float] | None = None
-    step: float | None = None
-    choices: tuple[str, ...] = ()
-
-    @classmethod
-    def angle(
-        cls,
-        label: str,
-        help: str,  # noqa: A002 # the field's name
-        slider: tuple[float, float],
-        *,
-        step: float = 0.5,
-        auto: bool = True,
-    ) -> Knob:
-        """A knob for an angle in degrees.
-
-        Parameters
-        ----------
-        label, help, auto
-            As of the class.
-        slider, step
-            How far the slider reaches (degrees).
-        """
-        return cls(label, help, "number", auto, "deg", slider, step)
-
-
-def knobs_of(model: type[BaseModel]) -> dict[str, Knob]:
-    """The knobs of all keys of a table that the studio shows, in their order.
-
-    Parameters
-    ----------
-    model
-        The table.
-    """
-    return {
-        key: each
-        for key, field in model.model_fields.items()
-        for each in field.metadata
-        if isinstance(each, Knob)
-    }
 
 
 class Limits(TypedDict, total=False):

@@ -2,49 +2,48 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
 
 from orishell.conventions.errors import Remedy
+from orishell.conventions.knob import Knob, knobs_of
 from orishell.conventions.record import record
-from orishell.conventions.table import Table
+from orishell.conventions.table import Number, Table
 from orishell.curves import Curve
 from orishell.design import Design
-from orishell.families.parameters import (
-    COLUMNS,
-    FLAP,
-    ROWS,
-    Auto,
-    ColumnCount,
-    Knob,
-    RowCount,
-    Width,
-    knobs_of,
-)
+from orishell.families.parameters import COLUMNS, FLAP, ROWS, Auto, ColumnCount, RowCount, Width
 
 P = TypeVar("P", bound="Pattern")
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
-class Tolerance:
-    """How near the shell must come to the surface, and how long panels' edges may be.
+class Tolerance(Table):
+    """The table [tolerance]: how near the shell must come to the surface it is asked for.
 
-    Parameters
-    ----------
-    surface
-        Largest allowed distance between shell and target surface (length).
-    panel_min, panel_max
-        Shortest and longest edge that a panel may have, flaps left out (length).
+    ``surface`` is the largest allowed distance, ``panel_min`` and ``panel_max`` the shortest and
+    the longest edge that a panel may have, flaps left out (lengths).
     """
 
-    surface: float
-    panel_min: float = 0.0
-    panel_max: float = float("inf")
+    surface: Annotated[Number, Field(gt=0)]
+    panel_min: Annotated[Number, Field(ge=0)] = 0.0
+    panel_max: Annotated[float, Field(gt=0)] = math.inf
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if not self.panel_min < self.panel_max:
+            raise PydanticCustomError(
+                "panel_sizes",
+                "a value above panel_min ({low})",
+                {"low": self.panel_min, "key": "panel_max", "got": self.panel_max},
+            )
+        return self
 
     @property
     def limits_edges(self) -> bool:

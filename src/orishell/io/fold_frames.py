@@ -1,13 +1,16 @@
-"""The frames of a FOLD file, and which of them each value comes from (FOLD, Multiple Frames)."""
+"""The frames of a FOLD file, the source of each value (FOLD, Multiple Frames), and its head."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.io.json_arrays import misfit, shown
+from orishell.motion.mesh import QuadMesh
 
 INHERITED = ("vertices_coords", "faces_vertices")
 """What a frame needs and may take from its parent. Edges are the same in all frames. Fold angles
@@ -142,3 +145,37 @@ def _read_json(path: Path) -> dict[str, Any]:
     if not isinstance(content, dict):
         raise InputError("this is not FOLD", got=shown(content), expected="an object with keys")
     return content
+
+
+def read_title(frames: Frames) -> str:
+    """What the file calls itself, without line breaks; empty if it does not."""
+    title = frames.own(0).get("file_title", "")
+    if not isinstance(title, str):
+        raise misfit(title, "file_title", "a text")
+    return "".join(each if each.isprintable() else " " for each in title[:200])
+
+
+def read_unit(frames: Frames) -> str:
+    """The unit of length of all frames; "unit" if none is named."""
+    unit = None
+    for owner in frames.owners("frame_unit"):
+        value, where = frames.value(owner, "frame_unit"), frames.place(owner, "frame_unit")
+        if not isinstance(value, str):
+            raise misfit(value, where, "a text")
+        if unit is not None and value != unit:
+            raise differing(where)
+        unit = value
+    return "unit" if unit is None else unit
+
+
+def read_grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
+    """Rows and columns of vertices that the file states, if its panels do form that grid."""
+    for owner in frames.owners("orishell:grid_shape"):
+        match frames.value(owner, "orishell:grid_shape"):
+            case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:
+                corners = np.sort(mesh.faces, axis=1)
+                first = corners[:, :1]
+                fits = corners == first + np.array([0, 1, columns, columns + 1])
+                if fits.all() and (first % columns != columns - 1).all():
+                    return rows, columns
+    return None

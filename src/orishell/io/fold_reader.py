@@ -11,8 +11,14 @@ from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.record import record
 from orishell.document import LARGEST
-from orishell.io.fold_frames import Frames, differing, read_frames
-from orishell.io.fold_head import read_grid_shape, read_title, read_unit
+from orishell.io.fold_frames import (
+    Frames,
+    differing,
+    read_frames,
+    read_grid_shape,
+    read_title,
+    read_unit,
+)
 from orishell.io.json_arrays import misfit, number_list, number_table, shown
 from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Integers

@@ -42,30 +42,17 @@ _PAGE = """\
 
 
 def place_of(program: str) -> Traversable:
-    """Where a page's program lies, once it is built.
-
-    Parameters
-    ----------
-    program
-        Name of its file.
-    """
+    """Where a page's program lies, by the name of its file, once it is built."""
     return files("orishell.io").joinpath("pages", program)
 
 
 def read_program(place: Traversable, missing: str) -> str:
     """A page's program, one JavaScript module without imports.
 
-    Parameters
-    ----------
-    place
-        Where it lies.
-    missing
-        What is said where it does not.
-
     Raises
     ------
     InputError
-        If it has not been built.
+        With the message ``missing``, if it has not been built.
     """
     if not place.is_file():
         raise InputError(missing, remedy=BUILD_PAGES)
@@ -78,21 +65,8 @@ def program_page(
     """A whole page: its program, and what that shows.
 
     Only this program and this style run, and nothing is loaded: the page cannot send anything.
-
-    Parameters
-    ----------
-    program
-        The program.
-    title
-        The page's title, not escaped yet.
-    what
-        What it draws.
-    name
-        Under which the program finds its data in the page.
-    data
-        JSON, or bytes in base64.
-    kind
-        Its media type.
+    The title is not escaped yet; ``what`` the page draws is said where JavaScript is off. Under
+    ``name`` the program finds its data: JSON, or bytes in base64, of the media type ``kind``.
     """
     program = _inside_script(program)
     policy = (

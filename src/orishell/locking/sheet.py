@@ -49,7 +49,7 @@ class Sheet:
             end, stop = target, "flaps"
         elif build is not None:
             limit = target
-            if build.reach == "pack":
+            if design.opens_from_pack:
                 limit = drive_for_height(
                     mechanism, build.height, end, build.share, build.setback, gap=build.gap
                 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion import FoldingMotion
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array
@@ -68,7 +68,7 @@ class HingeSection:
     profiles: tuple[Profile, ...]
     ends: tuple[float, float]
     setback: float
-    build: PanelBuild
+    build: PanelSpec
     states: tuple[str, ...]
     folds: tuple[float, ...]
 
@@ -79,7 +79,7 @@ class HingeSection:
 
 
 def find_hinge_section(
-    motion: FoldingMotion, boards: Boards, build: PanelBuild
+    motion: FoldingMotion, boards: Boards, build: PanelSpec
 ) -> HingeSection | None:
     """The section through the crease from which boards stand back farthest.
 

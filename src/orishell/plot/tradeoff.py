@@ -1,11 +1,20 @@
-"""The trade-off picture: distance from the surface against number of panels."""
+"""Pictures of trade-offs: designs by pairs of numbers, those that no other beats marked."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
+from itertools import combinations
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from orishell.numerics.arrays import Array
 from orishell.plot.scene import DPI
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 APART = 1.5
 """A design is labelled if it has this many times the panels of the last labelled one."""
@@ -60,5 +69,83 @@ def plot_tradeoff(
     axes.set_ylabel(f"largest distance between shell and surface ({unit})")
     axes.set_title("Fewest panels for a distance from the surface")
     axes.grid(visible=True, which="both", color="#e4e4e4", linewidth=0.6)
-    axes.legend(frameon=False)
+    axes.legend(loc="upper right", frameon=False)
     figure.savefig(path, dpi=DPI, metadata={"Software": None})
+
+
+BEATEN, FRONT, KNEE, BEGUN = "#b9b9b9", "#1f5fbf", "#d62728", "#0a8f3c"
+SIDE = 4.6
+"""Width and height of a pair (inches)."""
+ACROSS = 3
+"""Pairs beside each other."""
+
+
+def plot_front(
+    path: Path,
+    front: Array,
+    beaten: Array,
+    begun_with: Array,
+    *,
+    knee: int,
+    labels: Sequence[str],
+) -> None:
+    """Write the picture as PNG.
+
+    Parameters
+    ----------
+    path
+        The file.
+    front, beaten, begun_with
+        Designs that no other beats, feasible ones that others beat, and that with which the search
+        began, if it can be made: (designs, objectives) each.
+    knee
+        Which of the front is its knee.
+    labels
+        The objectives.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+    if len(labels) == 1:  # nothing to set it against: a line of designs
+        labels = [*labels, ""]
+        front, beaten, begun_with = (
+            np.column_stack([each, np.zeros(len(each))]) for each in (front, beaten, begun_with)
+        )
+    pairs = list(combinations(range(len(labels)), 2))
+    across = min(len(pairs), ACROSS)
+    down = -(-len(pairs) // across)
+    figure = Figure(
+        figsize=(SIDE * across + 0.6, SIDE * down + 0.6),
+        facecolor="white",
+        layout=ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1),
+    )
+    FigureCanvasAgg(figure)
+    for k, pair in enumerate(pairs):
+        axes = figure.add_subplot(down, across, k + 1)
+        _draw_pair(axes, *(each[:, pair] for each in (front, beaten, begun_with)), knee=knee)
+        axes.set_xlabel(labels[pair[0]], parse_math=False)
+        axes.set_ylabel(labels[pair[1]], parse_math=False)
+        if not labels[pair[1]]:
+            axes.set_yticks([])
+    handles, words = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside upper center", ncols=2 * across, frameon=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # letters that the font lacks
+        figure.savefig(path, dpi=DPI, metadata={"Software": None})
+
+
+def _draw_pair(axes: Axes, front: Array, beaten: Array, begun_with: Array, *, knee: int) -> None:
+    """Designs by two objectives, (designs, 2) each."""
+
+    def dots(points: Array, label: str, colour: str, size: float, mark: str = "o") -> None:
+        if len(points):
+            x, y = points.T
+            axes.scatter(x, y, s=size, marker=mark, color=colour, label=label, linewidths=0)
+
+    dots(beaten, "others beat these", BEATEN, 10)
+    dots(begun_with, "the design to begin with", BEGUN, 60, "s")
+    dots(front, "no other beats these", FRONT, 26)
+    dots(front[knee : knee + 1], "knee", KNEE, 60)
+    axes.grid(visible=True, color="#e4e4e4", linewidth=0.6)
+    axes.set_axisbelow(True)

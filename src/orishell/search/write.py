@@ -15,7 +15,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.io.csv_file import write_csv
 from orishell.io.output import OutputDirectory
-from orishell.plot.front import plot_front
+from orishell.plot.tradeoff import plot_front
 from orishell.search.crew import Crew
 from orishell.search.evaluate import Outcome
 from orishell.search.front import Front, beaten, scores

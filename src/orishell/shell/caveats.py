@@ -13,12 +13,12 @@ import numpy as np
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.units import conversion
+from orishell.deployment.feet import Feet
 from orishell.design import Design
 from orishell.locking import Lock
 from orishell.motion import Mechanism, extents, find_assignment, sheet_area
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
-from orishell.shell.standing import Feet
 from orishell.workshop import Workshop
 from orishell.workshop.chamfers import chamfer_angles
 

@@ -21,13 +21,13 @@ from orishell.deployment import (
     find_ties,
     measure_weight,
 )
-from orishell.design import Design, PanelBuild
+from orishell.deployment.feet import Feet
+from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
 from orishell.motion.grid import VertexPair
 from orishell.shell.parts import Part
-from orishell.shell.standing import Feet
 from orishell.solids import Built, largest_thickness
 
 PACKS = 9
@@ -229,7 +229,7 @@ def _thickness(design: Design) -> float:
 
 
 def _largest_thickness(design: Design) -> float | None:
-    flapped, build = design.clipped or design.mechanism, design.panel or PanelBuild(0.0)
+    flapped, build = design.clipped or design.mechanism, design.panel or PanelSpec(thickness=0.0)
     most = largest_thickness(flapped, build)
     return most if np.isfinite(most) else None
 

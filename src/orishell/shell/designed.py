@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Literal
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, unwatched
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
-from orishell.solids import drive_for_height, find_room, find_stop, room_for, thinner, wide_gap
+from orishell.solids import (
+    drive_for_height,
+    find_stop,
+    find_thickness_limit,
+    limit_in_words,
+    thinner,
+    wide_gap,
+)
 
 ROUNDING = 1e-9
 """By so much a fold angle at the target may exceed what hinges allow (radians)."""
@@ -39,10 +45,9 @@ def designed(file: DesignFile) -> Design:
         if file.target is None
         else file.pattern.design(*file.target)
     )
-    design = replace(design, largest_fold=file.deployment.largest_fold)
+    design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
-        reach: Literal["target", "pack"] = "pack" if opening else "target"
-        design = _with_panels(design, replace(file.panel, reach=reach))
+        design = _with_panels(design, file.panel)
     if file.deployment.flap_attachment == "clipped":
         design = design.with_clipped_flaps()
     design = _as_far_as_it_goes(design)
@@ -116,13 +121,13 @@ def _require_hinges(design: Design, from_pack: bool) -> None:
     )
 
 
-def _with_panels(design: Design, panel: PanelBuild) -> Design:
+def _with_panels(design: Design, panel: PanelSpec) -> Design:
     """The design with panels of a thickness: its flaps stop where their boards meet."""
     flaps = design.mechanism.flap_columns
     stop = 0.0 if not flaps else panel.stop
     if stop is None:
         stop = find_stop(design.mechanism, panel)
-    return replace(design.with_stop(stop), panel=replace(panel, stop=stop))
+    return replace(design.with_stop(stop), panel=panel)
 
 
 def _require_room(design: Design) -> None:
@@ -132,18 +137,18 @@ def _require_room(design: Design) -> None:
         return
 
     sheet = design.clipped or design.mechanism
-    room = find_room(sheet, build)
+    room = find_thickness_limit(sheet, build)
     if build.thickness <= room.thickness:
         return
     place = f"at the target, {room.crease}"
-    if not room.thickness and find_room(sheet, replace(build, gap=0.0)).thickness:
-        raise wide_gap(build, place, lambda other: find_room(sheet, other).thickness)
+    if not room.thickness and find_thickness_limit(sheet, build.having(gap=0.0)).thickness:
+        raise wide_gap(build, place, lambda other: find_thickness_limit(sheet, other).thickness)
     earlier = [Remedy({"panel.stop_deg": "auto"})] if room.on_flap else []
     raise DesignError(
         "boards would take more of a panel than set-backs may",
         place=place,
         keys=("panel.thickness",),
-        size=room_for(build, room.thickness),
+        size=limit_in_words(build, room.thickness),
         candidates=[*earlier, *thinner(build, room.thickness)],
         excess=build.thickness / room.thickness - 1 if room.thickness else None,
     )

@@ -21,7 +21,7 @@ from orishell.shell.clock import Clock
 from orishell.shell.make import Shell
 from orishell.shell.overlay import lay_surface
 from orishell.shell.pictures import draw_pictures
-from orishell.shell.structure_files import write_structure_files
+from orishell.structure.files import write_structure_files
 
 
 def write_shell(

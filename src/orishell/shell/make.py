@@ -12,6 +12,7 @@ from orishell.conventions.errors import DesignError, InputError, printable
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, unwatched
 from orishell.conventions.record import record
+from orishell.deployment.feet import find_feet, stand
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
 from orishell.deviation import (
@@ -19,6 +20,7 @@ from orishell.deviation import (
     measure_approach,
     measure_deviation,
 )
+from orishell.deviation.report import describe_deviation
 from orishell.document import Document, FirstContact
 from orishell.document.from_design import document_of_motion
 from orishell.locking import (
@@ -26,16 +28,15 @@ from orishell.locking import (
     lock_without_clash,
     require_pack,
 )
+from orishell.locking.panel_report import describe_panels
+from orishell.locking.report import describe_lock
 from orishell.motion import FoldingMotion, extents, sheet_area
 from orishell.shell.caveats import find_caveats, warn_of_lock
 from orishell.shell.choice import Choice
 from orishell.shell.clock import Clock
 from orishell.shell.deployment_report import describe_deployment
 from orishell.shell.designed import designed, ended
-from orishell.shell.deviation_report import describe_deviation
 from orishell.shell.holding import warn_of_deployment
-from orishell.shell.lock_report import describe_lock
-from orishell.shell.panel_report import describe_panels
 from orishell.shell.parts import Part, Question, not_checked, require_parts
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
@@ -46,7 +47,6 @@ from orishell.shell.report import (
     describe_choice,
     describe_feet,
 )
-from orishell.shell.standing import find_feet, stand
 from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance
 from orishell.structure.results import Analysis

@@ -13,16 +13,16 @@ from dataclasses import asdict
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.deployment.feet import Feet
 from orishell.design import Design, Parameter
+from orishell.deviation.report import DeviationReport
 from orishell.families.pattern import Tolerance
+from orishell.locking.panel_report import PanelReport
+from orishell.locking.report import LockReport
 from orishell.motion import find_assignment
 from orishell.shell.choice import Choice, Trial
 from orishell.shell.deployment_report import DeploymentReport
-from orishell.shell.deviation_report import DeviationReport
-from orishell.shell.lock_report import LockReport
-from orishell.shell.panel_report import PanelReport
-from orishell.shell.standing import Feet
-from orishell.shell.structure_report import StructureReport
+from orishell.structure.report import StructureReport
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
 

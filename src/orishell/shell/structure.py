@@ -10,16 +10,16 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, unwatched
 from orishell.conventions.record import record
 from orishell.conventions.units import conversion
+from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.document import LoadedCase, LoadedShell
 from orishell.locking import Lock
 from orishell.shell.deployment_report import areal_density, pairs_of_ties
-from orishell.shell.standing import find_feet
-from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_report import StructureReport, describe_structure
 from orishell.structure.analyse import analyse
+from orishell.structure.build_warnings import name_of
 from orishell.structure.model import Frame
+from orishell.structure.report import StructureReport, describe_structure
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import Structure
 

@@ -31,7 +31,7 @@ QUICK = 1_000
 """Samples each way during the search; the result is measured with as many as for the report."""
 SIZE_KEYS = frozenset({"pattern.rows", "pattern.columns"})
 """What may not be given beside a tolerance, so that no remedy names it."""
-NOTHING_ALLOWED = Tolerance(0.0)
+NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
 
 
 def meet_tolerance(
@@ -70,7 +70,7 @@ def _with_any_stock(
     file: DesignFile, tolerance: Tolerance, progress: Progress
 ) -> tuple[FamilyPattern, Choice]:
     """What meets a tolerance if stock is as large as needed: it is refused for that, or at all."""
-    anywhere = replace(file, workshop=replace(file.workshop, stock=None))
+    anywhere = replace(file, workshop=file.workshop.having(stock=None))
     pattern, choice = meet_tolerance(anywhere, tolerance, progress)
     try:
         require_stock(_document(file, pattern), file.workshop)
@@ -100,7 +100,7 @@ class _Sheets:
         if workshop.stock is None:
             return self.tolerance
         longest = (1 + SLACK) * math.hypot(*usable_stock(workshop))
-        return replace(self.tolerance, panel_max=min(self.tolerance.panel_max, longest))
+        return self.tolerance.having(panel_max=min(self.tolerance.panel_max, longest))
 
     def sizes(self) -> Sizes[FamilyPattern]:
         """What the search asks of them."""

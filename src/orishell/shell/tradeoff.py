@@ -65,8 +65,8 @@ def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
     DesignError
         If the family refuses all sizes, or no sheet has edges as long as they may be.
     """
-    limits = file.tolerance or Tolerance(math.inf)
-    free = Tolerance(math.inf, limits.panel_min, limits.panel_max)
+    limits = file.tolerance or Tolerance.model_construct(surface=math.inf)
+    free = limits.having(surface=math.inf)
     pattern = file.pattern.variants(file.f, free).telling[0]
     left_open = pattern.model_fields_set - file.pattern.model_fields_set
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}

@@ -1,21 +1,98 @@
-"""The boards of a sheet: what is built of its panels, set back from creases."""
+"""The boards of a sheet: panels set back from their creases, corners cut where need be."""
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 
-from orishell.design import PanelBuild
+from orishell.conventions.errors import DesignError
+from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans
-from orishell.solids.outlines import inset_panels
 from orishell.solids.setbacks import find_set_backs
+
+INSIDE = 1e-12
+"""A corner counts as inside an edge up to this share of the panel's size."""
+
+
+def inset_panels(panels: Array, distance: Array, grid: Grid, cut: Array | None = None) -> Array:
+    """Return what is left of convex panels whose edges move inwards and whose corners are cut off.
+
+    Parameters
+    ----------
+    panels
+        Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise.
+    distance
+        How far each edge moves inwards (F, 4), from a corner to the next (length).
+    grid
+        The grid of the sheet, for messages.
+    cut
+        Distance (F, 4) from each corner, along the line that halves its angle, at which it is cut
+        off square to that line; 0 where it is not (length). None if no corner is.
+
+    Returns
+    -------
+    Array
+        Corners (F, K, 2) of what is left, K being 4, or 8 if corners are cut. Corner k is where
+        side k begins; where a side is gone its two corners coincide. Sides are the edges, or each
+        corner's cut followed by the edge that begins there.
+
+    Raises
+    ------
+    DesignError
+        If nothing is left of a panel.
+    """
+    along = np.roll(panels, -1, axis=1) - panels
+    size = np.abs(along).max(axis=(1, 2))
+    inward = _unit(np.stack([-along[..., 1], along[..., 0]], axis=-1))
+    level = (inward * panels).sum(axis=-1) + distance
+    if cut is not None:
+        halving = _unit(inward + np.roll(inward, 1, axis=1))
+        far = np.where(cut > 0, cut, -np.inf)
+        cut_level = (halving * panels).sum(axis=-1) + far
+        inward = np.stack([halving, inward], axis=2).reshape(len(panels), 8, 2)
+        level = np.stack([cut_level, level], axis=2).reshape(len(panels), 8)
+
+    points, kept = _crossings(inward, level, size)
+    if (few := kept.sum(axis=1) < 3).any():
+        row, column = divmod(int(few.argmax()), grid.columns - 1)
+        raise DesignError(
+            "boards of this thickness leave nothing of a panel",
+            place=f"of panel [{row}, {column}]",
+        )
+    # Between two sides lies the corner that is farthest out between their directions.
+    outward = -_unit(_unit(inward) + np.roll(inward, 1, axis=1))
+    reach = np.einsum("fpx,fkx->fkp", points, outward)
+    place = np.where(kept[:, None], reach, -np.inf).argmax(axis=-1)
+    return np.asarray(np.take_along_axis(points, place[..., None], axis=1))
+
+
+def _crossings(inward: Array, level: Array, size: Array) -> tuple[Array, Array]:
+    """Crossings (F, P, 2) of all pairs of sides, and which of them (F, P) no side cuts off."""
+    pairs = np.array(list(combinations(range(inward.shape[1]), 2)))
+    (a, b), (p, q) = ((each[:, pairs[:, 0]], each[:, pairs[:, 1]]) for each in (inward, level))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        area = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+        area = np.where(np.abs(area) > INSIDE, area, np.nan)
+        points = (
+            np.stack([p * b[..., 1] - q * a[..., 1], q * a[..., 0] - p * b[..., 0]], axis=-1)
+            / area[..., None]
+        )
+        over = np.einsum("fpx,fkx->fpk", points, inward) - level[:, None]
+        kept = (over > -INSIDE * size[:, None, None]).all(axis=-1)
+    return np.where(kept[..., None], points, 0.0), kept
+
+
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.hypot(vectors[..., 0], vectors[..., 1])[..., None])
 
 
 def build_boards(
     flat: Array,
     grid: Grid,
-    build: PanelBuild,
+    build: PanelSpec,
     folds: CreaseValues,
     reliefs: Array | None = None,
 ) -> Boards:

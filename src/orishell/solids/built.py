@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import Design, PanelBuild
+from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
@@ -36,7 +36,7 @@ class Built:
         Those of the sheet with flaps that are clipped on at its target; None if there are none.
     """
 
-    build: PanelBuild
+    build: PanelSpec
     limit: float
     folds: CreaseValues
     reliefs: Array
@@ -119,7 +119,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
 
 
 def _with_flaps(
-    clipped: Mechanism, build: PanelBuild, folds: CreaseValues, reliefs: Array | None
+    clipped: Mechanism, build: PanelSpec, folds: CreaseValues, reliefs: Array | None
 ) -> Boards:
     """The boards of the sheet and its flaps, which fold as at the target and no further."""
     at_target = clipped.fold_angles(clipped.target_drive)

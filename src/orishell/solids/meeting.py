@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import CreaseValues
@@ -58,7 +58,7 @@ class Meetings:
 
 
 def find_meetings(
-    mechanism: Mechanism, build: PanelBuild, folds: CreaseValues, boards: Boards
+    mechanism: Mechanism, build: PanelSpec, folds: CreaseValues, boards: Boards
 ) -> Meetings:
     """Where boards of flaps meet at the target; creases beside which a board is missing left out.
 

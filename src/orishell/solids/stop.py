@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.bisection import bisect_integers
 from orishell.solids.limits import largest_height
-from orishell.solids.room import find_room, room_for, thinner, wide_gap
+from orishell.solids.thickness_limit import find_thickness_limit, limit_in_words, thinner, wide_gap
 
 STEPS = 100
 """Steps in a degree: a stop that is found is a whole number of them."""
@@ -21,7 +20,7 @@ MOST = 45 * STEPS
 """The largest stop that is looked for (steps)."""
 
 
-def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
+def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
     """The least by which flaps must stop short of folding flat, so that they can carry boards.
 
     Rounded up to a hundredth of a degree; 0 if there are no flaps (radians).
@@ -55,26 +54,26 @@ def find_stop(mechanism: Mechanism, build: PanelBuild) -> float:
     return _angle(bisect_integers(works, good, 0))
 
 
-def _no_room(mechanism: Mechanism, build: PanelBuild) -> DesignError:
+def _no_room(mechanism: Mechanism, build: PanelSpec) -> DesignError:
     """The refusal of boards on flaps that have no room for them, whatever their stop is."""
 
-    def room(other: PanelBuild) -> float:
+    def room(other: PanelSpec) -> float:
         return largest_thickness(mechanism, other)
 
     most = room(build)
-    if not most and room(replace(build, gap=0.0)):
+    if not most and room(build.having(gap=0.0)):
         return wide_gap(build, "at a flap", room)
     return DesignError(
         "boards on flaps would stand back too far from their creases, however early flaps stop",
         place="at the target",
         keys=("panel.thickness",),
-        size=room_for(build, most) if most else "no thickness is small enough",
+        size=limit_in_words(build, most) if most else "no thickness is small enough",
         candidates=_candidates(build, most),
         excess=build.thickness / most - 1 if most else None,
     )
 
 
-def largest_thickness(mechanism: Mechanism, build: PanelBuild) -> float:
+def largest_thickness(mechanism: Mechanism, build: PanelSpec) -> float:
     """The largest thickness of panels, with whatever stop leaves their flaps most room (length).
 
     Infinite where no crease folds.
@@ -86,13 +85,13 @@ def largest_thickness(mechanism: Mechanism, build: PanelBuild) -> float:
     build
         What its panels are made of; with a stop of 0 flaps carry no boards.
     """
-    most = find_room(mechanism.with_stop(0.0), build).thickness
+    most = find_thickness_limit(mechanism.with_stop(0.0), build).thickness
     if not mechanism.flap_columns or build.stop == 0:
         return most
     return min(most, 2 * _most(mechanism, _last(mechanism), build))
 
 
-def _candidates(build: PanelBuild, most: float) -> Iterator[Remedy]:
+def _candidates(build: PanelSpec, most: float) -> Iterator[Remedy]:
     """Thinner panels, flaps of membrane only, no flaps."""
     yield from thinner(build, most)
     if build.construction == "sandwich":
@@ -118,7 +117,7 @@ def _allowed(mechanism: Mechanism, steps: int) -> bool:
     return True
 
 
-def _most(mechanism: Mechanism, steps: int, build: PanelBuild) -> float:
+def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
     """How high boards may stand between the row creases of flaps with this stop (length)."""
     if not _allowed(mechanism, steps):
         return -np.inf

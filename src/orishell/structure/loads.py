@@ -68,7 +68,7 @@ def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) ->
         named = {each.name: each for each in cases}
         return tuple(
             replace(load, factor=factor, forces=factor * load.forces)
-            for name, factor in case.combine
+            for name, factor in case.combine.items()
             for load in case_loads(exposure, named[name], cases)
         )
     try:

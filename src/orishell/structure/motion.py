@@ -50,9 +50,9 @@ def describe_motion(model: Model, shape: Array, forces: Array, *, soft: bool = F
 def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
     """What would hold a shell of those things that it lacks."""
     structure, frame = model.structure, model.frame
-    pinned = tuple(Support(each.at, "pinned") for each in structure.supports)
+    pinned = tuple(Support(at=each.at, kind="pinned") for each in structure.supports)
     tried: dict[Hold, Model] = {
-        "pinned": replace(model, structure=replace(structure, supports=pinned))
+        "pinned": replace(model, structure=structure.having(supports=pinned))
     }
     if frame.feet is not None and not frame.ties:
         inner = model.sheet.inner_columns

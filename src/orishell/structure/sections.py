@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.settings import Structure
@@ -66,7 +66,7 @@ SAMPLES = np.concatenate([SAMPLES, np.roll(SAMPLES[-1:], 1, 1), np.roll(SAMPLES[
 
 def panel_sections(
     structure: Structure,
-    build: PanelBuild | None,
+    build: PanelSpec | None,
     boards: Boards | None,
     flat: Array,
     panels: Integers,

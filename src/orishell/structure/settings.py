@@ -1,16 +1,18 @@
-"""What a structure is asked: its materials, what holds it, and what loads it.
+"""The tables [structure] and [[load_case]]: what a shell is made of, what holds and what loads it.
 
 Lengths are in the design's unit, forces in newtons, wind speeds in metres per second.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final, Literal
+import math
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, Self
 
 import numpy as np
+from pydantic import AfterValidator, Field, field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
-from orishell.motion.grid import Vertex
+from orishell.conventions.table import Number, Pair, Several, Table, entries
 
 SupportKind = Literal["pinned", "fixed", "sliding", "friction"]
 """Held in place; and all panels there clamped; held up only; on the ground, which pushes only."""
@@ -18,152 +20,205 @@ Place = Literal["feet", "ends"]
 """The rows that are the shell's feet, or its first and last columns between flaps."""
 Terrain = Literal["0", "I", "II", "III", "IV"]
 """Categories of EN 1991-1-4: sea, open, low vegetation, suburb, town."""
-NO_CODE: Final = ((0.0, 0.8), (float(np.pi / 2), -1.0), (float(np.pi), -0.4))
+NO_CODE: Final = ((0.0, 0.8), (90.0, -1.0), (180.0, -0.4))
 """Pressure coefficients of wind where none are given, of no code: push on what faces the wind, pull
-at the crown and in the lee, as about a long arch (angles in radians)."""
+at the crown and in the lee, as about a long arch."""
+MOST = 1e12
+"""Loads are smaller than this: what is computed from larger ones would overflow in the end."""
+LONGEST = 60
+"""Characters of a load case's name."""
+LOADS = ("self_weight", "pressure", "snow", "wind", "points")
+
+Index = Annotated[int, Field(ge=0)]
+GridVertex = Pair[Index]
+"""Row and column of a vertex of the folding sheet, as for ties."""
+Load = Annotated[Number, Field(ge=-MOST, le=MOST)]
+Coefficient = Annotated[Number, Field(ge=-10, le=10)]
+"""Of pressure, positive towards the outer face."""
+Positive = Annotated[Number, Field(ge=1e-12, le=1e15)]
+"""Numbers beyond these are refused: what is computed from them would overflow in the end."""
 
 
-@dataclass(frozen=True, slots=True)
-class Support:
-    """What holds some vertices of the sheet.
+def _as_range(given: Any) -> tuple[float, float]:
+    """The least and the largest stiffness of creases."""
+    words = {"free": 0.0, "rigid": math.inf}
+    both = given if isinstance(given, tuple) else (given, given)
+    least, most = (words[each] if isinstance(each, str) else each for each in both)
+    if least > most:
+        raise PydanticCustomError(
+            "stiffness_range", "the least stiffness first, then the largest", {"got": given}
+        )
+    return least, most
 
-    Parameters
-    ----------
-    at
-        Feet, ends, or rows and columns of vertices of the folding sheet, as for ties.
-    kind
-        How they are held.
-    friction
-        Coefficient of friction of the ground, for ``"friction"``.
-    """
 
-    at: Place | tuple[Vertex, ...]
+if TYPE_CHECKING:
+    StiffnessRange = tuple[float, float]
+else:
+    Stiffness = Annotated[Number, Field(ge=0, le=1e15)] | Literal["free", "rigid"]
+    StiffnessRange = Annotated[Stiffness | Pair[Stiffness], AfterValidator(_as_range)]
+
+
+class Support(Table):
+    """What holds some vertices; ``friction`` is the coefficient of the ground's friction."""
+
+    at: Place | Annotated[Several[GridVertex], Field(min_length=1)]
     kind: SupportKind
-    friction: float = 0.0
+    friction: Annotated[Number, Field(ge=0, le=10)] = 0.0
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.kind == "friction" and not self.friction:
+            raise PydanticCustomError(
+                "no_friction",
+                "a value above 0; ground without friction holds like kind = sliding",
+                {"key": "friction", "got": self.friction},
+            )
+        if self.kind != "friction" and self.friction:
+            raise PydanticCustomError(
+                "friction",
+                'no friction, or kind = "friction"',
+                {"key": "friction", "got": self.friction},
+            )
+        return self
 
 
-@dataclass(frozen=True, slots=True)
-class Snow:
+class Snow(Table):
     """Snow, down on the plan of panels whose outer face looks up.
 
-    Parameters
-    ----------
-    ground
-        Load of snow on level ground (force per area).
-    shape
-        "slope": by each panel's slope, mu_1 of EN 1991-1-3. "cylinder": mu_3, by rise and span of
-        the whole.
+    ``ground`` is its load on level ground (force per area). It is gathered by each panel's "slope",
+    mu_1 of EN 1991-1-3, or as by a "cylinder": mu_3, by rise and span of the whole.
     """
 
-    ground: float
+    ground: Annotated[Number, Field(gt=0, le=MOST)]
     shape: Literal["slope", "cylinder"] = "slope"
 
 
-@dataclass(frozen=True, slots=True)
-class Zone:
-    """Rows of panels with one pressure coefficient.
+class Zone(Table):
+    """Rows of panels, the first and the last, with one pressure coefficient."""
 
-    Parameters
-    ----------
-    rows
-        The first and the last of them, from 0.
-    coefficient
-        Positive towards the outer face.
+    rows: Pair[Index]
+    coefficient: Coefficient
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.rows[0] > self.rows[1]:
+            raise PydanticCustomError(
+                "rows", "the first row, then the last", {"key": "rows", "got": self.rows}
+            )
+        return self
+
+
+class Wind(Table):
+    """Wind, square on the panels, by its basic speed (m/s) and the category of the terrain.
+
+    It blows from x to y by ``direction_deg``. ``coefficients`` are pairs of an angle between a
+    panel's outer normal and where the wind comes from (degrees) and the coefficient there, straight
+    lines between them; instead of them ``zones`` may name every row of panels once. ``height`` over
+    the ground is where its speed is taken; None for the top of the shell.
     """
 
-    rows: tuple[int, int]
-    coefficient: float
-
-
-@dataclass(frozen=True, slots=True)
-class Wind:
-    """Wind, square on the panels.
-
-    Parameters
-    ----------
-    speed
-        Basic wind speed (m/s).
-    terrain
-        The category of the terrain.
-    direction
-        Where it blows to, from x to y (radians).
-    coefficients
-        Pairs of an angle between a panel's outer normal and where the wind comes from (radians,
-        ascending) and the pressure coefficient there, straight lines between them. Or zones, which
-        must name every row of panels once.
-    height
-        Over the ground, for its speed; None for the top of the shell (length).
-    """
-
-    speed: float
+    speed: Annotated[Number, Field(gt=0, le=200)]
     terrain: Terrain
-    direction: float
-    coefficients: tuple[tuple[float, float], ...] | tuple[Zone, ...]
-    height: float | None = None
+    direction_deg: Annotated[Number, Field(ge=-360, le=360)]
+    coefficients: Several[Pair[Number]] = NO_CODE
+    zones: Annotated[Several[Zone], Field(min_length=1)] | None = None
+    height: Annotated[Number, Field(gt=0, le=MOST)] | None = None
+
+    @property
+    def direction(self) -> float:
+        """Where it blows to, from x to y (radians)."""
+        return float(np.deg2rad(self.direction_deg))
+
+    @property
+    def is_of_no_code(self) -> bool:
+        """Whether its coefficients are those of no code."""
+        return self.zones is None and self.coefficients == NO_CODE
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.zones is not None and "coefficients" in self.model_fields_set:
+            raise PydanticCustomError(
+                "two_kinds", "either coefficients or zones", {"key": "zones", "got": "both"}
+            )
+        angles = [angle for angle, _ in self.coefficients]
+        if angles != sorted(set(angles)) or angles[:1] + angles[-1:] != [0, 180]:
+            raise PydanticCustomError(
+                "angles",
+                "pairs of an angle and a coefficient, angles ascending from 0 to 180 degrees",
+                {"key": "coefficients", "got": list(map(list, self.coefficients))},
+            )
+        return self
 
 
-@dataclass(frozen=True, slots=True)
-class PointLoad:
-    """A force at a vertex.
+class PointLoad(Table):
+    """A force at a vertex, along x, y and z (N)."""
 
-    Parameters
-    ----------
-    at
-        Row and column of the folding sheet, as for ties.
-    force
-        Along x, y and z (N).
-    """
-
-    at: Vertex
-    force: tuple[float, float, float]
+    at: GridVertex
+    force: Annotated[tuple[Load, Load, Load], entries(3)]
 
 
-@dataclass(frozen=True, slots=True)
-class LoadCase:
+class LoadCase(Table):
     """Loads that act together, or factors by which those of other cases do.
 
-    Parameters
-    ----------
-    name
-        What it is called.
-    self_weight
-        Whether the shell's own weight is one of them.
-    pressure
-        On the outer face, square on it (force per area).
-    snow, wind, points
-        Further loads.
-    combine
-        Names of other cases and the factors of their loads; then there are no others here. Cases
-        that are combined are not analysed by themselves.
+    ``pressure`` is on the outer face, square on it (force per area). ``combine`` has factors of
+    the loads of other cases by their names; then there are no others here. Cases that are combined
+    are not analysed by themselves.
     """
 
     name: str
     self_weight: bool = False
-    pressure: float = 0.0
+    pressure: Load = 0.0
     snow: Snow | None = None
     wind: Wind | None = None
-    points: tuple[PointLoad, ...] = ()
-    combine: tuple[tuple[str, float], ...] = ()
+    points: Several[PointLoad] = ()
+    combine: dict[str, Annotated[Number, Field(ge=-1e3, le=1e3)]] = Field(default_factory=dict)
+
+    @field_validator("name")
+    @classmethod
+    def _require_line(cls, name: str) -> str:
+        if not (name.strip() and name.isprintable() and len(name) <= LONGEST):
+            raise PydanticCustomError(
+                "name", "one line of 1 to {longest} characters", {"longest": LONGEST}
+            )
+        return name
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        loads = [name for name in LOADS if getattr(self, name)]
+        if loads and self.combine:
+            raise PydanticCustomError(
+                "loads_and_factors",
+                "no combine beside {loads}: give these loads a case of their own, and combine that",
+                {"key": "combine", "got": self.combine, "loads": ", ".join(loads)},
+            )
+        if not loads and not any(self.combine.values()):
+            raise PydanticCustomError(
+                "no_load",
+                "a load, one of {loads}; or combine, factors of other cases",
+                {"loads": ", ".join(LOADS)},
+            )
+        return self
 
 
-@dataclass(frozen=True, slots=True)
-class Structure:
-    """A structure as it is analysed.
+OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
+"""The only case where a design file has none."""
+
+
+class StructureTable(Table):
+    """What a structure is made of, and what holds it.
 
     Parameters
     ----------
     modulus
         Young's modulus of panels or boards, of their section as a whole (force per area).
-    poisson
-        Their Poisson's ratio.
     supports
         What holds it.
-    cases
-        What loads it.
-    thickness
-        Of panels, where the design has none; else None (length).
+    poisson
+        Poisson's ratio of panels.
     strength
         What panels bear; None if that is not known (force per area).
+    thickness
+        Of panels, where the design has none; else None (length).
     membrane_modulus
         Young's modulus of the membrane between boards; 0 if it is not counted (force per area).
     crease_stiffness
@@ -182,22 +237,31 @@ class Structure:
         them as they are.
     """
 
-    modulus: float
-    poisson: float
-    supports: tuple[Support, ...]
-    cases: tuple[LoadCase, ...]
-    thickness: float | None = None
-    strength: float | None = None
-    membrane_modulus: float = 0.0
-    crease_stiffness: tuple[float, float] = (0.0, float("inf"))
-    crease_strength: float | None = None
-    tie_stiffness: float = float("inf")
-    tie_strength: float | None = None
-    cells: int = 4
-    refine: float = 0.0
+    modulus: Positive
+    supports: Annotated[Several[Support], Field(min_length=1)]
+    poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3
+    strength: Positive | None = None
+    thickness: Positive | None = None
+    membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    crease_stiffness: StiffnessRange = (0.0, math.inf)
+    crease_strength: Positive | None = None
+    tie_stiffness: Positive = math.inf
+    tie_strength: Positive | None = None
+    cells: Annotated[int, Field(ge=1, le=32)] = 4
+    refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+
+    def under(self, cases: tuple[LoadCase, ...]) -> Structure:
+        """The structure under load cases."""
+        return Structure.model_construct(**dict(self), cases=cases)
+
+
+class Structure(StructureTable):
+    """A structure as it is analysed: made of the table, under its load cases."""
+
+    cases: Several[LoadCase]
 
     @property
     def analysed(self) -> tuple[LoadCase, ...]:
         """The cases that are analysed: those that no other combines."""
-        parts = {name for case in self.cases for name, _ in case.combine}
+        parts = {name for case in self.cases for name in case.combine}
         return tuple(case for case in self.cases if case.name not in parts)

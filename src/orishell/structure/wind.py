@@ -8,7 +8,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.units import conversion
 from orishell.numerics.arrays import Array
 from orishell.structure.exposure import Exposure
-from orishell.structure.settings import Terrain, Wind, Zone
+from orishell.structure.settings import Terrain, Wind
 
 TERRAINS: dict[Terrain, tuple[float, float]] = {
     "0": (0.003, 1.0),
@@ -82,12 +82,12 @@ def wind_load(exposure: Exposure, wind: Wind) -> Array:
 
 def _coefficients(exposure: Exposure, wind: Wind) -> Array:
     """Pressure coefficients (T,)."""
-    zones = [each for each in wind.coefficients if isinstance(each, Zone)]
+    zones = wind.zones
     if not zones:
         angles, sizes = np.array(wind.coefficients, np.float64).T
         against = -np.array([np.cos(wind.direction), np.sin(wind.direction), 0.0])
         facing = np.arccos(np.clip(exposure.outer() @ against, -1, 1))
-        return np.asarray(np.interp(facing, angles, sizes))
+        return np.asarray(np.interp(facing, np.deg2rad(angles), sizes))
     of_rows = np.full(exposure.grid.rows - 1, np.nan)
     count = np.zeros(len(of_rows), np.int64)
     for zone in zones:

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Any, Literal, NotRequired, TypedDict
 
+from orishell.conventions.knob import Kind, Measure
 from orishell.document import FirstContact
-from orishell.families.parameters import Kind, Measure
 from orishell.io.view import Curves
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
@@ -54,6 +54,35 @@ class Family(TypedDict):
     parameters: list[Parameter]
 
 
+class KeyWords(TypedDict):
+    """A key of the design file in words.
+
+    Parameters
+    ----------
+    help
+        One line on what it does.
+    choices
+        Its values and their labels, the default first; empty where they are not listed.
+    """
+
+    label: str
+    help: str
+    choices: dict[str, str]
+
+
+class TableWords(TypedDict):
+    """A table of the design file in words.
+
+    Parameters
+    ----------
+    label
+        The section of the page that has its controls; empty where there is none.
+    """
+
+    label: str
+    keys: dict[str, KeyWords]
+
+
 class Example(TypedDict):
     """A design to begin with: its tables, and the text of its file."""
 
@@ -95,6 +124,7 @@ class Info(TypedDict):
     examples: list[Example]
     formats: list[FileFormat]
     workshop: list[Parameter]
+    tables: dict[str, TableWords]
     search: SearchInfo
     limits: Largest
     start: NamedDesign | None
@@ -239,9 +269,10 @@ class DrawnSheet(TypedDict):
 
 
 class LayerPen(TypedDict):
-    """A layer of the drawings, and its colour ("#rrggbb")."""
+    """A layer of the drawings, its name in words and its colour ("#rrggbb")."""
 
     layer: Layer
+    label: str
     colour: str
 
 

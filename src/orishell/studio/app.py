@@ -23,6 +23,7 @@ from orishell.studio.api import Info, NamedDesign, Refusal
 from orishell.studio.guard import Guard
 from orishell.studio.key import Key
 from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
+from orishell.studio.labels import describe_tables
 from orishell.studio.limits import MAX_VERTICES
 from orishell.studio.pages import Compressed, Pages
 from orishell.studio.processes import prepared_copies
@@ -113,6 +114,7 @@ def make_app(
                 {"name": each.name, "file": each.file, "what": each.what} for each in FORMATS
             ],
             "workshop": describe_workshop(),
+            "tables": describe_tables(),
             "search": describe_search(),
             "limits": {"vertices": MAX_VERTICES, "bytes": limits.bytes, "seconds": limits.quick},
             "start": start,

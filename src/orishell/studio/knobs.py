@@ -7,12 +7,12 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from orishell.conventions.knob import knobs_of
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from orishell.design_file.workshop import WorkshopTable
-from orishell.families.parameters import knobs_of
 from orishell.families.registry import FAMILIES
 from orishell.studio.api import Example, Family, Parameter
+from orishell.workshop import Workshop
 
 
 def describe_families() -> dict[str, Family]:
@@ -35,7 +35,7 @@ def describe_examples() -> list[Example]:
 
 def describe_workshop() -> list[Parameter]:
     """The settings of the table [workshop]."""
-    return _parameters(WorkshopTable)
+    return _parameters(Workshop)
 
 
 def _describe(name: str) -> Family:

@@ -14,9 +14,10 @@ from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
 from orishell.shell.parts import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, Sheets
+from orishell.studio.labels import LAYERS
 from orishell.workshop import Workshop
+from orishell.workshop.boards import has_sheet
 from orishell.workshop.drawing import ORDER
-from orishell.workshop.glue import has_sheet
 from orishell.workshop.palettes import Palette, load_palette
 from orishell.workshop.paper_model import make_paper_model
 from orishell.workshop.sheets import draw_sheet_files, measure_waste
@@ -65,7 +66,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
             drawn.update(circle.layer for circle in drawing.circles)
             drawn.update(text.layer for text in drawing.texts)
     layers: list[LayerPen] = [
-        {"layer": layer, "colour": palette.pens[layer].colour}
+        {"layer": layer, "label": LAYERS[layer], "colour": palette.pens[layer].colour}
         for layer in ORDER
         if layer in drawn and layer in palette.pens
     ]

@@ -10,11 +10,10 @@ import numpy as np
 from orishell.document import Document
 from orishell.numerics.arrays import Integers
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.drawing import Drawing, Layer, Line, Text
 from orishell.workshop.joints import LETTER_WIDTH, Joint
 from orishell.workshop.labels import panel_labels
-from orishell.workshop.outline import whole_sheet
-from orishell.workshop.part import Part
 from orishell.workshop.placing import shifted
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tabs import choose_joint_width
@@ -35,7 +34,7 @@ BELOW = 1 / 45
 """Height of the words below the map, as a share of its width."""
 
 
-def number_text(document: Document, part: Part, texts: Sequence[Text]) -> Text:
+def number_text(document: Document, part: CutPart, texts: Sequence[Text]) -> Text:
     """A part's number, as large as a panel has room for beside the texts on it."""
     import shapely
 
@@ -63,7 +62,7 @@ def number_text(document: Document, part: Part, texts: Sequence[Text]) -> Text:
 
 def draw_map(
     document: Document,
-    parts: Sequence[Part],
+    parts: Sequence[CutPart],
     joints: Sequence[Joint],
     workshop: Workshop,
     sheets: int,

@@ -12,8 +12,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array
-from orishell.workshop.board_labels import board_labels
-from orishell.workshop.board_outlines import SIDES, distinct_corners, seen_from_outside
+from orishell.workshop.boards import SIDES, board_labels, distinct_corners, seen_from_outside
 from orishell.workshop.chamfers import solid_marks
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.drawing import Line, Text

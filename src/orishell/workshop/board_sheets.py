@@ -1,4 +1,4 @@
-"""Drawings of boards, layer by layer in their places, or nested on stock.
+"""Drawings of boards, layer by layer in their places, or nested on stock; their plan of assembly.
 
 Boards of a sandwich are drawn as they are seen from outside, those of the lower face from below, so
 that their part numbers can be read when they are glued on. Solid panels are seen from above.
@@ -14,14 +14,14 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array
-from orishell.workshop.board_outlines import MIRRORED
+from orishell.workshop.assembly import short_creases
 from orishell.workshop.board_parts import BoardPart, board_parts, nest_boards
+from orishell.workshop.boards import MIRRORED, board_labels, distinct_corners, seen_from_outside
 from orishell.workshop.clipped import with_clipped
-from orishell.workshop.draw import draw_page, drawn_box
+from orishell.workshop.draw import draw_page, drawn_box, require_drawable
 from orishell.workshop.drawing import ORDER, Drawing, Line, Text
-from orishell.workshop.placing import Content, shifted
+from orishell.workshop.placing import Content, draw_stock_sheet, shifted
 from orishell.workshop.settings import Workshop
-from orishell.workshop.stock_sheet import draw_stock_sheet
 from orishell.workshop.title_block import program_and_palette, quoted_size
 
 LAYERS = {1: "top", -1: "bottom", 0: "panels"}
@@ -148,3 +148,30 @@ def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> 
         f"{len(parts)} boards, {plain(thick)} {unit} thick, {size}",
         "Lower face, seen from below" if below else "Upper face, seen from above",
     )
+
+
+def draw_plan(document: Document, workshop: Workshop) -> Drawing:
+    """Solid panels in their places, with part numbers, and the creases between them.
+
+    It is seen from above, and nothing of it is cut. What is clipped on at the target lies beside
+    the edge that it is clipped on.
+
+    Raises
+    ------
+    InputError
+        If there is no flat sheet or no unit.
+    """
+    document = with_clipped(document)
+    require_drawable(document)
+    seen = seen_from_outside(document, 0)
+    panels = (Line("ENGRAVE", distinct_corners(outline), closed=True) for outline in seen.outlines)
+    creases = short_creases(document, np.flatnonzero(document.mesh.crease))
+    lines = (*panels, *creases)
+    texts = board_labels(document, 0)
+    content = lines, (), texts
+    facts = (
+        f"{len(seen.numbers)} panels, {quoted_size(drawn_box(content)[1], document.unit)}",
+        "Plan of assembly, seen from above; nothing is cut",
+        program_and_palette(workshop),
+    )
+    return draw_page(content, f"{document.title}, plan", document.unit, facts, workshop)

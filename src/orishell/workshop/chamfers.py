@@ -8,7 +8,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.board_outlines import seen_from_outside
+from orishell.workshop.boards import seen_from_outside
 from orishell.workshop.creases import mean_edge
 from orishell.workshop.drawing import Line, Text
 from orishell.workshop.fitted_words import label_edges, label_middles, ways_across

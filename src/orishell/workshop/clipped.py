@@ -12,7 +12,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.creases import mean_edge
-from orishell.workshop.outline import find_outlines
+from orishell.workshop.cut_parts import find_outlines
 
 GAP = 0.25
 """Boards are moved by multiples of this share of the mean edge of the sheet's panels."""

@@ -11,9 +11,8 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.workshop.cut_parts import STRAIGHT, CutPart
 from orishell.workshop.drawing import Circle, Layer, Line
-from orishell.workshop.outline import STRAIGHT
-from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
 
 Names = NDArray[np.str_]
@@ -42,7 +41,7 @@ class _Creases:
     lengths: Array
 
 
-def crease_lines(document: Document, part: Part, workshop: Workshop) -> tuple[Line, ...]:
+def crease_lines(document: Document, part: CutPart, workshop: Workshop) -> tuple[Line, ...]:
     """The creases of a part, in the sheet's own coordinates.
 
     Mountains and valleys are scored, cut in dashes or perforated. Creases that do not fold (F, J)
@@ -79,7 +78,7 @@ def crease_lines(document: Document, part: Part, workshop: Workshop) -> tuple[Li
     return tuple(Line(layer, line) for layer in _MARKS for line in points[layers == layer])
 
 
-def relief_holes(document: Document, part: Part, workshop: Workshop) -> tuple[Circle, ...]:
+def relief_holes(document: Document, part: CutPart, workshop: Workshop) -> tuple[Circle, ...]:
     """Holes at the vertices that panels of the part surround, in the sheet's own coordinates."""
     flat = document.require_flat()
     return tuple(
@@ -95,7 +94,7 @@ def mean_edge(document: Document) -> float:
     return float(np.mean(np.hypot(sides[..., 0], sides[..., 1])))
 
 
-def _holed(document: Document, part: Part, workshop: Workshop) -> Booleans:
+def _holed(document: Document, part: CutPart, workshop: Workshop) -> Booleans:
     """Which vertices (V,) get a hole: inner ones of the sheet with all their panels in the part."""
     mesh = document.mesh
     holed = np.zeros(mesh.vertex_count, dtype=np.bool_)
@@ -106,7 +105,7 @@ def _holed(document: Document, part: Part, workshop: Workshop) -> Booleans:
     return holed
 
 
-def _between_rims(document: Document, part: Part, radius: Array) -> _Creases:
+def _between_rims(document: Document, part: CutPart, radius: Array) -> _Creases:
     """The part's creases, shortened by the holes of radius (V,) at their ends."""
     flat = document.require_flat()
     letters = np.array([document.assignment[edge] for edge in part.creases.tolist()], dtype="<U1")
@@ -145,7 +144,7 @@ def _corner_gap(document: Document, creases: _Creases, workshop: Workshop) -> fl
     return gap
 
 
-def _require_room(document: Document, part: Part, holed: Booleans, diameter: float) -> None:
+def _require_room(document: Document, part: CutPart, holed: Booleans, diameter: float) -> None:
     """Refuse holes that leave too little of a crease, or reach beyond the panels around them."""
     flat, mesh = document.require_flat(), document.mesh
     ends = mesh.edges[part.creases]

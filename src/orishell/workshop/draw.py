@@ -11,11 +11,10 @@ from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array
 from orishell.workshop.creases import crease_lines, relief_holes
+from orishell.workshop.cut_parts import CutPart, without_straight
 from orishell.workshop.drawing import Drawing, Line, Text
 from orishell.workshop.labels import part_labels
-from orishell.workshop.outline import without_straight
 from orishell.workshop.palettes import load_palette
-from orishell.workshop.part import Part
 from orishell.workshop.placing import Content, shifted
 from orishell.workshop.settings import Workshop
 from orishell.workshop.title_block import draw_title_block, letter_height, sheet_facts
@@ -41,7 +40,7 @@ def require_drawable(document: Document) -> None:
     _require_borders(document)
 
 
-def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
+def part_lines(document: Document, part: CutPart, workshop: Workshop) -> Content:
     """What is drawn of a part, in the sheet's own coordinates.
 
     Parameters
@@ -80,7 +79,7 @@ def part_lines(document: Document, part: Part, workshop: Workshop) -> Content:
 
 def draw_part(
     document: Document,
-    part: Part,
+    part: CutPart,
     workshop: Workshop,
     *,
     title: str = "",

@@ -14,9 +14,8 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
+from orishell.workshop.cut_parts import CutPart, find_outlines
 from orishell.workshop.drawing import Text
-from orishell.workshop.outline import find_outlines
-from orishell.workshop.part import Part
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.tabs import find_owners, tab_shapes
 
@@ -55,7 +54,7 @@ class Joint:
 
 def make_parts(
     document: Document, split: Sequence[Integers], kind: JointKind, width: float
-) -> tuple[tuple[Part, ...], tuple[Part, ...], tuple[Joint, ...]]:
+) -> tuple[tuple[CutPart, ...], tuple[CutPart, ...], tuple[Joint, ...]]:
     """Parts with their joints.
 
     Parameters
@@ -86,7 +85,7 @@ def make_parts(
         rooted = [joint.edge for joint in mine if kind == "tabs" and joint.parts[0] == k]
         inside = np.flatnonzero(mesh.crease & (beside == k).all(axis=1))
         parts.append(
-            Part(
+            CutPart(
                 number=k,
                 panels=np.sort(panels),
                 creases=np.sort(np.concatenate([inside, np.array(rooted, dtype=np.int64)])),
@@ -136,9 +135,9 @@ def _marks(joints: Sequence[Joint], number: int, kind: JointKind) -> tuple[Text,
     return tuple(joint.marks()[0 if joint.parts[1] == number else 1] for joint in joints)
 
 
-def _strip(joint: Joint) -> Part:
+def _strip(joint: Joint) -> CutPart:
     far, near = joint.tabs
-    return Part(
+    return CutPart(
         number=0,
         panels=np.empty(0, dtype=np.int64),
         creases=np.array([joint.edge]),

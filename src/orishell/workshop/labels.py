@@ -7,8 +7,9 @@ import numpy as np
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.board_labels import board_labels
+from orishell.workshop.boards import board_labels
 from orishell.workshop.creases import mean_edge
+from orishell.workshop.cut_parts import CutPart
 from orishell.workshop.drawing import Text
 from orishell.workshop.fitted_words import (
     BESIDE,
@@ -19,14 +20,13 @@ from orishell.workshop.fitted_words import (
     readable,
     ways_across,
 )
-from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
 
 WITH_PANELS = 2.5
 """Heights of a crease's label that must fit where panels are labelled too."""
 
 
-def part_labels(document: Document, part: Part, workshop: Workshop) -> tuple[Text, ...]:
+def part_labels(document: Document, part: CutPart, workshop: Workshop) -> tuple[Text, ...]:
     """What is engraved on a part, in the sheet's own coordinates; never upside down.
 
     Where boards are glued on, their part numbers take the place of rows and columns.
@@ -67,7 +67,7 @@ def _panel_labels(document: Document, taken: Array) -> Labels:
     return label_middles(words, corners, ways_across(corners), most, [(corners, taken)])
 
 
-def _crease_labels(document: Document, part: Part, tall: float) -> tuple[Labels, Integers]:
+def _crease_labels(document: Document, part: CutPart, tall: float) -> tuple[Labels, Integers]:
     """The fold angle beside the middle of every crease that folds, and the panel it stands on.
 
     It stands above the crease, below only where the panel above belongs to another part. The

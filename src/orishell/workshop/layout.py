@@ -17,14 +17,12 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.board_outlines import seen_from_outside
+from orishell.workshop.boards import has_sheet, seen_from_outside
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
-from orishell.workshop.glue import has_sheet
 from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import nest_parts
-from orishell.workshop.outline import whole_sheet
-from orishell.workshop.part import Part
 from orishell.workshop.placing import Placement
 from orishell.workshop.settings import Workshop
 from orishell.workshop.splitting import split_sheet
@@ -48,7 +46,7 @@ class Layout:
         How parts are joined.
     """
 
-    parts: tuple[Part, ...]
+    parts: tuple[CutPart, ...]
     placements: tuple[Placement, ...] | None
     joints: tuple[Joint, ...] = ()
 

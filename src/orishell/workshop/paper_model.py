@@ -12,11 +12,11 @@ from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.board_sheets import board_layers
+from orishell.workshop.boards import back_of, sheet_title, with_glue_areas
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import part_lines, require_drawable
 from orishell.workshop.drawing import Layer, Line, Text
-from orishell.workshop.glue import back_of, sheet_title, with_glue_areas
-from orishell.workshop.outline import whole_sheet
 from orishell.workshop.palettes import load_palette
 from orishell.workshop.placing import Content
 from orishell.workshop.settings import Workshop
@@ -80,7 +80,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     InputError
         If there is no flat sheet or unit, or it takes too many pages.
     """
-    workshop = replace(workshop, creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
+    workshop = workshop.having(creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
     document = with_clipped(document)
     require_drawable(document)
     part = with_glue_areas(document, whole_sheet(document))
@@ -106,7 +106,7 @@ def make_board_models(
     """
     if document.boards is None:
         return
-    workshop = replace(workshop, paper_scale=scale, stock=None)
+    workshop = workshop.having(paper_scale=scale, stock=None)
     everything = with_clipped(document)
     if (document.boards.sides < 0).any():
         back, title = back_of(everything, whole_sheet(everything)), f"{sheet_title(document)}, back"

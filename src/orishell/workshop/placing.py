@@ -1,7 +1,8 @@
-"""Turning and shifting a part to its place on a sheet of stock."""
+"""Where parts lie on sheets of stock, and what is drawn of such a sheet."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TypeVar
 
@@ -9,7 +10,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
-from orishell.workshop.drawing import Anchor, Circle, Line, Text
+from orishell.workshop.drawing import ORDER, Anchor, Circle, Drawing, Line, Text
+from orishell.workshop.settings import Workshop
 
 Content = tuple[tuple[Line, ...], tuple[Circle, ...], tuple[Text, ...]]
 
@@ -53,10 +55,7 @@ class Placement:
     def turned_over(self, width: float) -> Placement:
         """Where the part, mirrored about the y axis, lies when its sheet is turned over.
 
-        Parameters
-        ----------
-        width
-            Of what can be used of the sheet.
+        ``width`` is that of the sheet within its margins.
         """
         x, y = self.shift.tolist()
         return Placement(self.sheet, -self.angle, np.array([width - x, y]))
@@ -75,15 +74,7 @@ class Placement:
 
 
 def shifted(content: Content, x: float, y: float) -> Content:
-    """Lines, circles and texts by so much to the right and up.
-
-    Parameters
-    ----------
-    content
-        What is drawn.
-    x, y
-        The shift.
-    """
+    """Lines, circles and texts moved right by ``x`` and up by ``y``."""
     lines, circles, texts = content
     return (
         tuple(replace(line, points=line.points + np.array([x, y])) for line in lines),
@@ -93,14 +84,42 @@ def shifted(content: Content, x: float, y: float) -> Content:
 
 
 def turned(points: Array, angle: float) -> Array:
-    """Points (k, 2) turned about the origin.
-
-    Parameters
-    ----------
-    points
-        The points.
-    angle
-        The turn (radians, counter-clockwise).
-    """
+    """Points (k, 2) turned about the origin (radians, counter-clockwise)."""
     cosine, sine = np.cos(angle), np.sin(angle)
     return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]]))
+
+
+LETTERS = 0.4
+"""Height of the words in the margin, as a share of its width."""
+
+
+def draw_stock_sheet(
+    parts: Iterable[tuple[Content, Placement]], title: str, unit: str, workshop: Workshop
+) -> Drawing:
+    """A drawing exactly of the stock's size, in the order of work: marks, creases, holes, cuts.
+
+    Parts are in their own coordinates, placements within the margins; the title stands in the
+    margin, if there is one.
+    """
+    if workshop.stock is None:
+        raise AssertionError("only stock is drawn sheet by sheet")
+    lines: list[Line] = []
+    circles: list[Circle] = []
+    texts: list[Text] = []
+    for content, placement in parts:
+        place = replace(placement, shift=placement.shift + workshop.margin)
+        placed = place.move_all(content)
+        lines += placed[0]
+        circles += placed[1]
+        texts += placed[2]
+    if workshop.title_block and workshop.margin > 0:
+        wide, high = workshop.stock
+        says = f"{title}, 1:1 on {wide:g} x {high:g} {unit}"
+        texts.append(_margin_words(says, wide, workshop.margin))
+    lines.sort(key=lambda line: ORDER.index(line.layer))
+    return Drawing(title, unit, *workshop.stock, tuple(lines), tuple(circles), tuple(texts))
+
+
+def _margin_words(words: str, width: float, margin: float) -> Text:
+    height = min(LETTERS * margin, (width - 2 * margin) / len(words))
+    return Text("LABEL", margin, margin / 2, height, words, anchor="start")

@@ -1,17 +1,182 @@
-"""Bill of quantities: how much sheet, cut and crease a shell needs, and what it weighs."""
+"""Bill of quantities: sheet, cuts, creases, boards and hinges of a shell, and what they weigh."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.document import Document
-from orishell.workshop import Workshop
-from orishell.workshop.bill import PanelBill, measure_panels
+from orishell.numerics.arrays import Array
+from orishell.workshop.board_parts import nest_boards
 from orishell.workshop.clipped import with_clipped
 from orishell.workshop.layout import require_stock
+from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste
+
+
+@dataclass(frozen=True, slots=True)
+class BoardCount:
+    """Number of boards by the face that they lie on.
+
+    Parameters
+    ----------
+    top, bottom
+        Boards on the upper and on the lower face of the membrane.
+    solid
+        Solid panels.
+    """
+
+    top: int
+    bottom: int
+    solid: int
+
+
+@dataclass(frozen=True, slots=True)
+class PanelMass:
+    """Mass of panels with a thickness (kg).
+
+    Parameters
+    ----------
+    boards
+        Of boards, or of solid panels; None if their density is not known.
+    membrane
+        Of the membrane; None if its density is not known, 0 if there is none.
+    total
+        Of both; None if one is not known.
+    """
+
+    boards: float | None
+    membrane: float | None
+    total: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class PanelBill:
+    """What panels with a thickness are made of; lengths and areas in the document's unit.
+
+    Parameters
+    ----------
+    boards
+        How many boards there are, those that are clipped on included.
+    board_area
+        Area of all boards, each at its largest.
+    membrane_area
+        Area of the membrane, without tabs and strips; 0 if there is none.
+    glue_area
+        Area of the boards' faces on the membrane.
+    hinge_length
+        Length of the creases that fold.
+    mass_kg
+        Mass by part.
+    centre_of_mass
+        Of the shell at its target, in the world; None if its mass is not known.
+    stock_sheets
+        Number of sheets of stock for the boards; None if there is no stock, or that was not asked
+        for.
+    """
+
+    boards: BoardCount
+    board_area: float
+    membrane_area: float
+    glue_area: float
+    hinge_length: float
+    mass_kg: PanelMass
+    centre_of_mass: tuple[float, float, float] | None
+    stock_sheets: int | None
+
+
+def measure_panels(
+    document: Document, workshop: Workshop, *, nested: bool = True
+) -> PanelBill | None:
+    """The bill of panels with a thickness; None if they have none.
+
+    Parameters
+    ----------
+    nested
+        Whether boards are laid out on their stock.
+
+    Raises
+    ------
+    InputError
+        If only folded states are known, or a board is larger than the stock.
+    """
+    if document.panel is None:
+        return None
+    everything = with_clipped(document)
+    boards, build = everything.boards, everything.panel
+    if boards is None or build is None:
+        return None
+    areas = boards.areas()
+    membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
+    flat, edges = everything.require_flat(), everything.mesh.edges
+    length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
+    sheets = None
+    if nested and workshop.stock is not None:
+        placements = nest_boards(document, workshop)
+        sheets = 1 + max((placement.sheet for placement in placements), default=-1)
+    cubic = conversion(document.unit, "m") ** 3
+    board_mass = cubic * float(boards.volumes().sum()) * build.density or None
+    membrane_mass = cubic * membrane * build.membrane * build.membrane_density or None
+    if not membrane:
+        membrane_mass = 0.0
+    total = None
+    if board_mass is not None and membrane_mass is not None:
+        total = board_mass + membrane_mass
+    return PanelBill(
+        boards=BoardCount(*(int((boards.sides == side).sum()) for side in (1, -1, 0))),
+        board_area=float(areas.sum()),
+        membrane_area=membrane,
+        glue_area=float(areas[boards.sides != 0].sum()),
+        hinge_length=float(length[np.isin(everything.assignment, ("M", "V"))].sum()),
+        mass_kg=PanelMass(board_mass, membrane_mass, total),
+        centre_of_mass=None if total is None else _centre_of_mass(document),
+        stock_sheets=sheets,
+    )
+
+
+def _centre_of_mass(document: Document) -> tuple[float, float, float]:
+    """Centre of mass at the target, in the world, what is clipped on included."""
+    middle = document.shell.positions.mean(axis=0)
+    mass, moment = 0.0, np.zeros(3)
+    for piece in (document, *document.clipped):
+        for weight, centres in (_weighed_boards(piece), _weighed_membrane(piece)):
+            mass += float(weight.sum())
+            moment += weight @ (centres - middle)
+    x, y, z = document.in_world(middle + moment / mass).tolist()
+    return x, y, z
+
+
+def _weighed_boards(piece: Document) -> tuple[Array, Array]:
+    """Weight (B,), in the document's unit cubed by density, and centre (B, 3) of every board."""
+    assert piece.panel is not None
+    if piece.boards is None or not len(piece.boards):
+        return np.zeros(0), np.zeros((0, 3))
+    corners = piece.boards_in(piece.shell)
+    places = corners.reshape(len(corners), -1, 3)
+    start = places.mean(axis=1, keepdims=True)
+    triangles, present = piece.boards.triangles()
+    board = np.arange(len(corners))[:, None, None]
+    sides = (places - start)[board, triangles]
+    # A board is the sum of the tetrahedra from a point to the triangles of its surface.
+    volume = np.linalg.det(sides) / 6 * present
+    centre = (volume[..., None] * sides.sum(axis=2) / 4).sum(axis=1)
+    centre /= volume.sum(axis=1, keepdims=True)
+    return volume.sum(axis=1) * piece.panel.density, centre + start[:, 0]
+
+
+def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
+    """Weight (F,) and centre (F, 3) of the membrane in every panel."""
+    assert piece.panel is not None
+    corners = piece.shell.positions[piece.mesh.faces]
+    halves = corners[:, [[0, 1, 2], [0, 2, 3]]]
+    run, rise = halves[:, :, 1] - halves[:, :, 0], halves[:, :, 2] - halves[:, :, 0]
+    area = 0.5 * np.linalg.norm(np.cross(run, rise), axis=-1)
+    centre = (area[..., None] * halves.mean(axis=2)).sum(axis=1) / area.sum(axis=1, keepdims=True)
+    weight = area.sum(axis=1) * piece.panel.membrane * piece.panel.membrane_density
+    return weight, centre
 
 
 @record

@@ -16,20 +16,23 @@ import numpy as np
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.workshop.assembly import draw_map, number_text
-from orishell.workshop.board_outlines import distinct_corners, seen_from_outside
 from orishell.workshop.board_parts import nest_boards
-from orishell.workshop.board_sheets import draw_boards
+from orishell.workshop.board_sheets import draw_boards, draw_plan
+from orishell.workshop.boards import (
+    back_of,
+    distinct_corners,
+    has_sheet,
+    seen_from_outside,
+    sheet_title,
+    with_glue_areas,
+)
 from orishell.workshop.clipped import with_clipped
+from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
 from orishell.workshop.drawing import Drawing
-from orishell.workshop.glue import back_of, has_sheet, sheet_title, with_glue_areas
 from orishell.workshop.layout import Layout, lay_out, usable_stock
-from orishell.workshop.outline import whole_sheet
-from orishell.workshop.part import Part
-from orishell.workshop.placing import Content, Placement
-from orishell.workshop.plan import draw_plan
+from orishell.workshop.placing import Content, Placement, draw_stock_sheet
 from orishell.workshop.settings import Workshop
-from orishell.workshop.stock_sheet import draw_stock_sheet
 from orishell.workshop.title_block import program_and_palette, quoted_size
 
 
@@ -202,7 +205,7 @@ def _draw_back(document: Document, workshop: Workshop, layout: Layout, number: i
     return draw_stock_sheet(placed, title, document.unit, workshop)
 
 
-def _placed(layout: Layout) -> Iterator[tuple[Part, Placement]]:
+def _placed(layout: Layout) -> Iterator[tuple[CutPart, Placement]]:
     if layout.placements is None:
         raise AssertionError("only stock is drawn sheet by sheet")
     return zip(layout.parts, layout.placements, strict=True)

@@ -15,9 +15,9 @@ from orishell.conventions.version import __version__
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
+from orishell.workshop.cut_parts import CutPart
 from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text
 from orishell.workshop.palettes import Palette
-from orishell.workshop.part import Part
 from orishell.workshop.settings import Workshop
 
 SMALLEST_MM = 2.0
@@ -190,7 +190,9 @@ def _drawn_length(drawn: Drawing, layer: Layer) -> float:
     return total
 
 
-def sheet_facts(document: Document, part: Part, size: Array, workshop: Workshop) -> tuple[str, ...]:
+def sheet_facts(
+    document: Document, part: CutPart, size: Array, workshop: Workshop
+) -> tuple[str, ...]:
     """What the title block says of a part of the sheet.
 
     Parameters

@@ -24,7 +24,7 @@ from documents import (
 )
 from orishell.conventions.colours import rgb
 from orishell.conventions.errors import InputError
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
 from orishell.io.settings import DEFAULT_SETTINGS
@@ -251,7 +251,7 @@ def test_parts_of_a_document_are_shown_as_well(browser: Browser, tmp_path: Path,
 
 def test_a_view_has_the_outlines_of_boards() -> None:
     """As they are in the flat sheet; a view of panels without a thickness is as it was."""
-    document = thick_document(build=PanelBuild(0.05, membrane=0.002))
+    document = thick_document(build=PanelSpec(thickness=0.05, membrane=0.002))
     assert document.boards is not None
     view = dump_view(document)
     arrays = parts_of(view)[1]
@@ -293,10 +293,14 @@ def parts_of(view: bytes) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
 
 
 @pytest.mark.parametrize(
-    "build", [PanelBuild(0.1, membrane=0.005), PanelBuild(0.1, construction="bevel")]
+    "build",
+    [
+        PanelSpec(thickness=0.1, membrane=0.005),
+        PanelSpec().having(thickness=0.1, construction="bevel"),
+    ],
 )
 def test_thickness_is_switched_off_and_on(
-    browser: Browser, tmp_path: Path, build: PanelBuild
+    browser: Browser, tmp_path: Path, build: PanelSpec
 ) -> None:
     """Off, the picture is that of panels without a thickness."""
     document = thick_document(build=build)

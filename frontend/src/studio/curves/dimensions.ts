@@ -4,7 +4,7 @@ import { button, numberBox, setNumber } from "../parts/controls.ts";
 import { scaleOf } from "./curve-table.ts";
 import { h, setAttribute } from "../parts/dom.ts";
 import { icon } from "../parts/icons.ts";
-import { keptSwitch } from "../state/kept-switch.ts";
+import { keptSwitch } from "../state/storage.ts";
 import { short } from "../parts/numbers.ts";
 import { boxOf } from "./plane.ts";
 import type { CurveName, CurveTable, Point } from "../state/types.ts";

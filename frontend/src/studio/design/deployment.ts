@@ -1,32 +1,13 @@
 // How the shell is deployed: the table [deployment] of the design file.
 
+import type { KeyWords } from "../../shared/api-types.ts";
 import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import type { Value } from "../state/types.ts";
 
-/** A choice with its own value where the file says nothing. */
-const CHOICES = [
-  {
-    key: "from",
-    label: "Opened from",
-    values: [["flat", "Flat sheet"], ["pack", "Pack"]],
-    help: "folded up from the flat sheet, or opened from a pack beyond the target",
-  },
-  {
-    key: "flap_attachment",
-    label: "Flaps",
-    values: [["folded", "Of the sheet"], ["clipped", "Clipped on"]],
-    help: "part of the folding sheet, or boards that are put on at the target",
-  },
-  {
-    key: "ties",
-    label: "Ties",
-    values: [["none", "None"], ["feet", "Between feet"]],
-    help: "what keeps the shell from opening beyond its target",
-  },
-] as const;
+const CHOICES = ["from", "flap_attachment", "ties"];
 const WIDEST = 180;
 
 export class DeploymentControls {
@@ -36,6 +17,8 @@ export class DeploymentControls {
   private readonly note = h("p", { class: "note" });
 
   constructor(private readonly store: Store) {
+    const { label, keys } = store.info.tables["deployment"]!;
+    const hinges = keys["largest_fold_deg"]!;
     this.hinges = numberBox(
       { min: 0, max: WIDEST, step: "any", id: "hinges", "data-testid": "deployment-largest_fold_deg" },
       (value) => this.set("largest_fold_deg", value === WIDEST ? undefined : value, "type-largest_fold_deg"),
@@ -43,26 +26,30 @@ export class DeploymentControls {
     this.element = h(
       "section",
       { class: "deployment", "aria-labelledby": "deployment-title" },
-      h("h2", { id: "deployment-title" }, "Deployment"),
-      ...CHOICES.map(({ key, label, values, help }) => {
-        const choice = segmented<string>(
-          label,
-          values.map(([value, text]) => ({ value, text, testid: `deployment-${key}-${value}` })),
-          (value) => this.set(key, value === values[0][0] ? undefined : value),
-        );
-        this.choices.set(key, choice);
-        return h("div", { class: "parameter-head", title: help }, h("span", {}, label), choice.element);
-      }),
+      h("h2", { id: "deployment-title" }, label),
+      ...CHOICES.map((key) => this.choice(key, keys[key]!)),
       h(
         "div",
-        { class: "parameter-head", title: "180\u00b0: hinges fold flat" },
-        h("label", { for: "hinges" }, "Hinges close to"),
+        { class: "parameter-head", title: hinges.help },
+        h("label", { for: "hinges" }, hinges.label),
         this.hinges,
         h("span", { class: "unit" }, "\u00b0"),
       ),
       this.note,
     );
     store.design.bind(({ deployment }) => this.show(deployment ?? {}));
+  }
+
+  private choice(key: string, { label, help, choices }: KeyWords): HTMLElement {
+    const values = Object.entries(choices);
+    const choice = segmented<string>(
+      label,
+      values.map(([value, text]) => ({ value, text, testid: `deployment-${key}-${value}` })),
+      // The first is what a file means that says nothing.
+      (value) => this.set(key, value === values[0]![0] ? undefined : value),
+    );
+    this.choices.set(key, choice);
+    return h("div", { class: "parameter-head", title: help }, h("span", {}, label), choice.element);
   }
 
   /** Other keys of the table stay; what says nothing new is left out. */

@@ -1,24 +1,19 @@
 // What panels are made of: the table [panel] of the design file.
 
+import type { TableWords } from "../../shared/api-types.ts";
 import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import type { Value } from "../state/types.ts";
 
-const CONSTRUCTIONS = [
-  ["sandwich", "Sandwich"],
-  ["bevel", "Bevel"],
-] as const;
-type Construction = (typeof CONSTRUCTIONS)[number][0];
-const CONSTRUCTION = "boards on both faces of a membrane that is their hinge, or solid panels, chamfered where they close";
 /** Share of the thickness that a hinge takes, membrane or gap, until another is asked for. */
 const HINGE = 0.05;
 type Size = "thickness" | "membrane" | "gap";
 
 export class PanelControls {
   readonly element: HTMLElement;
-  private readonly construction: Segmented<Construction>;
+  private readonly construction: Segmented<string>;
   private readonly boxes: Record<Size, HTMLInputElement>;
   private readonly units: HTMLElement[] = [];
   private readonly more: HTMLElement[];
@@ -29,21 +24,23 @@ export class PanelControls {
       membrane: this.box("membrane", (value) => this.change({ ...this.table, membrane: value }, "type-membrane")),
       gap: this.box("gap", (value) => this.change({ ...this.table, gap: value }, "type-gap")),
     };
-    this.construction = segmented<Construction>(
-      "Construction",
-      CONSTRUCTIONS.map(([value, text]) => ({ value, text, testid: `panel-construction-${value}` })),
+    const { label, keys } = store.info.tables["panel"]!;
+    const construction = keys["construction"]!;
+    this.construction = segmented<string>(
+      construction.label,
+      Object.entries(construction.choices).map(([value, text]) => ({ value, text, testid: `panel-construction-${value}` })),
       (value) => this.setConstruction(value),
     );
     this.more = [
-      h("div", { class: "parameter-head", title: CONSTRUCTION }, h("span", {}, "Construction"), this.construction.element),
-      this.row("Membrane", "membrane", "thickness of the hinge between the boards"),
-      this.row("Gap", "gap", "between panels at every crease: room for a hinge or a kerf"),
+      h("div", { class: "parameter-head", title: construction.help }, h("span", {}, construction.label), this.construction.element),
+      this.row("membrane", keys),
+      this.row("gap", keys),
     ];
     this.element = h(
       "section",
       { class: "panel", "aria-labelledby": "panel-title" },
-      h("h2", { id: "panel-title" }, "Panels"),
-      this.row("Thickness", "thickness", "of a panel, boards and membrane together; 0: none is designed for"),
+      h("h2", { id: "panel-title" }, label),
+      this.row("thickness", keys),
       ...this.more,
     );
     store.design.bind(() => this.show());
@@ -57,7 +54,8 @@ export class PanelControls {
     return numberBox({ min: 0, step: "any", id: `panel-${key}`, "data-testid": `panel-${key}` }, changed);
   }
 
-  private row(label: string, key: Size, help: string): HTMLElement {
+  private row(key: Size, keys: TableWords["keys"]): HTMLElement {
+    const { label, help } = keys[key]!;
     const unit = h("span", { class: "unit" });
     this.units.push(unit);
     return h("div", { class: "parameter-head", title: help }, h("label", { for: `panel-${key}` }, label), this.boxes[key], unit);
@@ -69,7 +67,7 @@ export class PanelControls {
     this.change({ ...this.table, thickness, ...(fits ? {} : { membrane: hingeOf(thickness) }) }, "type-thickness");
   }
 
-  private setConstruction(construction: Construction): void {
+  private setConstruction(construction: string): void {
     const { membrane: _, construction: __, ...rest } = this.table;
     const hinge = hingeOf(Number(rest["thickness"]));
     // Solid panels have no membrane: their hinges need a gap.
@@ -88,7 +86,7 @@ export class PanelControls {
     setNumber(this.boxes.thickness, short(Number(thickness)));
     setNumber(this.boxes.membrane, short(Number(membrane)));
     setNumber(this.boxes.gap, short(Number(gap)));
-    this.construction.set(construction as Construction);
+    this.construction.set(String(construction));
     for (const unit of this.units) unit.textContent = this.store.design.value.shell.unit;
     for (const row of this.more) row.hidden = !Number(thickness);
     this.more[1]!.hidden ||= construction === "bevel";

@@ -13,11 +13,7 @@ import type { Tolerance } from "../state/types.ts";
 /** The tolerance that is offered first and what takes its place are one step of the history. */
 const OFFER = "offer!";
 type Mode = "sizes" | "tolerance";
-const BOXES: { key: keyof Tolerance; label: string; help: string }[] = [
-  { key: "surface", label: "Surface", help: "largest distance between shell and surface" },
-  { key: "panel_min", label: "Shortest edge", help: "of a panel in the flat sheet; empty: any" },
-  { key: "panel_max", label: "Longest edge", help: "of a panel in the flat sheet; empty: any" },
-];
+const KEYS = ["surface", "panel_min", "panel_max"] as const;
 
 export class Sizes {
   readonly element: HTMLElement;
@@ -59,7 +55,7 @@ export class Sizes {
     this.fields = h(
       "div",
       { class: "tolerance" },
-      ...BOXES.map((each) => this.field(each)),
+      ...KEYS.map((key) => this.field(key)),
       h("div", { class: "actions" }, this.choose, this.keep),
       this.chosen,
     );
@@ -74,7 +70,8 @@ export class Sizes {
     store.freshness.bind(() => this.refresh());
   }
 
-  private field({ key, label, help }: (typeof BOXES)[number]): HTMLElement {
+  private field(key: keyof Tolerance): HTMLElement {
+    const { label, help } = this.store.info.tables["tolerance"]!.keys[key]!;
     const box = numberBox({ step: "any", min: 0, "data-testid": `tolerance-${key}` }, (value) =>
       this.set(key, value),
     );

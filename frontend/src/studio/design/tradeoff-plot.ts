@@ -1,8 +1,9 @@
 // The plot of panels against distance: all sizes faint, the best as points that are chosen.
 
 import type { Tradeoff, Trial } from "../../shared/api-types.ts";
+import { Chooser } from "../../shared/chooser.ts";
 import { axisAcross, axisUp } from "../../shared/plot.ts";
-import { h, nearestTo, s, setAttribute, uniqueId } from "../parts/dom.ts";
+import { h, s, setAttribute, uniqueId } from "../parts/dom.ts";
 import { LogScale } from "./front.ts";
 import { short } from "../parts/numbers.ts";
 
@@ -21,21 +22,18 @@ export class TradeoffPlot {
   private readonly line = s("polyline", { class: "line" });
   private readonly allowed = s("line", { class: "limit", x1: LEFT, x2: WIDTH - RIGHT });
   private readonly now = s("circle", { class: "begun", r: 8 }, s("title", {}, "the shell on the screen"));
-  private readonly points = s("g", { role: "radiogroup", "aria-label": "Sizes that no other beats" });
+  private readonly chooser: Chooser;
   private best: readonly Trial[] = [];
-  private chosen = 0;
   private panels: LogScale | null = null;
   private errors: LogScale | null = null;
   private present: { rows: number; columns: number; error: number | undefined } | null = null;
 
   constructor(private readonly picked: (trial: Trial) => void) {
     const id = uniqueId("tradeoff");
-    const drawing = s(
-      "svg",
-      { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "data-testid": "tradeoff-plot", onclick: (event: MouseEvent) => this.click(event) },
-      this.frame, this.allowed, this.cloud, this.line, this.now, this.points,
-    );
-    this.points.addEventListener("keydown", (event) => this.key(event));
+    const drawing = s("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "data-testid": "tradeoff-plot" });
+    const choose = (number: number): void => this.choose(number);
+    this.chooser = new Chooser(drawing, "Sizes that no other beats", { walked: choose, picked: choose });
+    drawing.append(this.frame, this.allowed, this.cloud, this.line, this.now, this.chooser.element);
     this.element = h(
       "figure",
       { class: "front-figure", "aria-labelledby": id },
@@ -62,22 +60,15 @@ export class TradeoffPlot {
       }),
     );
     setAttribute(this.line, "points", best.map((trial) => place(trial).join(",")).join(" "));
-    this.points.replaceChildren(
-      ...best.map((trial, number) => {
-        const [cx, cy] = place(trial);
-        const words = `${trial.rows} rows, ${trial.columns} columns: ${trial.panels} panels, ${short(trial.error, 3)} ${unit}`;
-        return s(
-          "g",
-          { class: "point", role: "radio", "aria-label": words, "data-testid": `front-${number}` },
-          s("title", {}, words),
-          s("circle", { class: "touched", cx, cy, r: 12 }),
-          s("circle", { class: "dot", cx, cy, r: 4.5 }),
-        );
-      }),
+    this.chooser.draw(
+      best.map((trial, number) => ({
+        at: place(trial),
+        label: `${trial.rows} rows, ${trial.columns} columns: ${trial.panels} panels, ${short(trial.error, 3)} ${unit}`,
+        testid: `front-${number}`,
+      })),
     );
     this.limit(tolerance);
     this.markPresent();
-    this.show();
   }
 
   /** The tolerance as a line. */
@@ -98,8 +89,7 @@ export class TradeoffPlot {
   }
 
   select(trial: Trial): void {
-    this.chosen = Math.max(0, this.best.indexOf(trial));
-    this.show();
+    this.chooser.mark(Math.max(0, this.best.indexOf(trial)));
   }
 
   private markPresent(): void {
@@ -114,44 +104,8 @@ export class TradeoffPlot {
     setAttribute(this.now, "cy", errors!.at(error!));
   }
 
-  private show(): void {
-    [...this.points.children].forEach((point, number) => {
-      const here = number === this.chosen;
-      setAttribute(point, "aria-checked", here ? "true" : "false");
-      setAttribute(point, "tabindex", here ? "0" : "-1");
-    });
-  }
-
   private choose(number: number): void {
-    const trial = this.best[number];
-    if (!trial) return;
-    this.chosen = number;
-    this.show();
-    this.picked(trial);
-  }
-
-  /** The point nearest to the pointer: they lie closer together than fingers are wide. */
-  private click(event: MouseEvent): void {
-    this.choose(nearestTo(event, this.points));
-    this.focus();
-  }
-
-  private key(event: Event): void {
-    const { key } = event as KeyboardEvent;
-    const last = this.best.length - 1;
-    const to = {
-      ArrowRight: this.chosen + 1, ArrowDown: this.chosen + 1,
-      ArrowLeft: this.chosen - 1, ArrowUp: this.chosen - 1,
-      Home: 0, End: last,
-    }[key];
-    if (to === undefined) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.choose(Math.min(Math.max(to, 0), last));
-    this.focus();
-  }
-
-  private focus(): void {
-    (this.points.children[this.chosen] as SVGGElement).focus();
+    this.chooser.mark(number);
+    this.picked(this.best[number]!);
   }
 }

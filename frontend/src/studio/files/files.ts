@@ -5,7 +5,8 @@ import { download, pickFile } from "../parts/dom.ts";
 import { ServerFault, faultOf, ownFault } from "../state/faults.ts";
 import { brokenLink, designOf, fragmentOf, isLink } from "./link.ts";
 import { ofFile } from "../state/stale.ts";
-import type { Named, Store } from "../state/store.ts";
+import type { Named } from "../state/named.ts";
+import type { Store } from "../state/store.ts";
 import { tomlOf } from "./toml.ts";
 
 export class Files {

@@ -1,10 +1,8 @@
 // A design as a link: its tables, compressed, in the fragment of the address, which browsers keep to
 // themselves.
 
-import { handlesIn } from "../curves/curve-table.ts";
 import { ServerFault, ownFault } from "../state/faults.ts";
-import type { Named } from "../state/store.ts";
-import type { Design } from "../state/types.ts";
+import { type Named, namedOf } from "../state/named.ts";
 
 const PREFIX = "#design=";
 /** Longer ones are refused by programs that links are sent with. */
@@ -42,21 +40,6 @@ export async function designOf(fragment: string): Promise<Named> {
 
 export function brokenLink(): ServerFault {
   return new ServerFault(ownFault("input", "The link of this design is broken", "copy the whole of it; some programs cut long links"));
-}
-
-/** What was read, if it is a design with its name; throws where the points of a curve are none. */
-export function namedOf(value: unknown): Named | null {
-  const found = value as Partial<Named> | null;
-  const design = found?.design as Partial<Design> | undefined;
-  if (typeof found?.name !== "string" || typeof design?.shell?.family !== "string") return null;
-  const { pattern, target } = design;
-  if (![pattern, target, target?.f, target?.g].every(isTable)) return null;
-  for (const table of [target!.f, target!.g]) handlesIn(table);
-  return { name: found.name, design: design as Design };
-}
-
-function isTable(value: unknown): boolean {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
 /** The text that was compressed; no more of it than is allowed is ever held. */

@@ -10,7 +10,7 @@ import { pretty } from "../parts/numbers.ts";
 import { sized } from "../state/sizing.ts";
 import type { Store } from "../state/store.ts";
 import { WorkBar } from "../parts/work-bar.ts";
-import { LAYERS, percent } from "./workshop-words.ts";
+import { percent } from "./workshop-words.ts";
 
 /** Rest of the settings after which the sheets are drawn anew, in milliseconds. */
 const REST = 300;
@@ -120,7 +120,7 @@ export class SheetPreview {
     this.leaves.hidden = sheets.sheets.length < 2;
     this.facts.replaceChildren(...factsOf(sheets).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
     this.legend.replaceChildren(
-      ...[...sheets.layers].reverse().map(({ layer, colour }) => h("li", {}, swatch(colour), LAYERS[layer])),
+      ...[...sheets.layers].reverse().map(({ label, colour }) => h("li", {}, swatch(colour), label)),
     );
     this.turn();
     this.state = "shown";

@@ -5,7 +5,7 @@ import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Store } from "../state/store.ts";
 import type { Parameter, Value } from "../state/types.ts";
-import { isIdle, wordsOfChoice } from "./workshop-words.ts";
+import { isIdle } from "./workshop-words.ts";
 
 type Show = (value: Value | null) => void;
 interface Control {
@@ -53,10 +53,11 @@ export class WorkshopSettings {
   }
 
   private choice({ key, choices }: Parameter, id: string): Control {
+    const words = this.store.info.tables["workshop"]!.keys[key]!.choices;
     const select = h(
       "select",
       { id, "data-testid": id, onchange: () => this.set(key, select.value) },
-      ...choices.map((choice) => h("option", { value: choice }, wordsOfChoice(key, choice))),
+      ...choices.map((choice) => h("option", { value: choice }, words[choice] ?? choice)),
     );
     const show: Show = (value) => {
       const text = String(value);

@@ -25,7 +25,7 @@ export function listenForShortcuts(act: Shortcuts): void {
       event.preventDefault();
       return;
     }
-    if (event.altKey || target.closest("input, select, textarea, dialog, [popover]")) return;
+    if (event.altKey || target.closest("input, select, textarea, dialog[open], [popover]")) return;
     if (key === "?") act.help();
     else if (key === " " && !target.closest("button, summary, [role=button]")) act.play();
     else return;

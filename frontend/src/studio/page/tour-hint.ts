@@ -2,7 +2,7 @@
 
 import { button } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
-import { storageOf } from "../state/kept.ts";
+import { storageOf } from "../state/storage.ts";
 import type { Store } from "../state/store.ts";
 
 const KEY = "orishell.tour";

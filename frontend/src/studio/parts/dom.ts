@@ -55,17 +55,6 @@ export function keepFocus(change: () => void): void {
   next?.focus({ preventScroll: true });
 }
 
-/** Number of the point (a group with a dot) nearest to the pointer, within reach of it; -1 if none is. They
- * lie closer together than fingers are wide. */
-export function nearestTo(event: MouseEvent, points: Element, reach = Infinity): number {
-  const away = [...points.children].map((point) => {
-    const box = point.querySelector(".dot")!.getBoundingClientRect();
-    return Math.hypot(box.x + box.width / 2 - event.clientX, box.y + box.height / 2 - event.clientY);
-  });
-  const least = Math.min(...away);
-  return least <= reach ? away.indexOf(least) : -1;
-}
-
 let counter = 0;
 /** An id that no other element of the page has. */
 export function uniqueId(stem: string): string {

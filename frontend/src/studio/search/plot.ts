@@ -1,8 +1,9 @@
 // The plot of a search: designs that others beat faint, those that none beats as points to choose.
 
 import type { SearchedDesign } from "../../shared/api-types.ts";
+import { Chooser } from "../../shared/chooser.ts";
 import { axisAcross, axisUp, Scale } from "../../shared/plot.ts";
-import { h, nearestTo, s, setAttribute, uniqueId } from "../parts/dom.ts";
+import { h, s, setAttribute, uniqueId } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
 import type { Found, Member } from "./found.ts";
 
@@ -14,8 +15,6 @@ const TOP = 10;
 const BOTTOM = 38;
 const FRAME = { left: LEFT, right: WIDTH - RIGHT, top: TOP, bottom: HEIGHT - BOTTOM };
 const SQUARE = 9;
-/** Pixels within which a click is meant for a point. */
-const REACH = 24;
 
 export interface PlotEvents {
   /** A member is looked at. */
@@ -32,25 +31,25 @@ export class SearchPlot {
   private readonly cloud = s("g", { class: "beaten", "aria-hidden": "true" });
   private readonly line = s("polyline", { class: "line" });
   private readonly begun = s("rect", { class: "begun", width: SQUARE, height: SQUARE }, s("title", {}, "the design as it was opened"));
-  private readonly points = s("g", { role: "radiogroup", "aria-label": "Designs that no other beats" });
-  private readonly knee = s("text", { class: "knee-name", "aria-hidden": "true" }, "knee");
+  private readonly chooser: Chooser;
   private found: Found | null = null;
   /** Number of the design that is looked at; the knee until another is. */
   private at = -1;
   private chosen = false;
+  private open: Member | null = null;
 
   constructor(private readonly events: PlotEvents) {
     const id = uniqueId("search");
-    this.points.addEventListener("keydown", (event) => this.key(event as KeyboardEvent));
-    this.points.addEventListener("focusin", (event) => this.look([...this.points.children].indexOf(event.target as Element)));
+    const drawing = s("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "data-testid": "search-plot" });
+    this.chooser = new Chooser(drawing, "Designs that no other beats", {
+      walked: (place) => this.look(place),
+      picked: (place) => this.pick(place),
+    });
+    drawing.append(this.frame, this.cloud, this.line, this.begun, this.chooser.element);
     this.element = h(
       "figure",
       { class: "front-figure", "aria-labelledby": id },
-      s(
-        "svg",
-        { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, "data-testid": "search-plot", onclick: (event: MouseEvent) => this.click(event) },
-        this.frame, this.cloud, this.line, this.begun, this.knee, this.points,
-      ),
+      drawing,
       h("figcaption", { id, class: "note" }, "Click a point, or walk with arrow keys and press Enter: the open design becomes that one. Grey: another is better. Square: the design as it was."),
     );
   }
@@ -58,7 +57,6 @@ export class SearchPlot {
   draw(found: Found, [x, y]: [Axis, Axis], words: (member: Member) => string): void {
     this.found = found;
     const { designs, front, begun_with: begun, objectives } = found;
-    const held = this.points.contains(document.activeElement);
     const valueOf = (axis: Axis, design: SearchedDesign): number => (axis === null ? designs.indexOf(design) + 1 : design.figures[axis]!);
     const shown = begun && x !== null ? [...designs, begun] : designs;
     const across = Scale.of(shown.map((each) => valueOf(x, each)), LEFT, WIDTH - RIGHT);
@@ -79,41 +77,25 @@ export class SearchPlot {
       setAttribute(this.begun, "x", left - SQUARE / 2);
       setAttribute(this.begun, "y", top - SQUARE / 2);
     }
-    this.points.replaceChildren(
-      ...front.map((member, number) =>
-        s(
-          "g",
-          { class: number === found.knee ? "point knee" : "point", role: "radio", "aria-label": words(member), "data-testid": `searched-${number}` },
-          s("title", {}, words(member)),
-          circle("touched", place(member.design), 12),
-          circle("dot", place(member.design), 4.5),
-        ),
-      ),
-    );
-    const knee = front[found.knee];
-    this.knee.toggleAttribute("hidden", !knee || front.length < 3);
-    if (knee) {
-      const [left, top] = place(knee.design);
-      const inward = left > WIDTH - 60;
-      setAttribute(this.knee, "x", left + (inward ? -8 : 8));
-      setAttribute(this.knee, "y", top - 8);
-      setAttribute(this.knee, "text-anchor", inward ? "end" : "start");
-    }
-    if (!this.chosen || !front.some(({ number }) => number === this.at)) this.at = knee?.number ?? -1;
+    if (!this.chosen || !front.some(({ number }) => number === this.at)) this.at = front[found.knee]?.number ?? -1;
     this.show();
-    if (held) this.focus();
+    const choices = front.map((member, number) => ({ at: place(member.design), label: words(member), testid: `searched-${number}` }));
+    this.chooser.draw(choices, found.knee);
   }
 
   /** Another search begins. */
   forget(): void {
     this.found = null;
     this.chosen = false;
-    for (const part of [this.points, this.cloud]) part.replaceChildren();
+    this.open = null;
+    this.chooser.draw([]);
+    this.cloud.replaceChildren();
   }
 
   /** Mark the member that the open design is. */
   mark(picked: Member | null): void {
-    this.found?.front.forEach((member, place) => setAttribute(this.points.children[place]!, "aria-checked", member === picked ? "true" : "false"));
+    this.open = picked;
+    this.show();
   }
 
   get member(): Member | null {
@@ -125,11 +107,7 @@ export class SearchPlot {
   }
 
   private show(): void {
-    const { place } = this;
-    [...this.points.children].forEach((point, number) => {
-      setAttribute(point, "tabindex", number === place ? "0" : "-1");
-      point.classList.toggle("looked", number === place);
-    });
+    this.chooser.mark(this.place, this.open ? this.found!.front.indexOf(this.open) : -1);
   }
 
   private look(place: number): void {
@@ -141,37 +119,9 @@ export class SearchPlot {
     this.events.looked(member);
   }
 
-  private pick(): void {
+  private pick(place: number): void {
+    this.look(place);
     if (this.member) this.events.picked(this.member);
-  }
-
-  /** The point nearest to the pointer: they lie closer together than fingers are wide. */
-  private click(event: MouseEvent): void {
-    const nearest = nearestTo(event, this.points, REACH);
-    if (nearest < 0) return;
-    this.look(nearest);
-    this.focus();
-    this.pick();
-  }
-
-  private key(event: KeyboardEvent): void {
-    const last = this.points.children.length - 1;
-    const { place } = this;
-    const to = {
-      ArrowRight: place + 1, ArrowDown: place + 1,
-      ArrowLeft: place - 1, ArrowUp: place - 1,
-      Home: 0, End: last, Enter: place, " ": place,
-    }[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (to === place) return event.key.startsWith("Arrow") ? undefined : this.pick();
-    this.look(Math.min(Math.max(to, 0), last));
-    this.focus();
-  }
-
-  private focus(): void {
-    (this.points.children[this.place] as SVGGElement | undefined)?.focus({ preventScroll: true });
   }
 }
 

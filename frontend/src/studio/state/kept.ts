@@ -1,7 +1,8 @@
 // What the browser keeps of unsaved work, so that a page that was closed loses nothing.
 
-import { namedOf } from "../files/link.ts";
-import type { Home, Named, Store, Work } from "./store.ts";
+import { type Home, type Named, type Work, namedOf } from "./named.ts";
+import { storageOf } from "./storage.ts";
+import type { Store } from "./store.ts";
 
 /** Followed by the slot: a design's name, and a number where that name is taken. */
 const KEY = "orishell.design:";
@@ -11,15 +12,6 @@ const LATEST = "orishell.latest";
 const MOST = 16;
 /** Rest after a change before it is kept, in milliseconds. */
 const REST = 300;
-
-/** Where a browser refuses to keep anything, nothing is kept. */
-export function storageOf(page: Window): Storage | null {
-  try {
-    return page.localStorage;
-  } catch {
-    return null;
-  }
-}
 
 /** What was kept last, of a name if one is given: it is in no file. */
 export function readKept(storage: Storage | null, name?: string): Work | null {

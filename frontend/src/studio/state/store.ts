@@ -2,9 +2,10 @@
 
 import type { View } from "../../shared/view.ts";
 import { History } from "./history.ts";
-import { keptSwitch } from "./kept-switch.ts";
 import { Labels } from "./labels.ts";
+import { type Named, type Work, workOf } from "./named.ts";
 import { Signal } from "./signal.ts";
+import { keptSwitch } from "./storage.ts";
 import type { CurveName, CurveTable, Curves, Design, Fault, Info, Ranges, Report, Value } from "./types.ts";
 
 export type Proof =
@@ -14,26 +15,6 @@ export type Proof =
   /** `refusal`: panels meet before the shell locks, and what would mend it. */
   | { state: "done"; refusal: Fault | null }
   | { state: "failed"; fault: Fault };
-
-/** A design and the name of its file. */
-export interface Named {
-  name: string;
-  design: Design;
-}
-
-/** What all that becomes of an opened design has in common. */
-export interface Home {
-  /** The design as it is in a file: as it was opened or saved last; null where it is in none. */
-  file: Named | null;
-  /** Where the browser keeps it (kept.ts), and what was kept there last. */
-  slot: string | null;
-  text: string;
-}
-
-/** A design as it was opened, or as it became since. */
-export interface Work extends Named {
-  readonly home: Home;
-}
 
 /** What the shell on the screen is to the design. */
 export type Freshness = "current" | "computing" | "outdated";
@@ -77,7 +58,7 @@ export class Store {
     this.history = new History(workOf(first));
     this.design = new Signal(first.design);
     this.name = new Signal(first.name);
-    this.labels = new Labels(info.families, () => this.design.value.shell.family);
+    this.labels = new Labels(info.families, info.tables, () => this.design.value.shell.family);
   }
 
   get named(): Work {
@@ -161,10 +142,6 @@ export class Store {
     this.design.set(this.history.value.design);
     this.steps.set(this.steps.value + 1);
   }
-}
-
-function workOf(opened: Named | Work): Work {
-  return "home" in opened ? opened : { ...opened, home: { file: opened, slot: null, text: "" } };
 }
 
 function eventTime(): number {

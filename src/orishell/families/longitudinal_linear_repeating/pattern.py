@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
+from orishell.conventions.knob import Knob
 from orishell.conventions.table import Number
 from orishell.curves import Curve
 from orishell.design import Design
@@ -23,7 +24,7 @@ from orishell.families.longitudinal_linear_repeating.variants import (
     open_sectors,
     open_stages,
 )
-from orishell.families.parameters import Auto, Knob, Length
+from orishell.families.parameters import Auto, Length
 from orishell.families.pattern import Family, Pattern, Tolerance, Variants
 from orishell.families.shared.candidates import forgiving
 

@@ -9,6 +9,7 @@ from typing import Annotated, ClassVar, Self
 from pydantic import Field, model_validator
 
 from orishell.conventions.errors import Remedy
+from orishell.conventions.knob import Knob
 from orishell.conventions.table import Number
 from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
@@ -21,7 +22,6 @@ from orishell.families.parameters import (
     ROWS,
     SPACING,
     Auto,
-    Knob,
     Length,
     OddRowCount,
 )

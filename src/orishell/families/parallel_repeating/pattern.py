@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 
 from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.knob import Knob
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design, FlapSide
@@ -23,15 +24,7 @@ from orishell.families.parallel_repeating.design import (
 )
 from orishell.families.parallel_repeating.profile import fit_profile, widest_xi
 from orishell.families.parallel_repeating.row import Planes
-from orishell.families.parameters import (
-    FLAP_SIDE,
-    PLACEMENT,
-    ROWS,
-    SPACING,
-    Auto,
-    Knob,
-    OddRowCount,
-)
+from orishell.families.parameters import FLAP_SIDE, PLACEMENT, ROWS, SPACING, Auto, OddRowCount
 from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
 from orishell.families.shared.candidates import forgiving
 from orishell.polylines import Placement, Spacing, measure_chords, place_chords

@@ -13,9 +13,8 @@ from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.io.format import Format
 from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, singles
-from orishell.io.poses import find_frames, quaternions
+from orishell.io.panels import TRIANGLES, find_frames, find_splits, quaternions
 from orishell.io.settings import Settings
-from orishell.io.triangles import TRIANGLES, find_splits
 from orishell.motion.quads import longer_diagonals
 from orishell.numerics.arrays import Array, Booleans, Integers
 

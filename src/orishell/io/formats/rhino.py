@@ -20,7 +20,7 @@ from orishell.io.solids import SolidMesh, mesh_of, solids_in
 from orishell.motion.quads import reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.clipped import with_clipped
-from orishell.workshop.outline import find_outlines
+from orishell.workshop.cut_parts import find_outlines
 
 VERSION: Final = 6
 """The oldest Rhino that reads the file."""

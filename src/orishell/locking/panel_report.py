@@ -8,7 +8,7 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design import Construction, Design
 from orishell.locking import Lock
-from orishell.shell.lock_report import PathReport, describe_path
+from orishell.locking.report import PathReport, describe_path
 from orishell.solids import Built, find_meetings, find_set_backs
 
 
@@ -89,7 +89,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
         thickness=build.thickness,
         membrane=build.membrane,
         gap=build.gap,
-        stop_deg=tidy_degrees(build.stop or 0.0),
+        stop_deg=_stop_deg(design),
         set_back_for_deg=tidy_degrees(built.limit),
         largest_fold_deg=tidy_degrees(float(np.abs(built.folds.on_edges()).max())),
         largest_setback=float(longest[np.isfinite(longest)].max()),
@@ -116,3 +116,9 @@ def _meeting(design: Design, built: Built) -> MeetingReport | None:
         largest_play=float(np.maximum(found.plays, 0.0).max()),
         largest_turn_deg=tidy_degrees(float(np.maximum(found.angles, 0.0).max())),
     )
+
+
+def _stop_deg(design: Design) -> float:
+    stop = design.parameters.get("stop_deg", 0.0)
+    assert isinstance(stop, float | int)
+    return stop

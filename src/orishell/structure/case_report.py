@@ -5,11 +5,12 @@ Vertices and panels are rows and columns of the folding sheet, from 0.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 from orishell.conventions.record import record
+from orishell.locking.report import Panel
 from orishell.motion.grid import Vertex, VertexPair
-from orishell.shell.lock_report import Panel
 from orishell.structure.loads import LoadKind
 
 Vector = tuple[float, float, float]
@@ -17,6 +18,13 @@ Stiffness = float | Literal["free", "rigid"]
 """Of creases: moment per length and angle (N), 0 and infinite said in words."""
 Part = Literal["panels", "creases", "ties", "buckling"]
 """What may be at the end of what it bears."""
+GOVERNING: Mapping[Part, str] = {
+    "panels": "the stress in panels",
+    "creases": "the moment of creases",
+    "ties": "the force in a tie",
+    "buckling": "buckling",
+}
+"""What governs, in the words of terminal, page and studio."""
 
 
 @record

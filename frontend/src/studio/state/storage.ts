@@ -1,8 +1,17 @@
-// A choice that the browser keeps from visit to visit.
+// What the browser keeps from visit to visit.
 
-import { storageOf } from "./kept.ts";
 import { Signal } from "./signal.ts";
 
+/** Where a browser refuses to keep anything, nothing is kept. */
+export function storageOf(page: Window): Storage | null {
+  try {
+    return page.localStorage;
+  } catch {
+    return null;
+  }
+}
+
+/** A choice that is kept. */
 export function keptSwitch(key: string, fallback: boolean): Signal<boolean> {
   const storage = storageOf(window);
   const signal = new Signal(storage?.getItem(key) ? storage.getItem(key) === "on" : fallback);

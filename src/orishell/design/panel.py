@@ -1,4 +1,4 @@
-"""The table [panel] of a design file: what panels with a thickness are made of."""
+"""The table [panel]: what panels with a thickness are made of."""
 
 from __future__ import annotations
 
@@ -10,24 +10,38 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Size, Table
-from orishell.design import Construction, PanelBuild
+
+Construction = Literal["sandwich", "bevel"]
+"""Boards on both faces of a membrane that is the hinge, cut square; or solid panels about the hinge
+plane, chamfered where they close."""
 
 
-class SetbackTable(Table):
-    """How far boards may stand back from creases."""
+class Setback(Table):
+    """How far boards may stand back from creases.
+
+    ``share`` is the largest share of the way across a panel that the set-backs at both its sides
+    may take, ``length`` the longest set-back.
+    """
 
     share: Annotated[Number, Field(gt=0, lt=1)] = 0.5
     length: Annotated[Number, Field(gt=0)] | None = None
 
 
-class PanelTable(Table):
-    """What panels are made of; without a thickness they have none."""
+class PanelSpec(Table):
+    """What panels are made of, lengths in the unit of the curves; without a thickness of nothing.
+
+    ``thickness`` is that of a panel, boards and membrane together, half of it over the hinge plane;
+    ``gap`` what is cut away between two panels where they open; ``stop_deg`` by how much flaps stop
+    short of folding flat: half of what their row creases lack to 180 degrees, at the crease that
+    folds most, or as little as set-backs allow. Densities are masses per volume, of boards or solid
+    panels and of the membrane; 0 if unknown (kg/m^3).
+    """
 
     thickness: Size = 0.0
     construction: Construction = "sandwich"
     membrane: Size = 0.0
     gap: Size = 0.0
-    largest_setback: SetbackTable = SetbackTable()
+    largest_setback: Setback = Setback()
     stop_deg: Annotated[Number, Field(ge=0, le=45)] | Literal["auto"] = "auto"
     density: Size = 0.0
     membrane_density: Size = 0.0
@@ -67,19 +81,23 @@ class PanelTable(Table):
             )
         return self
 
-    def settings(self) -> PanelBuild | None:
-        """What panels are made of, or None if they have no thickness."""
-        if not self.thickness:
-            return None
+    @property
+    def height(self) -> float:
+        """How high a panel stands over its hinge plane (length)."""
+        return 0.5 * self.thickness
+
+    @property
+    def share(self) -> float:
+        """Largest share of the way across a panel that set-backs may take."""
+        return self.largest_setback.share
+
+    @property
+    def setback(self) -> float:
+        """Longest set-back, infinite if it is not limited (length)."""
         longest = self.largest_setback.length
-        return PanelBuild(
-            thickness=self.thickness,
-            construction=self.construction,
-            membrane=self.membrane,
-            gap=self.gap,
-            share=self.largest_setback.share,
-            setback=math.inf if longest is None else longest,
-            stop=None if self.stop_deg == "auto" else float(np.deg2rad(self.stop_deg)),
-            density=self.density,
-            membrane_density=self.membrane_density,
-        )
+        return math.inf if longest is None else longest
+
+    @property
+    def stop(self) -> float | None:
+        """By how much flaps stop short (radians); None for as little as set-backs allow."""
+        return None if self.stop_deg == "auto" else float(np.deg2rad(self.stop_deg))

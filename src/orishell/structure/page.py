@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.static_page import bullets, heading, paragraph, picture, static_page, table
-from orishell.shell.case_report import CaseReport, PairReport, StandingReport, Vector
-from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_model_page import model_parts
-from orishell.shell.structure_report import StructureReport
+from orishell.structure.build_warnings import name_of
+from orishell.structure.case_report import GOVERNING, CaseReport, PairReport, StandingReport, Vector
+from orishell.structure.model_page import model_parts
+from orishell.structure.report import StructureReport
 
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
@@ -21,12 +21,6 @@ KINDS = {
     "snow": "snow",
     "wind": "wind",
     "points": "forces at points",
-}
-PARTS = {
-    "panels": "the stress in panels",
-    "creases": "the moment of creases",
-    "ties": "the force in a tie",
-    "buckling": "buckling",
 }
 SHOWN = "The shell under its loads, coloured by displacement."
 
@@ -90,7 +84,7 @@ def _answer(report: StructureReport, said: Quantities) -> Iterator[str]:
             if (case.name, case.creases) == (governs.case, governs.creases)
         )
         yield paragraph(
-            f"{PARTS[governs.part].capitalize()} governs, under {named}: "
+            f"{GOVERNING[governs.part].capitalize()} governs, under {named}: "
             f"{_share(governs.utilisation)} of what can be borne.",
             "lead answer",
         )

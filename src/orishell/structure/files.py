@@ -8,10 +8,10 @@ from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.plot import DrawnCase, plot_structure
-from orishell.shell.case_report import StandingReport
-from orishell.shell.structure_caveats import name_of
-from orishell.shell.structure_page import structure_page
-from orishell.shell.structure_report import StructureReport
+from orishell.structure.build_warnings import name_of
+from orishell.structure.case_report import StandingReport
+from orishell.structure.page import structure_page
+from orishell.structure.report import StructureReport
 from orishell.structure.results import Analysis
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.static_page import paragraph, table
-from orishell.shell.case_report import Stiffness
-from orishell.shell.structure_report import ModelReport, SupportReport
+from orishell.structure.case_report import Stiffness
+from orishell.structure.report import ModelReport, SupportReport
 
 HELD = {
     "pinned": "held in place",

@@ -9,9 +9,11 @@ import numpy as np
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.units import GRAVITY, conversion
+from orishell.locking.report import Panel
 from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
-from orishell.shell.case_report import (
+from orishell.structure.build_warnings import motion_in_words
+from orishell.structure.case_report import (
     CaseReport,
     CreaseReport,
     DisplacementReport,
@@ -25,12 +27,10 @@ from orishell.shell.case_report import (
     UtilisationReport,
     Vector,
 )
-from orishell.shell.lock_report import Panel
-from orishell.shell.structure_caveats import motion_in_words
 from orishell.structure.exposure import Exposure
 from orishell.structure.loads import Load, case_loads, cylinder_coefficient
 from orishell.structure.results import Analysis, CaseResult
-from orishell.structure.settings import NO_CODE, LoadCase, Structure, Wind, Zone
+from orishell.structure.settings import LoadCase, Structure, Wind
 from orishell.structure.wind import gusts, wind_height, wind_pressure
 
 
@@ -200,9 +200,9 @@ def _gusts(exposure: Exposure, wind: Wind) -> str:
     height = wind_height(exposure, wind)
     mean, turbulence = gusts(wind.speed, wind.terrain, height * conversion(exposure.unit, "m"))
     kind = "by the angle between each panel and the wind"
-    if wind.coefficients == NO_CODE:
+    if wind.is_of_no_code:
         kind += ", of no code"
-    elif isinstance(wind.coefficients[0], Zone):
+    elif wind.zones:
         kind = "by rows of panels"
     return (
         f"{wind.speed:g} m/s towards {in_degrees(wind.direction)} degrees from x, terrain "

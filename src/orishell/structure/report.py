@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion.grid import Vertex
-from orishell.shell.case_report import CaseReport, Part, Stiffness
-from orishell.shell.structure_cases import describe_case, height_of, stiffness_in_words
-from orishell.shell.structure_caveats import NOT_COVERED, warn_of_structure
+from orishell.structure.build_warnings import NOT_COVERED, warn_of_structure
+from orishell.structure.case_report import CaseReport, Part, Stiffness
+from orishell.structure.cases import describe_case, height_of, stiffness_in_words
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Place, Structure, SupportKind
 
@@ -134,7 +134,7 @@ class StructureReport:
 
 
 def describe_structure(
-    structure: Structure, analysis: Analysis, panel: PanelBuild | None
+    structure: Structure, analysis: Analysis, panel: PanelSpec | None
 ) -> StructureReport:
     """The shell as a structure, and what was found of it.
 
@@ -159,7 +159,7 @@ def describe_structure(
     )
 
 
-def _model(structure: Structure, analysis: Analysis, panel: PanelBuild | None) -> ModelReport:
+def _model(structure: Structure, analysis: Analysis, panel: PanelSpec | None) -> ModelReport:
     thickness = structure.thickness if panel is None else panel.thickness
     assert thickness is not None
     mesh, section = analysis.mesh, analysis.section

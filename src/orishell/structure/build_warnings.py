@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import plain
-from orishell.shell.case_report import CaseReport, StandingReport
+from orishell.structure.case_report import CaseReport, StandingReport
 from orishell.structure.results import FreeMotion, Hold
-from orishell.structure.settings import NO_CODE, LoadCase, Structure
+from orishell.structure.settings import LoadCase, Structure
 
 LARGE = 0.05
 """Displacements above this share of the shell's height are too large for linear theory: the thrust
@@ -95,7 +95,7 @@ def warn_of_structure(
         yield from (f"load case {name_of(case, cases)}: {text}" for text in found)
     named = {case.name: case for case in structure.cases}
     for asked in structure.analysed:
-        parts = [asked, *(named[name] for name, _ in asked.combine)]
+        parts = [asked, *(named[name] for name in asked.combine)]
         yield from (f"load case {asked.name}: {text}" for text in _of_loads(parts))
 
 
@@ -130,5 +130,5 @@ def _of_standing(found: StandingReport) -> Iterator[str]:
 def _of_loads(parts: Sequence[LoadCase]) -> Iterator[str]:
     if not any(part.self_weight for part in parts):
         yield "own weight is left out (self_weight = true)"
-    if any(part.wind is not None and part.wind.coefficients == NO_CODE for part in parts):
+    if any(part.wind is not None and part.wind.is_of_no_code for part in parts):
         yield "pressure coefficients of wind are of no code: give those of yours"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy, Value
 from orishell.conventions.formatting import rounded, rounded_down
-from orishell.design import PanelBuild
+from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
@@ -19,7 +19,7 @@ from orishell.solids.setbacks import largest_folds
 
 
 @dataclass(frozen=True, slots=True)
-class Room:
+class ThicknessLimit:
     """How thick panels may be.
 
     Parameters
@@ -45,7 +45,7 @@ COARSE, SURELY = 1e-3, 0.99
 """Accuracy of the widest gap, and the share of it that is offered."""
 
 
-def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
+def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLimit:
     """How thick the panels of a sheet with its flaps, folded or clipped on, may be at its target.
 
     Flaps whose creases fold flat carry no boards there, and are left out.
@@ -65,11 +65,13 @@ def find_room(mechanism: Mechanism, build: PanelBuild) -> Room:
     _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
     most = 2 * float(heights.min())
     if not np.isfinite(most):
-        return Room(most, "", on_flap=False)
-    return Room(most, _crease(panel, way, np.abs(folds.on_edges()), grid), bool(of_flaps[panel]))
+        return ThicknessLimit(most, "", on_flap=False)
+    return ThicknessLimit(
+        most, _crease(panel, way, np.abs(folds.on_edges()), grid), bool(of_flaps[panel])
+    )
 
 
-def room_for(build: PanelBuild, most: float) -> str:
+def limit_in_words(build: PanelSpec, most: float) -> str:
     """How thick panels may be at most, rounded down, and how thick they are, in words.
 
     Parameters
@@ -81,7 +83,7 @@ def room_for(build: PanelBuild, most: float) -> str:
     return f"set-backs leave room for {limit:g} at most, and panels are {build.thickness:.4g} thick"
 
 
-def thinner(build: PanelBuild, most: float) -> list[Remedy]:
+def thinner(build: PanelSpec, most: float) -> list[Remedy]:
     """Changes to panels that are thinner than a largest thickness; a membrane fits into them.
 
     Parameters
@@ -98,17 +100,17 @@ def thinner(build: PanelBuild, most: float) -> list[Remedy]:
     return offered
 
 
-def wide_gap(build: PanelBuild, place: str, room: Callable[[PanelBuild], float]) -> DesignError:
+def wide_gap(build: PanelSpec, place: str, limit: Callable[[PanelSpec], float]) -> DesignError:
     """The refusal of a gap that alone takes more of a panel than set-backs may.
 
     Parameters
     ----------
     place
         Where in the sheet.
-    room
+    limit
         The largest thickness of panels of some make (length).
     """
-    widest = _widest_gap(build, room)
+    widest = _widest_gap(build, limit)
     offered = [] if widest is None else [rounded(SURELY * widest)]
     if build.construction == "sandwich":
         offered.append(0.0)
@@ -122,12 +124,12 @@ def wide_gap(build: PanelBuild, place: str, room: Callable[[PanelBuild], float])
     )
 
 
-def _widest_gap(build: PanelBuild, room: Callable[[PanelBuild], float]) -> float | None:
+def _widest_gap(build: PanelSpec, limit: Callable[[PanelSpec], float]) -> float | None:
     """The widest gap with room for panels as thick as they are, or else for any; None if none."""
 
     def widest(least: float) -> float | None:
         def works(gap: float) -> bool:
-            return room(replace(build, gap=gap)) > least
+            return limit(build.having(gap=gap)) > least
 
         return largest_below(works, build.gap, smallest=NARROWEST, relative=COARSE)
 

@@ -1,19 +1,47 @@
-"""The rim of flat panels: closed polylines around what hangs together, and around its holes."""
+"""What is cut in one piece, and its rim: the whole sheet, or one of the parts it is split into."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.part import Part
+from orishell.workshop.drawing import Line, Text
+
+
+@record
+class CutPart:
+    """A piece of the flat sheet, in the sheet's own coordinates.
+
+    Parameters
+    ----------
+    number
+        Its number, from 1; 0 if the sheet is not split.
+    panels
+        Numbers (P,) of its panels.
+    creases
+        Numbers (C,) of the edges that fold in it, those at the root of tabs too.
+    outlines
+        Closed polylines (k, 2) that are cut: the outer one first, counter-clockwise; holes
+        clockwise. Tabs are part of the outline.
+    marks
+        What else is drawn on it, for instance the names of its joints.
+    """
+
+    number: int
+    panels: Integers
+    creases: Integers
+    outlines: tuple[Array, ...]
+    marks: tuple[Line | Text, ...] = ()
+
 
 STRAIGHT = 1e-9
 """Directions that differ by less (radians) are the same."""
 
 
-def whole_sheet(document: Document) -> Part:
+def whole_sheet(document: Document) -> CutPart:
     """The whole sheet as one part, number 0.
 
     Its creases are all edges that join two panels, unfolded ones too. Edges that the document
@@ -27,7 +55,7 @@ def whole_sheet(document: Document) -> Part:
     """
     flat = document.require_flat()
     mesh = document.mesh
-    return Part(
+    return CutPart(
         number=0,
         panels=np.arange(len(mesh.faces)),
         creases=np.flatnonzero(mesh.crease),

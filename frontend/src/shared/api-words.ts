@@ -1,0 +1,11 @@
+// Words that every page has, those without a server too, from orishell.structure.case_report.
+// Do not edit:
+// ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
+
+/** What governs. */
+export const GOVERNING = {
+  panels: "the stress in panels",
+  creases: "the moment of creases",
+  ties: "the force in a tie",
+  buckling: "buckling",
+} as const;

@@ -1,0 +1,54 @@
+"""Labels of the pages: there is one for every key, and none for what is no key."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from orishell.design_file import starter_file
+from orishell.design_file.file import check_design
+from orishell.design_file.tables import FileTable, keys_of
+from orishell.families.registry import FAMILIES
+from orishell.studio.knobs import describe_workshop
+from orishell.studio.labels import TABLES, WORKSHOP_CHOICES, describe_tables
+
+FAMILY = "parallel-repeating"
+THICK = {"thickness": 0.02, "membrane": 0.001}
+SOLID = {"thickness": 0.02, "gap": 0.001}
+HINGES = {"sandwich": THICK, "bevel": SOLID}
+CHOICES = [
+    (table, key, choice)
+    for table, words in TABLES.items()
+    for key, said in words["keys"].items()
+    for choice in said["choices"]
+]
+
+
+def test_labelled_keys_are_keys_of_the_file() -> None:
+    keys = keys_of(FAMILIES[FAMILY].pattern)
+    for table, words in describe_tables().items():
+        assert table in FileTable.model_fields
+        if words["keys"]:
+            assert set(words["keys"]) <= set(keys((table, "")))
+
+
+@pytest.mark.parametrize(("table", "key", "choice"), CHOICES)
+def test_choices_are_values_of_the_file(table: str, key: str, choice: str) -> None:
+    design: dict[str, Any] = tomllib.loads(starter_file(FAMILY))
+    more = HINGES.get(choice, {})
+    check_design(design | {table: more | {key: choice}}, Path("shell.toml"))
+
+
+@pytest.mark.parametrize("key", WORKSHOP_CHOICES)
+def test_choices_of_the_workshop_have_labels(key: str) -> None:
+    (parameter,) = (each for each in describe_workshop() if each["key"] == key)
+    assert list(WORKSHOP_CHOICES[key]) == parameter["choices"]
+
+
+def test_the_workshop_is_called_what_its_controls_are_called() -> None:
+    words = describe_tables()["workshop"]["keys"]
+    assert words["areal_density"]["label"] == "Mass per area"
+    assert words["model_scale"]["label"] == "Print scale"
