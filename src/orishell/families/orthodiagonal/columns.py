@@ -14,18 +14,15 @@ in f's plane (see the mechanism's text). In axes along the edge beyond it a_i ha
 """
 
 from __future__ import annotations
+
 from dataclasses import field
+
 import numpy as np
+
 from orishell.conventions.record import record
 from orishell.families.shared.sheets import other_side, target_drive
-from orishell.numerics import Enclosure, Interval
-from orishell.numerics.arrays import Array
-import numpy as np
-from orishell.numerics import FUNCTIONS, Enclosure, Interval
+from orishell.numerics import FUNCTIONS, Enclosure, Interval, spinning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
-import numpy as np
-from orishell.numerics import Enclosure, spinning_acceleration
-from orishell.numerics.arrays import Array
 
 SLIM = 1e-13
 """The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""

@@ -19,17 +19,16 @@ their directions are sums of the angles eps of the mechanism's text.
 """
 
 from __future__ import annotations
+
 from dataclasses import field
+
 import numpy as np
+
 from orishell.conventions.record import record
 from orishell.families.shared.sheets import ALIKE, other_side
-from orishell.numerics.arrays import Array, Complex
-import numpy as np
-from orishell.numerics import Enclosure
-from orishell.numerics.arrays import Array, Integers
-import numpy as np
 from orishell.numerics import Enclosure, spinning_acceleration, turning_acceleration
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Complex, Integers
+
 
 @record
 class Columns:

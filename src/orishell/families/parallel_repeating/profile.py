@@ -1,10 +1,13 @@
 """The swept curve f: its rotation, its staircase, and the surfaces that it sweeps."""
 
 from __future__ import annotations
+
 import numpy as np
+
 from orishell.conventions.errors import Remedy
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
+from orishell.design import Approached, Path, Surface, Turning
 from orishell.families.parameters import Auto
 from orishell.families.shared.staircases import Followed
 from orishell.polylines import (
@@ -14,10 +17,6 @@ from orishell.polylines import (
     measure_closeness,
     widest_angle,
 )
-import numpy as np
-from orishell.curves import Trace
-from orishell.design import Approached, Path, Surface, Turning
-from orishell.polylines import Staircase
 
 ORTHODIAGONAL = Remedy(
     {

@@ -6,17 +6,16 @@ meant is tried first.
 """
 
 from __future__ import annotations
-from collections.abc import Iterator
-from orishell.conventions.errors import Remedy
-from orishell.conventions.formatting import ROUNDING, between, rounded, tidy_degrees
-from orishell.curves import Curve
+
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TYPE_CHECKING
+
 import numpy as np
+
 from orishell.conventions.errors import DesignError, Remedy, Value
-from orishell.conventions.formatting import rounded
+from orishell.conventions.formatting import ROUNDING, between, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve
 from orishell.design import Design

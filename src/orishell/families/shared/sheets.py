@@ -12,15 +12,17 @@ Derived in docs/theory/vertex.md.
 """
 
 from __future__ import annotations
-import numpy as np
-from orishell.numerics.arrays import Array
+
 from dataclasses import replace
 from typing import Any, ClassVar, Self
+
 import numpy as np
+
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import between, in_degrees, tidy_degrees
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Complex
+
 
 def row_fold_angle(c: Array, w: Array) -> Array:
     """Size of the fold angle of a row crease at a column-straight vertex (radians).
