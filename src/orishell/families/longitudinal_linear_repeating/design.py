@@ -18,7 +18,6 @@ from orishell.conventions.record import record
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
-from orishell.families.candidates import fewer, sizes
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
     choose_auto,
@@ -54,6 +53,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
 from orishell.families.parameters import Auto, ColumnCount, Length, Limits, RowCount, in_radians
+from orishell.families.shared.candidates import fewer, sizes
 from orishell.motion import require_resolution
 from orishell.numerics.bisection import bisect
 

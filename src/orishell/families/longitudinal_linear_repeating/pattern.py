@@ -26,7 +26,7 @@ from orishell.families.longitudinal_linear_repeating.variants import (
 )
 from orishell.families.parameters import Auto, Length
 from orishell.families.pattern import Family, Pattern, Tolerance, Variants
-from orishell.families.slips import forgiving
+from orishell.families.shared.candidates import forgiving
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
 STAGED = 3

@@ -9,7 +9,6 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
-from orishell.families.candidates import fewer, values
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
     nearer_to_90,
@@ -31,6 +30,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import with_border
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.parameters import Auto
+from orishell.families.shared.candidates import fewer, values
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
 from orishell.polylines.plane import is_simple_polygon

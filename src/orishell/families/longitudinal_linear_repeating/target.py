@@ -9,7 +9,7 @@ from orishell.conventions.formatting import in_degrees, inside, rounded
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Trace, run_along_axis
-from orishell.families.candidates import part
+from orishell.families.shared.candidates import part
 from orishell.numerics.arrays import Array
 from orishell.polylines.plane import extent_across
 

@@ -11,13 +11,13 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.families.candidates import angles
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end
 from orishell.families.longitudinal_linear_repeating.section import Section, turnings
 from orishell.families.longitudinal_linear_repeating.sheet import sheet_exists
 from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, RowKind
+from orishell.families.shared.candidates import angles
 from orishell.numerics.arrays import Array
 
 FIRST = 1e-4

@@ -12,7 +12,6 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.families.candidates import fewer
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     choose_auto,
     choose_solution,
@@ -48,6 +47,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.lengths import
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.parameters import Auto
+from orishell.families.shared.candidates import fewer
 from orishell.motion import require_resolution
 from orishell.motion.grid import UNFOLDED
 

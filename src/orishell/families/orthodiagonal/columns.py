@@ -1,4 +1,17 @@
-"""The steps from column to column of an orthodiagonal sheet, along f's plane and across it."""
+"""The columns of an orthodiagonal sheet: the steps between them, their shape, how fast edges turn.
+
+Edges i and k of a column make the angle phi_ik, the sum of the turns s_l 2 arctan(kappa/T_l)
+between them, in every column alike. So the squared distance of two vertices of column j is
+
+    sum_i L_ij^2 + 2 sum_{i<k} L_ij L_kj cos(phi_ik)
+
+over the edges between them, whose lengths L never change.
+
+Bounds of the accelerations of edges prove that nothing touches between states. Edges of columns are
+rigid and turn in f's plane; edges of rows are k_j a_i + N_j n, two perpendicular parts, the first
+in f's plane (see the mechanism's text). In axes along the edge beyond it a_i has the components
+(T_i, -s_i kappa). Both halves of the sheet are followed from the middle row outwards.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +20,9 @@ from dataclasses import field
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.flap_sheet import other_side, target_drive
-from orishell.numerics import Enclosure, Interval
-from orishell.numerics.arrays import Array
+from orishell.families.shared.sheets import other_side, target_drive
+from orishell.numerics import FUNCTIONS, Enclosure, Interval, spinning_acceleration
+from orishell.numerics.arrays import Array, Complex, Integers
 
 SLIM = 1e-13
 """The pack of a sheet of straight rows is taken so near to its end (sine of half an angle)."""
@@ -117,3 +130,185 @@ def running(steps: Array) -> Array:
     """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
     sums = np.cumsum(steps[..., 1:], axis=-1)
     return np.concatenate([-steps[..., :1], np.zeros_like(steps[..., :1]), sums], axis=-1)
+
+
+def column_and_spread(
+    kappa: Array, tangents: Array, turning: Array, lengths: Array, trims: tuple[float, float]
+) -> tuple[Complex, Complex]:
+    """P (..., m+2) from the middle vertex, and a (..., m+2) less its middle value.
+
+    In complex numbers whose real axis is the middle row's t. The outermost rows continue a
+    column's end edges, trimmed.
+
+    Parameters
+    ----------
+    kappa
+        Of every state (...).
+    tangents, turning
+        T = tan(beta/2) and the signs of the turns (m,).
+    lengths
+        Edge lengths of column 1 (m+1,), in the unit of the curves.
+    trims
+        Growth by K of the first and of the last edge of a column.
+    """
+    kappa = kappa[..., None]
+    middle = len(tangents) // 2
+    half = tangents + 1j * (turning * kappa)
+    half /= np.hypot(half.real, half.imag)
+    turn = half * half
+    after = half[..., middle, None] * _product(turn[..., middle + 1 :])
+    before = half[..., middle, None] * _product(turn[..., :middle][..., ::-1])
+    direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
+    edges = lengths * direction
+    column = np.concatenate(
+        [
+            -np.cumsum(edges[..., : middle + 1][..., ::-1], axis=-1)[..., ::-1],
+            np.zeros((*edges.shape[:-1], 1)),
+            np.cumsum(edges[..., middle + 1 :], axis=-1),
+        ],
+        axis=-1,
+    )
+
+    spread = direction[..., 1:] * (tangents - 1j * (turning * kappa))
+    spread -= np.hypot(tangents[middle], kappa)
+    spread[..., middle] = 0.0
+    first = spread[..., :1] - trims[0] * direction[..., :1]
+    last = spread[..., -1:] + trims[1] * direction[..., -1:]
+    return column, np.concatenate([first, spread, last], axis=-1)
+
+
+def squared_distances(
+    whole: Enclosure, tangents: Array, turning: Array, lengths: Array, rows: Integers
+) -> Enclosure:
+    """Squared distances (S, P) of pairs of vertices, each pair in one column.
+
+    Parameters
+    ----------
+    whole
+        The angle 2 arctan(kappa) (S, 1).
+    tangents, turning
+        T = tan(beta/2) and the signs of the turns (m,).
+    lengths
+        Edge lengths of the columns of the pairs (P, m+1), none negative.
+    rows
+        Rows of the two vertices of every pair (P, 2).
+    """
+    edge = np.arange(lengths.shape[1])
+    between = (edge >= rows.min(axis=1)[:, None]) & (edge < rows.max(axis=1)[:, None])
+    spanned = np.where(between, lengths, 0.0)
+    i, k = np.triu_indices(lengths.shape[1], 1)
+    weights = 2 * spanned[:, i] * spanned[:, k]
+
+    # Sums of intervals between two edges: differences of running sums of their ends.
+    turns = _turns(whole, tangents).times(turning).running()
+    angles = turns.each(lambda sums: sums.through(lambda ends: ends[:, k] - ends[:, i]))
+    cosines = FUNCTIONS["cos"](angles.value).of(angles)
+    products = cosines.each(lambda each: each.through(lambda ends: ends @ weights.T))
+    return products.plus((spanned**2).sum(axis=1))
+
+
+def _turns(whole: Enclosure, tangents: Array) -> Enclosure:
+    """Turns 2 arctan(kappa/T) (S, m) at vertices of these T: a half turn where kappa is infinite.
+
+    With y = 2 arctan(kappa) and s, c the sine and the cosine of y/2 the derivatives by y are
+    g = T/(T^2 c^2 + s^2) and (T^2 - 1) s c g^2/T.
+    """
+    y = whole.value
+    sine, cosine = (
+        each(y.low, y.high).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
+    )
+    ends = [
+        tangents / ((tangents * c) ** 2 + s**2)
+        for s, c in ((sine.low, cosine.high), (sine.high, cosine.low))
+    ]
+    slope = Interval.between(*ends)
+    outer = Enclosure(
+        Interval(
+            2 * np.arctan2(sine.low, tangents * cosine.high),
+            2 * np.arctan2(sine.high, tangents * cosine.low),
+        ),
+        slope,
+        (sine * cosine * slope.squared()).times(tangents - 1 / tangents),
+    )
+    return outer.of(whole)
+
+
+def _product(turns: Complex) -> Complex:
+    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
+    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
+    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))
+
+
+def bound_edges(
+    drives: tuple[Array, Array],
+    *,
+    tangents: Array,
+    turning: Array,
+    trims: tuple[float, float],
+    tilt_rate: float,
+    lengths: Array,
+    columns: Columns,
+) -> tuple[Array, Array]:
+    """Bounds of the second derivative of edge vectors by the drive.
+
+    Parameters
+    ----------
+    drives
+        Ends (S,) of ranges of the drive (radians).
+    tangents
+        T = tan(beta/2) of the rows (m,).
+    turning
+        Sign of their turns (m,).
+    trims
+        Growth by K of the first and of the last edge of a column.
+    tilt_rate
+        Angle by which f's plane turns in itself per drive.
+    lengths
+        Lengths (m+1,) of the longest edges between two rows.
+    columns
+        Steps over the panel columns.
+
+    Returns
+    -------
+    tuple
+        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    """
+    start, stop = (ends[..., None] for ends in drives)
+    kappa, advance = columns.enclosures(start, stop)
+    middle = len(tangents) // 2
+    # Seen from behind, the first half turns and tilts the other way.
+    above, rising = _outwards(
+        kappa, tangents[middle::-1], turning[middle::-1], -trims[0], -tilt_rate
+    )
+    below, falling = _outwards(kappa, tangents[middle:], turning[middle:], trims[1], tilt_rate)
+    down = lengths * np.concatenate([above[..., ::-1], below], axis=-1)
+    in_plane = np.maximum(rising, falling) * np.abs(columns.k[columns.existing])
+    across = advance.second.magnitude()[..., columns.existing]
+    return np.hypot(in_plane, across), np.asarray(down)
+
+
+def _outwards(
+    kappa: Enclosure, tangents: Array, turning: Array, trim: float, rate: float
+) -> tuple[Array, Array]:
+    """Bounds for unit vectors along the edges (S, K) beyond the rows (K,), for all a (S, 1)."""
+    half = kappa.arctan2(tangents)
+    share = np.where(np.arange(len(tangents)) == 0, 1.0, 2.0)
+    angle = half.times(share * turning).running().part(slice(1, None))
+    angle = Enclosure(angle.value, angle.first.plus(rate), angle.second)
+    sideways = kappa.times(-turning)
+    rows = _swung(angle, tangents, sideways)
+    last = slice(-1, None)
+    border = _swung(angle.part(last), tangents[last] + trim, sideways.part(last))
+    return spinning_acceleration(angle), np.maximum(rows.max(axis=-1, keepdims=True), border)
+
+
+def _swung(angle: Enclosure, forwards: Array, sideways: Enclosure) -> Array:
+    """Bound for a planar vector of these components in axes turned by an angle."""
+    centripetal = angle.first.squared()
+    along = (
+        centripetal.times(-forwards)
+        - (angle.first * sideways.first).times(2.0)
+        - angle.second * sideways.value
+    )
+    across = sideways.second + angle.second.times(forwards) - centripetal * sideways.value
+    return np.hypot(along.magnitude(), across.magnitude())

@@ -15,7 +15,6 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
-from orishell.families.candidates import fewer
 from orishell.families.orthodiagonal.flap_cuts import cut_flaps, depth_below_feet
 from orishell.families.orthodiagonal.headings import (
     HeadingConditions,
@@ -36,6 +35,7 @@ from orishell.families.parameters import (
     Width,
     in_radians,
 )
+from orishell.families.shared.candidates import fewer
 from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import (

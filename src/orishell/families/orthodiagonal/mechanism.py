@@ -45,11 +45,14 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.design import FlapSide
-from orishell.families.flap_sheet import FlapSheet, target_drive
-from orishell.families.orthodiagonal.acceleration import bound_edges
-from orishell.families.orthodiagonal.column_shape import column_and_spread, squared_distances
-from orishell.families.orthodiagonal.columns import Columns, running
-from orishell.families.vertex import row_fold_angle
+from orishell.families.orthodiagonal.columns import (
+    Columns,
+    bound_edges,
+    column_and_spread,
+    running,
+    squared_distances,
+)
+from orishell.families.shared.sheets import FlapSheet, row_fold_angle, target_drive
 from orishell.motion import mechanism_in_one_line
 from orishell.motion.grid import CreaseValues
 from orishell.numerics import Enclosure

@@ -26,7 +26,7 @@ from orishell.families.parameters import (
     OddRowCount,
 )
 from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
-from orishell.families.slips import forgiving
+from orishell.families.shared.candidates import forgiving
 from orishell.polylines import Placement, Spacing
 
 G_SHARE = 0.8

@@ -12,8 +12,8 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Trace, remembered
-from orishell.families.candidates import values
 from orishell.families.parameters import Auto
+from orishell.families.shared.candidates import values
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect, bisect_integers
 from orishell.polylines import (

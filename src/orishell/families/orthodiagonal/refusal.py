@@ -13,7 +13,6 @@ from orishell.conventions.formatting import as_typed, in_degrees, rounded, tidy_
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace
-from orishell.families.candidates import FARTHER, angles, part, sizes, values
 from orishell.families.orthodiagonal.headings import (
     SMALLEST_EPS,
     HeadingConditions,
@@ -22,6 +21,7 @@ from orishell.families.orthodiagonal.headings import (
     union,
 )
 from orishell.families.orthodiagonal.profile import sound_zigzags
+from orishell.families.shared.candidates import FARTHER, angles, part, sizes, values
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 from orishell.polylines import Zigzag, choose_depth

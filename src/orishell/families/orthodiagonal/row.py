@@ -14,7 +14,7 @@ from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.design import Parameter
 from orishell.families.parameters import Auto
-from orishell.families.staircases import Followed
+from orishell.families.shared.staircases import Followed
 from orishell.numerics.arrays import Array
 from orishell.polylines import (
     Closeness,

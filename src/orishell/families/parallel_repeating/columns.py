@@ -1,4 +1,22 @@
-"""Equation (2): the quantities of every column of a parallel repeating sheet."""
+"""Equation (2): the columns of a parallel repeating sheet, and what their motion is bounded by.
+
+The distances of two vertices of one column are known in closed form (the paper's section 2).
+In column j, with kappa and the tightest w of the mechanism's text, they have the square
+
+    reach^2 (tau_j^2 - rest^2 + w^2) + rise^2 kappa^2,
+
+where the edges between them go by ``reach`` along t_j, in units of tau_j, and by ``rise`` upwards
+at the target. As kappa^2 + w^2 = 1 + rest^2 that is a constant and
+
+    (reach^2 - rise^2) w^2 = 4 up down w^2,
+
+``up`` and ``down`` being what edges rise and fall at the target: it grows all the way from the pack
+to the flat sheet wherever there are edges of both kinds between the two vertices.
+
+Bounds of the accelerations of edges prove that nothing touches between states. Edges between rows
+are combinations of one vector per column and the vertical, edges along rows are rigid and level;
+their directions are sums of the angles eps of the mechanism's text.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +25,9 @@ from dataclasses import field
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.flap_sheet import ALIKE, other_side
-from orishell.numerics.arrays import Array, Complex
+from orishell.families.shared.sheets import ALIKE, other_side
+from orishell.numerics import Enclosure, spinning_acceleration, turning_acceleration
+from orishell.numerics.arrays import Array, Complex, Integers
 
 
 @record
@@ -82,3 +101,81 @@ def _unit(z: Complex) -> Complex:
     unit = np.empty_like(z)
     unit.real, unit.imag = z.real / size, z.imag / size
     return unit
+
+
+def squared_distances(
+    columns: Columns, edges: Array, rows: Integers, which: Integers, drives: tuple[Array, Array]
+) -> Enclosure:
+    """Squared distances (S, P) of pairs of vertices, each pair in one column.
+
+    Parameters
+    ----------
+    columns
+        Equation (2).
+    edges
+        By how much the edges (m+1,) of all columns rise at the target (length).
+    rows
+        Rows of the two vertices of every pair (P, 2).
+    which
+        The column (P,) of every pair, counted from 0 at column 1.
+    drives
+        Ends (S,) of ranges of the drive (radians).
+    """
+    edge = np.arange(len(edges))
+    between = (edge >= rows.min(axis=1)[:, None]) & (edge < rows.max(axis=1)[:, None])
+    up, down = ((between * np.maximum(sign * edges, 0.0)).sum(axis=1) for sign in (1, -1))
+    reach, rise = up + down, up - down
+    size = np.hypot(1.0, columns.rest)
+    half_cosine = Enclosure.half_cosine(*(ends[:, None] for ends in drives))
+    packed = (reach * columns.tau_beyond[which]) ** 2 + (rise * size) ** 2
+    return (half_cosine * half_cosine).times(4 * up * down * size**2).plus(packed)
+
+
+def bound_edges(
+    columns: Columns,
+    chords: Array,
+    lengths: Array,
+    reach: Array,
+    drives: tuple[Array, Array],
+) -> tuple[Array, Array]:
+    """Bounds of the second derivative of edge vectors by the drive.
+
+    Parameters
+    ----------
+    columns
+        Equation (2).
+    chords
+        Lengths (n-1,) of the middle row's segments.
+    lengths
+        Lengths (n+1,) of the longest crease between two columns, flaps at both ends.
+    reach
+        What column 1's edges (m+1,) take along t, per unit of spread, and upwards at the target.
+    drives
+        Ends (S,) of ranges of the drive (radians).
+
+    Returns
+    -------
+    tuple
+        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    """
+    start, stop = (ends[..., None] for ends in drives)
+    size = np.hypot(1.0, columns.rest)
+    tight = Enclosure.half_cosine(start, stop).times(size)
+    w = tight.hypot(columns.slope_beyond[1:-1])
+    right = w.arctan2((columns.tau * columns.cos_right)[:-1])
+    left = w.arctan2((columns.tau * columns.cos_left)[1:])
+    axis = (right + left).running()
+    segment = axis.part(slice(-1)) + right
+    mean = segment.mean(chords / chords.sum())
+    axis, segment = axis - mean, segment - mean
+
+    outer = columns.tau[[0, -1]] * [columns.cos_left[0], columns.cos_right[-1]]
+    flap = tight.hypot(columns.slope_beyond[[0, -1]]).arctan2(outer)
+    first = axis.part(slice(1)) - flap.part(slice(1))
+    last = axis.part(slice(-1, None)) + flap.part(slice(1, None))
+    along = lengths * np.concatenate(
+        [spinning_acceleration(angle) for angle in (first, segment, last)], axis=-1
+    )
+    spread = turning_acceleration(tight.hypot(columns.tau_beyond), axis).max(axis=-1, keepdims=True)
+    down = np.hypot(spread * reach, 0.25 * size * np.sin(stop / 2) * reach)
+    return along, np.asarray(down)

@@ -14,7 +14,7 @@ from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design, FlapSide, Parameter, warn_of_no_lock
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
-from orishell.families.parallel_repeating.profile import F, fit_profile
+from orishell.families.parallel_repeating.profile import F, approach, fit_profile, sweep
 from orishell.families.parallel_repeating.row import Planes, Row
 from orishell.families.parallel_repeating.sheet import (
     require_flat_sheet,
@@ -22,7 +22,6 @@ from orishell.families.parallel_repeating.sheet import (
     require_row_edges,
     warn_of_stretched_columns,
 )
-from orishell.families.parallel_repeating.target import approach, sweep
 from orishell.families.parameters import (
     Auto,
     ColumnCount,

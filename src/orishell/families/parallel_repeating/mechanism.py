@@ -35,11 +35,20 @@ from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
 from orishell.design import FlapSide
-from orishell.families.flap_sheet import FlapSheet, target_drive
-from orishell.families.parallel_repeating.acceleration import bound_edges
-from orishell.families.parallel_repeating.columns import Columns, interleaved, running_sums, turned
-from orishell.families.parallel_repeating.distances import squared_distances
-from orishell.families.vertex import column_fold_angle, row_fold_angle
+from orishell.families.parallel_repeating.columns import (
+    Columns,
+    bound_edges,
+    interleaved,
+    running_sums,
+    squared_distances,
+    turned,
+)
+from orishell.families.shared.sheets import (
+    FlapSheet,
+    column_fold_angle,
+    row_fold_angle,
+    target_drive,
+)
 from orishell.motion import mechanism_in_one_line
 from orishell.motion.grid import CreaseValues
 from orishell.numerics import Enclosure

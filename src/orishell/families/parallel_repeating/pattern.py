@@ -26,7 +26,7 @@ from orishell.families.parallel_repeating.profile import fit_profile, widest_xi
 from orishell.families.parallel_repeating.row import Planes
 from orishell.families.parameters import FLAP_SIDE, PLACEMENT, ROWS, SPACING, Auto, OddRowCount
 from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
-from orishell.families.slips import forgiving
+from orishell.families.shared.candidates import forgiving
 from orishell.polylines import Placement, Spacing, measure_chords, place_chords
 
 XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)

@@ -12,7 +12,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves import Trace
-from orishell.families.candidates import angles
+from orishell.families.shared.candidates import angles
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers
 from orishell.polylines import Chords, Placement, Spacing, place_chords

@@ -11,8 +11,8 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve
-from orishell.families.candidates import angles, fewer, part, sizes, values
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
+from orishell.families.shared.candidates import angles, fewer, part, sizes, values
 from orishell.motion import RESOLUTION
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below

@@ -14,7 +14,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Trace
-from orishell.families.candidates import angles, part
+from orishell.families.shared.candidates import angles, part
 from orishell.polylines import (
     Staircase,
     choose_xi,
