@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
-from orishell.conventions.progress import unwatched
+from orishell.conventions.progress import no_progress
 from orishell.design_file import starter_file
 from orishell.studio.tasks import Task
 
@@ -92,10 +92,10 @@ def test_one_step_of_a_drag(benchmark: BenchmarkFixture, family: str, drag: str)
         design = starter(family, drawn=drawn)
         move(family, design, k)
         begin = time.process_time()
-        Task({"design": design, "states": STATES}, unwatched).make_view()
+        Task({"design": design, "states": STATES}, no_progress).make_view()
         times.append(1e3 * (time.process_time() - begin))
     # The first ones import, and fill what is kept.
     found = float(np.median(times[2:]))
     benchmark.extra_info["milliseconds of processor time"] = found
-    benchmark(Task({"design": design, "states": STATES}, unwatched).make_view)
+    benchmark(Task({"design": design, "states": STATES}, no_progress).make_view)
     print(f"\n{family}, {drag}: {found:.0f} ms of processor time (target 30)")

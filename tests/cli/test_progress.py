@@ -7,12 +7,12 @@ import sys
 import pytest
 
 from orishell.cli import progress
-from orishell.conventions.progress import unwatched
+from orishell.conventions.progress import no_progress
 
 
 def test_nothing_is_shown_where_there_is_no_terminal() -> None:
     with progress.bar() as told:
-        assert told is unwatched
+        assert told is no_progress
 
 
 @pytest.mark.parametrize(("wait", "shown"), [(-1.0, True), (60.0, False)])

@@ -18,7 +18,7 @@ CODED = sorted(
 )
 PICTURES = DOCS / "images" / "guide"
 LINKED = {
-    "families/vertex.py": "vertex",
+    "families/shared/sheets.py": "vertex",
     "clash/__init__.py": "locking-and-clash",
     "solids/__init__.py": "thickness",
     "structure/__init__.py": "structure",

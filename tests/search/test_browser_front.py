@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from orishell.conventions.progress import unwatched
+from orishell.conventions.progress import no_progress
 from orishell.search import Found, Problem, alone, journal_in_memory, search_designs
 from orishell.search import page as pages
 from orishell.search.page import write_page
@@ -45,7 +45,7 @@ def written(path: Path, minimise: list[str]) -> tuple[Path, Found]:
     require_viewer()
     problem, found = searched(minimise)
     with alone() as crew:
-        write_page(path, problem, found, crew, unwatched)
+        write_page(path, problem, found, crew, no_progress)
     return path, found
 
 

@@ -134,13 +134,13 @@ def test_a_process_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) ->
 def test_the_studio_warms_up_with_all_that_answers_import() -> None:
     program = """
 import json, sys
-from orishell.conventions.progress import unwatched
+from orishell.conventions.progress import no_progress
 from orishell.studio.tasks import answer
 payload = json.loads(sys.argv[1])
-answer("warm_up", {}, unwatched)
+answer("warm_up", {}, no_progress)
 before = set(sys.modules)
 for name in ("design", "verify", "ranges"):
-    answer(name, payload, unwatched)
+    answer(name, payload, no_progress)
 print(sorted(set(sys.modules) - before))
 """
     assert said_by(program, json.dumps(payload())) == "[]"

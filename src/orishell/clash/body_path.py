@@ -18,7 +18,7 @@ from orishell.clash.opposite import OppositeBoards
 from orishell.clash.path import Part, PathSearch
 from orishell.clash.ranges import search_ranges
 from orishell.clash.result import PathContact, PathResult, ProofRecord
-from orishell.conventions.progress import Progress, stretch, unwatched
+from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.motion import Mechanism
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -34,7 +34,7 @@ def find_first_body_contact(
     bodies: Bodies,
     *,
     settled: Booleans,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
 ) -> PathResult:
     """Return where two boards of panels without a common crease first come within a tolerance.
 

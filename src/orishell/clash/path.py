@@ -31,7 +31,7 @@ from orishell.clash.narrow_phase import Findings, examine_pairs
 from orishell.clash.ranges import TICKS, Outcome, search_ranges
 from orishell.clash.result import PathContact, PathResult, ProofRecord
 from orishell.clash.states import States
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Booleans
@@ -59,7 +59,7 @@ def find_first_contact(
     *,
     lenient: Callable[[Pairs], Booleans] | None = None,
     only: Booleans | None = None,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
 ) -> PathResult:
     """Return where two panels without a common vertex first come within a tolerance.
 

@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Iterator
 
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 
 WAIT = 1.0
 """Work that takes less time than this shows no bar (seconds)."""
@@ -17,7 +17,7 @@ WAIT = 1.0
 def bar() -> Iterator[Progress]:
     """A progress bar on a terminal, for whatever takes longer than a second."""
     if not sys.stderr.isatty():
-        yield unwatched
+        yield no_progress
         return
     from rich.console import Console
     from rich.progress import Progress as Bars

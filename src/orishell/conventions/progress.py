@@ -9,7 +9,7 @@ Progress = Callable[[float, str], None]
 """Called with the share of the work that is done, from 0 to 1, and with what the work is."""
 
 
-def unwatched(share: float, what: str) -> None:
+def no_progress(share: float, what: str) -> None:
     """Report no progress: the default where nobody watches.
 
     Parameters

@@ -9,7 +9,7 @@ from typing import overload
 import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design, PanelSpec
 from orishell.document import SHELL, Document, DocumentState
@@ -130,7 +130,7 @@ def _of_column(boards: Boards, column: int, columns: int) -> Boards:
     return replace(mine, panels=mine.panels // columns)
 
 
-def states_of(motion: FoldingMotion, progress: Progress = unwatched, what: str = "") -> States:
+def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str = "") -> States:
     """The states of a motion, made as they are taken.
 
     Parameters
@@ -157,7 +157,7 @@ class States(Sequence[DocumentState]):
 
     motion: FoldingMotion
     folds: Booleans
-    progress: Progress = unwatched
+    progress: Progress = no_progress
     what: str = ""
 
     def __len__(self) -> int:

@@ -17,13 +17,13 @@ from orishell.clash.body_path import find_first_body_contact
 from orishell.clash.broad_phase import Pairs
 from orishell.clash.opposite import opposite_panels
 from orishell.conventions.errors import DesignError
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.solids import Built, build_panels
+from orishell.solids import BuiltPanels, build_panels
 
 STATES = 17
 """States in which boards at a vertex are compared to see how far corners must be cut off."""
@@ -75,17 +75,17 @@ class Corners:
     vertices: Integers
     drives: Sequence[float]
     flat: Array
-    boards: Callable[[Built], Boards]
+    boards: Callable[[BuiltPanels], Boards]
 
-    def bodies(self, built: Built) -> Bodies:
+    def bodies(self, built: BuiltPanels) -> Bodies:
         """Its boards as bodies."""
         faces = self.mechanism.grid.faces_vertices()
         return Bodies(self.boards(built), faces, self.flat.reshape(-1, 3))
 
 
 def prove_boards(
-    design: Design, end: float, tolerance: float, progress: Progress = unwatched
-) -> tuple[Built, PathResult]:
+    design: Design, end: float, tolerance: float, progress: Progress = no_progress
+) -> tuple[BuiltPanels, PathResult]:
     """Return the boards of a design, corners cut off where need be, and their first contact.
 
     Flaps that are clipped on are looked at later (:mod:`~orishell.locking.clipped`).
@@ -113,7 +113,7 @@ def prove_boards(
             mechanism, slice(None), opposite, vertices, drives, flat, lambda each: each.boards
         )
 
-    def first_contact(built: Built) -> PathResult:
+    def first_contact(built: BuiltPanels) -> PathResult:
         return find_first_body_contact(
             mechanism,
             end,
@@ -128,11 +128,11 @@ def prove_boards(
 
 def cut_corners(
     design: Design,
-    built: Built,
+    built: BuiltPanels,
     tolerance: float,
-    look: Callable[[Built], Found],
+    look: Callable[[BuiltPanels], Found],
     corners: Callable[[float], Corners],
-) -> tuple[Built, Found]:
+) -> tuple[BuiltPanels, Found]:
     """Return boards with as little of their corners cut off as helps, and what is found of them.
 
     Parameters
@@ -169,7 +169,7 @@ def _share_vertex(mechanism: Mechanism, panels: tuple[int, int]) -> bool:
 
 
 def _relieve(
-    design: Design, built: Built, corners: Corners, tolerance: float, more: float
+    design: Design, built: BuiltPanels, corners: Corners, tolerance: float, more: float
 ) -> Array | None:
     """How far corners are cut off (rows, columns) so that opposite boards are apart.
 

@@ -22,7 +22,7 @@ from orishell.design import Design
 from orishell.locking.boards import Corners, cut_corners
 from orishell.locking.result import Contact
 from orishell.locking.sheet import Sheet
-from orishell.solids import Built, settled_vertices
+from orishell.solids import BuiltPanels, settled_vertices
 
 SIDES = ("start", "end")
 """Where the flaps on the left and on the right may fold to."""
@@ -51,8 +51,8 @@ def find_crossing(sheet: Sheet, tolerance: float) -> Contact | None:
 
 
 def clip_boards(
-    design: Design, sheet: Sheet, built: Built, tolerance: float
-) -> tuple[Built, Contact | None]:
+    design: Design, sheet: Sheet, built: BuiltPanels, tolerance: float
+) -> tuple[BuiltPanels, Contact | None]:
     """Return boards, their corners cut off so that those of flaps are apart, and what still meets.
 
     Parameters
@@ -81,7 +81,7 @@ def clip_boards(
     panels = np.arange(grid.panel_count)
     flaps, points = sheet.flapped((panels, panels)), sheet.points_at_target()
 
-    def look(built: Built) -> _Met:
+    def look(built: BuiltPanels) -> _Met:
         bodies = corners.bodies(built)
         found = deepest_contact(bodies, points, tolerance, only=flaps, settled=apart)
         if found is None:

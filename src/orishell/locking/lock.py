@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.clash import PathContact, PathResult, ProofRecord, find_first_contact
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.locking.boards import prove_boards
 from orishell.locking.clipped import clip_boards, find_crossing
@@ -34,7 +34,7 @@ def find_lock(
     tolerance: float = CONTACT_TOLERANCE,
     flaps_only: bool = False,
     beyond: bool = True,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
 ) -> Lock:
     """Return where a design's motion ends, and the first contact on the way there.
 

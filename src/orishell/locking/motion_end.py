@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.errors import ClashError, DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, inside, rounded
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.locking.clipped import flap_width, refuse_clipped
 from orishell.locking.crossing import require_uncrossed
@@ -31,7 +31,7 @@ def end_motion(
     tolerance: float = CONTACT_TOLERANCE,
     narrower: Callable[[float], Design] | None = None,
     allow_clash: bool = False,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
 ) -> tuple[Design, Lock]:
     """Return the design, its flaps narrowed or its motion cut short if need be, and how it ends.
 

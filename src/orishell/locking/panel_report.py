@@ -9,7 +9,7 @@ from orishell.conventions.record import record
 from orishell.design import Construction, Design
 from orishell.locking import Lock
 from orishell.locking.report import PathReport, describe_path
-from orishell.solids import Built, find_meetings, find_set_backs
+from orishell.solids import BuiltPanels, find_meetings, find_set_backs
 
 
 @record
@@ -101,7 +101,7 @@ def describe_panels(design: Design, lock: Lock) -> PanelReport | None:
     )
 
 
-def _meeting(design: Design, built: Built) -> MeetingReport | None:
+def _meeting(design: Design, built: BuiltPanels) -> MeetingReport | None:
     sheet, folds, boards = design.mechanism, built.folds, built.boards
     if design.clipped is not None and built.flaps is not None:
         sheet, boards = design.clipped, built.flaps

@@ -7,7 +7,7 @@ from typing import Literal
 
 from orishell.clash import ProofRecord
 from orishell.conventions.formatting import in_degrees
-from orishell.solids import Built
+from orishell.solids import BuiltPanels
 
 Panel = tuple[int, int]
 """Row and column of a panel."""
@@ -108,7 +108,7 @@ class Lock:
     depth: float
     touching: tuple[tuple[Panel, Panel], ...]
     proof: ProofRecord | None
-    built: Built | None = None
+    built: BuiltPanels | None = None
     boards_proof: ProofRecord | None = None
     clipped_contact: Contact | None = None
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from orishell.conventions.errors import DesignError, InputError
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design_file.values import Values
 from orishell.search.choose import chooser
@@ -50,7 +50,7 @@ def search_designs(
     problem: Problem,
     crew: Crew,
     journal: Journal,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
     *,
     stop: threading.Event | None = None,
     seen: Callable[[Outcome], None] | None = None,

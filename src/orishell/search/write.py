@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.io.csv_file import write_csv
 from orishell.io.output import OutputDirectory
 from orishell.plot.tradeoff import plot_front
@@ -78,7 +78,7 @@ def write_found(
     found: Found,
     directory: Path,
     crew: Crew,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
     *,
     stop: threading.Event | None = None,
 ) -> list[Path]:

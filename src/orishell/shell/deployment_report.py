@@ -28,7 +28,7 @@ from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
 from orishell.motion.grid import VertexPair
 from orishell.shell.parts import Part
-from orishell.solids import Built, largest_thickness
+from orishell.solids import BuiltPanels, largest_thickness
 
 PACKS = 9
 """States from the target on of which the one that packs smallest is taken."""
@@ -245,7 +245,7 @@ def _tie(tie: Tie) -> TieReport:
     return TieReport(tie.ends, tie.length, tie.flat, tie.packed, tie.grows, tie.slack, fails)
 
 
-def areal_density(file: DesignFile, design: Design, built: Built | None) -> float:
+def areal_density(file: DesignFile, design: Design, built: BuiltPanels | None) -> float:
     """Mass of the panels per area of the sheet (kg/m^2); 0 where that of a part is not known."""
     if file.workshop.areal_density or built is None:
         return file.workshop.areal_density or 0.0

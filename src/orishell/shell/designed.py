@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees, rounded
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
 from orishell.locking import Lock, end_motion
@@ -57,7 +57,7 @@ def designed(file: DesignFile) -> Design:
 
 
 def ended(
-    file: DesignFile, design: Design, *, allow_clash: bool = False, progress: Progress = unwatched
+    file: DesignFile, design: Design, *, allow_clash: bool = False, progress: Progress = no_progress
 ) -> tuple[Design, Lock]:
     """A file's design as it can be folded, and how its motion ends: see :func:`end_motion`.
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from orishell.conventions.arguments import checked, path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.units import Unit
 from orishell.document import Document
 from orishell.document.from_design import states_of
@@ -29,7 +29,7 @@ def write_shell(
     directory: str | Path,
     formats: Sequence[Format] = (),
     settings: Settings | None = None,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
 ) -> list[Path]:
     """Write ``shell.fold``, ``report.json``, the pictures and more formats: all of them or none.
 
@@ -121,7 +121,7 @@ def _write_structure(shell: Shell, draft: Path) -> None:
 
 
 def write_format(
-    shell: Shell, format_: Format, draft: Path, settings: Settings, progress: Progress = unwatched
+    shell: Shell, format_: Format, draft: Path, settings: Settings, progress: Progress = no_progress
 ) -> None:
     """Write a shell in one format.
 

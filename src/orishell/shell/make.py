@@ -10,7 +10,7 @@ from typing import Literal
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError, printable
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.deployment.feet import find_feet, stand
 from orishell.design import Design
@@ -106,7 +106,7 @@ class Shell:
 
 @checked()
 def design_shell(
-    path: str | Path, progress: Progress = unwatched, *, clash: ClashPolicy = "refused"
+    path: str | Path, progress: Progress = no_progress, *, clash: ClashPolicy = "refused"
 ) -> Shell:
     """Read a design file and make its shell: see :func:`make_shell`.
 
@@ -122,7 +122,7 @@ def design_shell(
 
 def make_shell(
     file: DesignFile,
-    progress: Progress = unwatched,
+    progress: Progress = no_progress,
     *,
     clash: ClashPolicy = "refused",
     leave_out: Collection[Part] = (),

@@ -22,7 +22,7 @@ from orishell.conventions.errors import (
     VerificationError,
 )
 from orishell.conventions.formatting import rounded
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.design_file.values import value_at
@@ -55,7 +55,7 @@ Make = Callable[[DesignFile, Progress], object]
 
 
 def with_remedies(
-    file: DesignFile, refusal: DesignError, make: Make, progress: Progress = unwatched
+    file: DesignFile, refusal: DesignError, make: Make, progress: Progress = no_progress
 ) -> DesignError:
     """Return the refusal with changes that were tried and work, or with why none does.
 

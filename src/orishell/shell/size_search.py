@@ -17,7 +17,7 @@ from typing import Generic, TypeVar
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.families.pattern import Tolerance
 from orishell.shell.choice import Choice, Trial, unbeaten
@@ -43,7 +43,7 @@ V = TypeVar("V")
 
 
 def choose(
-    sizes: Sizes[V], tolerance: Tolerance, progress: Progress = unwatched
+    sizes: Sizes[V], tolerance: Tolerance, progress: Progress = no_progress
 ) -> tuple[V, Choice]:
     """Find the variant and the size with the fewest panels that meet a tolerance.
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.conventions.units import conversion
 from orishell.deployment.feet import find_feet
@@ -47,7 +47,7 @@ class Loaded:
 
 
 def analyse_structure(
-    shell: Shell, structure: Structure | None = None, progress: Progress = unwatched
+    shell: Shell, structure: Structure | None = None, progress: Progress = no_progress
 ) -> Analysis:
     """Analyse a designed shell as a structure at its target.
 

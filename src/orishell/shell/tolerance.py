@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 
 from orishell.conventions.errors import DesignError
-from orishell.conventions.progress import Progress, unwatched
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.design_file import DesignFile, require_memory
@@ -35,7 +35,7 @@ NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
 
 
 def meet_tolerance(
-    file: DesignFile, tolerance: Tolerance, progress: Progress = unwatched
+    file: DesignFile, tolerance: Tolerance, progress: Progress = no_progress
 ) -> tuple[FamilyPattern, Choice]:
     """Choose rows, columns and what else a design file leaves open.
 

@@ -7,7 +7,7 @@ from itertools import product
 from typing import Any
 
 from orishell.conventions.errors import DesignError, OrishellError
-from orishell.conventions.progress import Progress, followed, stretch, unwatched
+from orishell.conventions.progress import Progress, followed, no_progress, stretch
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
@@ -49,7 +49,7 @@ class Tradeoff:
     settled: dict[str, Any]
 
 
-def find_tradeoff(file: DesignFile, progress: Progress = unwatched) -> Tradeoff:
+def find_tradeoff(file: DesignFile, progress: Progress = no_progress) -> Tradeoff:
     """Design sheets of many sizes, and measure how near they come to the surface.
 
     The sizes are those of the search that meets a tolerance, each number of rows with each number

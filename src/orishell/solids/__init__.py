@@ -4,7 +4,7 @@ Derived in docs/theory/thickness.md.
 """
 
 from orishell.solids.boards import build_boards
-from orishell.solids.built import Built, build_panels, settled_vertices
+from orishell.solids.built import BuiltPanels, build_panels, settled_vertices
 from orishell.solids.limits import drive_for_height, largest_height
 from orishell.solids.meeting import Meetings, find_meetings
 from orishell.solids.setbacks import SetBacks, find_set_backs, largest_folds
@@ -18,7 +18,7 @@ from orishell.solids.thickness_limit import (
 )
 
 __all__ = [
-    "Built",
+    "BuiltPanels",
     "Meetings",
     "SetBacks",
     "ThicknessLimit",

@@ -17,7 +17,7 @@ from orishell.solids.setbacks import largest_folds
 
 
 @record
-class Built:
+class BuiltPanels:
     """The panels of a design as they are built.
 
     Parameters
@@ -84,7 +84,7 @@ def settled_vertices(folds: CreaseValues) -> Booleans:
     return np.asarray((row[:, :-1] & row[:, 1:]) | (column[:-1] & column[1:]))
 
 
-def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> Built:
+def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> BuiltPanels:
     """Build the panels of a design.
 
     Parameters
@@ -107,7 +107,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     none = np.zeros((grid.rows, grid.columns))
     if design.clipped is None:
         boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs)
-        return Built(build, limit, folds, none if reliefs is None else reliefs, boards, None)
+        return BuiltPanels(build, limit, folds, none if reliefs is None else reliefs, boards, None)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
     inner = design.clipped.inner_columns
     row, column = np.divmod(everything.panels, design.clipped.grid.columns - 1)
@@ -115,7 +115,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     number = row * (grid.columns - 1) + column - inner.start
     boards = replace(everything.chosen(mine), panels=number[mine])
     flaps = everything.chosen(~mine)
-    return Built(build, limit, folds, none if reliefs is None else reliefs, boards, flaps)
+    return BuiltPanels(build, limit, folds, none if reliefs is None else reliefs, boards, flaps)
 
 
 def _with_flaps(

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.errors import InputError, VerificationError
-from orishell.conventions.progress import Progress, stretch, unwatched
+from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.structure.acting import Response, respond
@@ -31,7 +31,7 @@ UNBALANCED = 1e-6
 
 
 def analyse(
-    design: Design, structure: Structure, frame: Frame, progress: Progress = unwatched
+    design: Design, structure: Structure, frame: Frame, progress: Progress = no_progress
 ) -> Analysis:
     """Analyse a shell at its target.
 

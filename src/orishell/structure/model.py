@@ -16,7 +16,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Vertex, VertexPair
 from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array
-from orishell.solids import Built
+from orishell.solids import BuiltPanels
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.exposure import Exposure
 from orishell.structure.factorise import hold
@@ -50,7 +50,7 @@ class Frame:
     feet: tuple[int, int] | None
     ties: tuple[VertexPair, ...]
     areal_mass: float
-    built: Built | None
+    built: BuiltPanels | None
 
 
 @record

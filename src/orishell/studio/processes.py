@@ -33,7 +33,7 @@ Work = Callable[[str, Payload, Progress, Send], Any]
 raises OrishellError for bad input. A function of a module, so that every process finds it."""
 
 
-def unheard(_: Any) -> None:
+def ignore(_: Any) -> None:
     """Nobody is told."""
 
 

@@ -39,7 +39,7 @@ from orishell.studio.curves import sampled
 from orishell.studio.dropped import read_dropped
 from orishell.studio.limits import require_small
 from orishell.studio.names import design_name, file_name
-from orishell.studio.processes import Send, unheard
+from orishell.studio.processes import Send, ignore
 from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
 from orishell.studio.search_api import SearchState
@@ -65,7 +65,7 @@ class Task:
 
     payload: dict[str, Any]
     progress: Progress
-    send: Send = unheard
+    send: Send = ignore
 
     def warm_up(self) -> None:
         """Import what answers need, by answering: a small design of every family, and a proof."""
@@ -282,7 +282,7 @@ TASKS: Final[dict[str, Callable[[Task], Any]]] = {
 }
 
 
-def answer(name: str, payload: dict[str, Any], progress: Progress, send: Send = unheard) -> Any:
+def answer(name: str, payload: dict[str, Any], progress: Progress, send: Send = ignore) -> Any:
     """The answer to a request of a page."""
     return TASKS[name](Task(payload, progress, send))
 

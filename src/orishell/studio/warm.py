@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from orishell.conventions.progress import unwatched
+from orishell.conventions.progress import no_progress
 from orishell.studio.tasks import answer
 
-answer("warm_up", {}, unwatched)
+answer("warm_up", {}, no_progress)

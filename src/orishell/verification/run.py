@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.progress import Progress, followed, unwatched
+from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.io import FoldFile
 from orishell.verification.contact import ClashTest
@@ -85,7 +85,7 @@ class Inspection:
 
 
 def inspect_fold(
-    file: FoldFile, tolerance: float = TOLERANCE, progress: Progress = unwatched
+    file: FoldFile, tolerance: float = TOLERANCE, progress: Progress = no_progress
 ) -> Inspection:
     """Test a crease pattern and its folded states.
 

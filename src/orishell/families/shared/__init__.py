@@ -1,3 +1,1 @@
-"""What several families use: nothing here is for callers of the package."""
-
-__all__: list[str] = []
+"""What several families share: sheets of the paper's sections 2 and 3, candidates, staircases."""

@@ -1,4 +1,4 @@
-"""What the sheets of the paper's sections 2 and 3 share: their vertices, and flaps that end the motion.
+"""What sheets of the paper's sections 2 and 3 share: vertices, and flaps that end the motion.
 
 Column-straight vertices (sections LU + LD = RU + RD = pi): with psi the angle between the two
 column creases, write c = cos(psi/2), and for a row crease with the sector angle a below it
