@@ -4,7 +4,7 @@ import io
 import sys
 import warnings
 
-from orishell.conventions.stopping import stop_quietly
+from orishell.conventions.progress import stop_quietly
 
 
 def main() -> None:

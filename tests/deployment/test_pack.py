@@ -55,8 +55,8 @@ def test_layers_of_more_panels_than_are_looked_at_are_not_too_many(
 ) -> None:
     folded = miura(6, 30, 2.5)
     assert count_layers(*folded, np.eye(3)) == 120
-    monkeypatch.setattr("orishell.deployment.layers.MOST_PAIRS", 1000)
-    monkeypatch.setattr("orishell.deployment.layers.MOST_EACH", 1)
+    monkeypatch.setattr("orishell.deployment.pack.MOST_PAIRS", 1000)
+    monkeypatch.setattr("orishell.deployment.pack.MOST_EACH", 1)
     assert 60 <= count_layers(*folded, np.eye(3)) <= 120
 
 

@@ -18,8 +18,7 @@ from pydantic import Field
 
 from command_line import orishell
 from orishell import Design, InputError, design_shell, measure_residuals, write_shell
-from orishell.conventions.knob import Knob
-from orishell.conventions.table import Number
+from orishell.conventions.table import Knob, Number
 from orishell.families.parameters import Auto, Limits
 from orishell.families.pattern import Family, Pattern
 from orishell.families.registry import FAMILIES

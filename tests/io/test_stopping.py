@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.stopping import stop_quietly
+from orishell.conventions.progress import stop_quietly
 from orishell.io import OutputDirectory
 from orishell.io.manifest import NAME, require_one_run
 

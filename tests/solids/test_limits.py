@@ -14,7 +14,7 @@ from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import drive_for_height, find_thickness_limit, largest_folds, largest_height
-from orishell.solids.limits import bare_faces
+from orishell.solids.setbacks import bare_faces
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 

@@ -14,7 +14,7 @@ from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.numerics.bisection import bisect
 from orishell.solids import build_boards, find_meetings, find_stop, largest_folds
-from orishell.solids.meeting import Meetings
+from orishell.solids.built import Meetings
 from samples import examples
 from strategies import Request, orthodiagonal_requests, requests
 

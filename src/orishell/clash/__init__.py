@@ -4,7 +4,7 @@ Derived in docs/theory/locking-and-clash.md.
 """
 
 from orishell.clash.path import find_first_contact
-from orishell.clash.result import PathContact, PathResult, ProofRecord
+from orishell.clash.ranges import PathContact, PathResult, ProofRecord
 from orishell.clash.state import find_contacts, overlap_depths
 
 __all__ = [

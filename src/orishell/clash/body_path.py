@@ -1,25 +1,42 @@
 """First contact of boards along a path of folding, with a proof that there is none before.
 
 Boards of panels that share a crease are on either side of the plane that bisects it. Those of
-panels that are opposite each other at a vertex are looked at by themselves
-(:mod:`~orishell.clash.opposite`), all others as panels are (:mod:`~orishell.clash.path`).
+panels that are opposite each other at a vertex are near all the way, so they are looked at by
+themselves, in every range, first along the direction that kept them apart before. A corner c of a
+board is fixed on its panel: with the edges u along the row and w down the column from the common
+vertex, c = alpha u + beta w + h n, and
+
+    abs(c'') <= abs(alpha u'') + abs(beta w'') + abs(h n'')
+
+bounds its chord error by itself. Corners near the vertex, where boards come near each other, hardly
+have one. All other boards are looked at as panels are (:mod:`~orishell.clash.path`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from orishell.clash.acceleration_bounds import NormalBounds
-from orishell.clash.bodies import Bodies
-from orishell.clash.body_phase import examine_bodies, near_slabs
+from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
+from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.broad_phase import Pairs, joined
-from orishell.clash.narrow_phase import Findings
-from orishell.clash.opposite import OppositeBoards
+from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
 from orishell.clash.path import Part, PathSearch
-from orishell.clash.ranges import search_ranges
-from orishell.clash.result import PathContact, PathResult, ProofRecord
+from orishell.clash.ranges import (
+    BASE,
+    TICKS,
+    Outcome,
+    PathContact,
+    PathResult,
+    ProofRecord,
+    States,
+    search_ranges,
+)
+from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.motion import Mechanism
+from orishell.motion.grid import Grid
 from orishell.motion.quads import grid_corners
 from orishell.numerics.arrays import Array, Booleans, Integers
 
@@ -117,3 +134,138 @@ class _BodySearch(PathSearch):
     def _swings(self, part: Part) -> Array:
         """Bounds (F,) of the accelerations of corners of boards over their panels."""
         return self.bodies.height * self.normals.within(*part.bounds.steps)
+
+
+TINY = 1e-300
+EARLY, SOONEST = 1.5, 2.0**-6
+"""A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
+this share of the step at least."""
+
+
+class OppositeBoards:
+    """All pairs of boards that are opposite each other at a vertex.
+
+    Parameters
+    ----------
+    grid
+        The grid of the sheet.
+    bodies
+        Its boards.
+    states, bounds
+        The states of the path, and the bounds of accelerations of edges and of normals.
+    tolerance
+        Distance at which boards touch (length).
+    settled
+        Inner vertices (rows-2, columns-2) about which they are known to be apart.
+    """
+
+    def __init__(
+        self,
+        grid: Grid,
+        bodies: Bodies,
+        states: States,
+        bounds: tuple[EdgeBounds, NormalBounds],
+        *,
+        tolerance: float,
+        settled: Booleans,
+    ) -> None:
+        self.bodies, self.states, self.tolerance = bodies, states, tolerance
+        self.edges, self.normals = bounds
+        panels, vertex = opposite_panels(grid, settled)
+        self.pairs, which = bodies.pairs_of(panels)
+        self.columns = grid.columns - 1
+        self.parts = [bodies.components(numbers, vertex[which]) for numbers in self.pairs]
+        self.kept_by = np.zeros(len(which), np.int64)
+        self.sleep = np.full(len(which), np.inf)
+        self.tests = self.ranges = 0
+
+    @property
+    def everything(self) -> Integers:
+        """Numbers of all pairs."""
+        return np.arange(len(self.pairs[0]))
+
+    def examine(self, start: int, stop: int, pending: Integers) -> Outcome[Integers]:
+        """Look at pairs (P,) in the range between two ticks."""
+        self.ranges += 1
+        self.tests += len(pending)
+        step = self.states.drive(stop) - self.states.drive(start)
+        bounds = self.edges.within(start / TICKS, stop / TICKS)
+        swing = self.normals.within(*bounds.steps)
+        ends = [self.states.bodies_of(self.bodies, tick) for tick in (start, stop)]
+
+        def errors(which: Integers) -> list[Array]:
+            found = []
+            for numbers, parts in zip(self.pairs, self.parts, strict=True):
+                panel = self.bodies.panels[numbers[which]]
+                row, column = np.divmod(panel, self.columns)
+                along, down, over = parts[..., which]
+                total = along * bounds.steps[0][column] + down * bounds.steps[1][row]
+                found.append(step**2 / 8 * (total + over * swing[panel]))
+            return found
+
+        if stop - start == TICKS // BASE:
+            self.sleep[pending] = np.inf
+        asleep = (self.sleep[pending] < step) & (stop - start > 1)
+        woken = pending[~asleep]
+        left = woken[self._gaps(ends, woken, errors) <= self.tolerance]
+        apart = Apartness.of(ends, self._chosen(left))
+        self.kept_by[left] = apart.number
+        gap = self._gaps(ends, left, errors)
+        open_ones = gap <= self.tolerance
+        left, apart, gap = left[open_ones], apart.chosen(open_ones), gap[open_ones]
+        # What lacks to a proof shrinks with the square of the step.
+        plain = apart.gaps.min(axis=0)
+        share = np.maximum(plain, 0.0) / np.maximum(plain - gap, TINY)
+        self.sleep[left] = step * np.clip(EARLY * np.sqrt(share), SOONEST, 0.5)
+        pairs = self._chosen(left)
+        touching = [apart.touching(end, pairs, self.tolerance) for end in (0, 1)]
+        pending = np.concatenate([pending[asleep], left])
+        if not len(pending):
+            return Outcome(None, None, None, None)
+        first, second = self.pairs[0][pending[-1]], self.pairs[1][pending[-1]]
+        return Outcome(pending, (int(first), int(second)), *touching)
+
+    def _gaps(
+        self,
+        ends: list[BodyState],
+        which: Integers,
+        errors: Callable[[Integers], list[Array]],
+    ) -> Array:
+        """Gaps (P,) that stay between pairs (P,) along the direction noted for them."""
+        pairs = self._chosen(which)
+        lines = [one_direction(state, pairs, self.kept_by[which]) for state in ends]
+        return _gap(ends, pairs, lines, errors(which))
+
+    def _chosen(self, which: Integers) -> Pairs:
+        return self.pairs[0][which], self.pairs[1][which]
+
+
+def opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
+    """Panels opposite each other at the inner vertices that are not settled, and these (P,)."""
+    panel = np.arange(grid.panel_count).reshape(grid.rows - 1, grid.columns - 1)
+    there = ~settled
+    vertex = grid.vertices()[1:-1, 1:-1][there]
+    first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there]])
+    second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there]])
+    return (first, second), np.tile(vertex, 2)
+
+
+def _gap(ends: list[BodyState], pairs: Pairs, lines: list[Array], errors: list[Array]) -> Array:
+    """Gaps (P,) that stay along standing or turning directions (3, P), less chord errors.
+
+    As in :mod:`~orishell.clash.separation`, but every corner has a chord error (C, P) of its own.
+    """
+    corners = [(s.corners[:, :, pairs[0]], s.corners[:, :, pairs[1]]) for s in ends]
+    first, last = (views_along(line, corners) for line in lines)
+    middle = [0.5 * (after + now) for after, now in zip(first[1], last[0], strict=True)]
+    above, below = np.empty((2, 5, len(pairs[0])))
+    for k, view in enumerate((first[1], first[0], middle, last[1], last[0])):
+        (low_a, high_a), (low_b, high_b) = (
+            ((v - error).min(axis=0), (v + error).max(axis=0))
+            for v, error in zip(view, errors, strict=True)
+        )
+        above[k], below[k] = low_b - high_a, low_a - high_b
+    # What stands looks at both states along one direction, what turns from the first to the last.
+    ways = (slice(0, 2), slice(1, 4), slice(3, 5))
+    kept = [side[way].min(axis=0) for side in (above, below) for way in ways]
+    return np.asarray(np.max(kept, axis=0))

@@ -28,9 +28,15 @@ from orishell.clash.broad_phase import (
     selected,
 )
 from orishell.clash.narrow_phase import Findings, examine_pairs
-from orishell.clash.ranges import TICKS, Outcome, search_ranges
-from orishell.clash.result import PathContact, PathResult, ProofRecord
-from orishell.clash.states import States
+from orishell.clash.ranges import (
+    TICKS,
+    Outcome,
+    PathContact,
+    PathResult,
+    ProofRecord,
+    States,
+    search_ranges,
+)
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.motion import Mechanism

@@ -1,12 +1,84 @@
-"""The search for the first contact: ranges of a path, halved where they leave something open."""
+"""A path of folding: its states, its ranges, and what is found on it."""
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from orishell.clash.bodies import Bodies, BodyState
+from orishell.clash.broad_phase import Extents, PanelTree
+from orishell.clash.narrow_phase import Slabs
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
+from orishell.motion import Mechanism
+from orishell.numerics.arrays import Array
+
+
+@dataclass(frozen=True, slots=True)
+class ProofRecord:
+    """How the path was examined.
+
+    Parameters
+    ----------
+    states
+        Number of states whose positions were computed.
+    ranges
+        Number of ranges of the drive between two of them.
+    tests
+        Number of pairs, of panels or of groups of panels, that were tested in a range.
+    largest_step, smallest_step
+        Widest and narrowest range (radians).
+    tolerance
+        Distance below which panels touch (length).
+    """
+
+    states: int
+    ranges: int
+    tests: int
+    largest_step: float
+    smallest_step: float
+    tolerance: float
+
+
+@dataclass(frozen=True, slots=True)
+class PathContact:
+    """The first contact on a path.
+
+    Parameters
+    ----------
+    drive
+        Where two panels touch (radians).
+    clear_until
+        Up to here no two panels touch, proved (radians).
+    panels
+        Numbers of the two panels.
+    bodies
+        Numbers of the two bodies on them, if these were looked at.
+    """
+
+    drive: float
+    clear_until: float
+    panels: tuple[int, int]
+    bodies: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PathResult:
+    """What was found on a path: the first contact, or None, and how.
+
+    Parameters
+    ----------
+    contact
+        The first contact, or None.
+    proof
+        How the path was examined.
+    """
+
+    contact: PathContact | None
+    proof: ProofRecord
+
 
 Left = TypeVar("Left")
 
@@ -86,3 +158,81 @@ def search_ranges(
             stack.append((start, middle, outcome.left))
     progress(1.0, LOOKING)
     return found, clear
+
+
+KEPT = 16
+
+
+@dataclass(slots=True, eq=False)
+class _State:
+    points: Array
+    extents: Extents | None = None
+    slabs: Slabs | None = None
+    bodies: BodyState | None = None
+
+
+class States:
+    """The states at ticks of a path; the last few are kept.
+
+    Parameters
+    ----------
+    mechanism
+        The folding sheet.
+    end
+        The path goes from the flat sheet to this drive (radians).
+    tree
+        The tree over its panels.
+    bodies
+        The bodies on its panels, if these are looked at.
+    """
+
+    def __init__(
+        self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies | None
+    ) -> None:
+        self.mechanism, self.end, self.tree, self.bodies = mechanism, end, tree, bodies
+        self.kept: OrderedDict[int, _State] = OrderedDict()
+        self.made = 0
+
+    def drive(self, tick: int) -> float:
+        """The drive at a tick (radians)."""
+        return self.end * (tick / TICKS)
+
+    def points(self, tick: int) -> Array:
+        """Vertices (V, 3) of a state."""
+        return self._at(tick).points
+
+    def extents(self, tick: int) -> Extents:
+        """What the nodes of the tree span in a state, with the height of bodies."""
+        state = self._at(tick)
+        if state.extents is None:
+            over = None
+            if self.bodies is not None:
+                over = self.bodies.height * self.slabs(tick).normals.T
+            state.extents = self.tree.extents(state.points, over)
+        return state.extents
+
+    def slabs(self, tick: int) -> Slabs:
+        """Panels as thick as their bodies in a state."""
+        state = self._at(tick)
+        if state.slabs is None:
+            height = 0.0 if self.bodies is None else self.bodies.height
+            state.slabs = Slabs.of(state.points, self.tree.faces, height)
+        return state.slabs
+
+    def bodies_of(self, bodies: Bodies, tick: int) -> BodyState:
+        """The bodies in a state."""
+        state = self._at(tick)
+        if state.bodies is None:
+            state.bodies = bodies.carried(state.points)
+        return state.bodies
+
+    def _at(self, tick: int) -> _State:
+        state = self.kept.get(tick)
+        if state is None:
+            self.made += 1
+            state = _State(self.mechanism.positions(self.drive(tick)).reshape(-1, 3))
+            self.kept[tick] = state
+            if len(self.kept) > KEPT:
+                self.kept.popitem(last=False)
+        self.kept.move_to_end(tick)
+        return state

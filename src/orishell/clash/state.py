@@ -1,9 +1,10 @@
-"""Which panels touch in one state."""
+"""Which panels, or boards, touch in one state."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from orishell.clash.bodies import Apartness, Bodies
 from orishell.clash.broad_phase import (
     CHUNK,
     Pairs,
@@ -12,10 +13,12 @@ from orishell.clash.broad_phase import (
     common_corners,
     gaps,
     in_chunks,
+    selected,
 )
-from orishell.clash.neighbours import touching_neighbours
+from orishell.clash.narrow_phase import Slabs, near_slabs
 from orishell.clash.separation import corners_of, nearest, overlaps
-from orishell.numerics.arrays import Array, Integers
+from orishell.motion.quads import dots, lengths, unit_normals
+from orishell.numerics.arrays import Array, Booleans, Integers
 
 
 def near_panels(
@@ -103,3 +106,140 @@ def overlap_depths(positions: Array, faces: Integers, pairs: Integers) -> Array:
         return overlaps(corners_of(positions, faces[first]), corners_of(positions, faces[second]))
 
     return in_chunks(of, pairs[:, 0], pairs[:, 1])
+
+
+def touching_neighbours(points: Array, faces: Integers, pairs: Pairs, tolerance: float) -> Booleans:
+    """Return which pairs (P,) of panels with common vertices touch beyond these.
+
+    Panels with a common crease touch when it is folded flat. Panels with one common vertex touch
+    when the arcs that they cut from a sphere about it meet.
+
+    Parameters
+    ----------
+    points
+        Vertices (V, 3).
+    faces
+        Corners (F, 4) of all panels.
+    pairs
+        The panels.
+    tolerance
+        Distance at which panels count as touching (length).
+    """
+    first, second = faces[pairs[0]], faces[pairs[1]]
+    same = first[:, :, None] == second[:, None, :]
+    count = same.sum(axis=(1, 2))
+    touching: Booleans = count > 2
+    crease, corner = count == 2, count == 1
+    touching[crease] = _folded_flat(points, first[crease], second[crease], same[crease], tolerance)
+    touching[corner] = _crossing(points, first[corner], second[corner], same[corner], tolerance)
+    return touching
+
+
+def _folded_flat(
+    points: Array, first: Integers, second: Integers, same: Booleans, tolerance: float
+) -> Booleans:
+    """Whether the far corners of one panel lie on the plane of the other, on its side."""
+    if not len(first):
+        return np.zeros(0, np.bool_)
+    a, b = points[first], points[second]
+    on_a, on_b = same.any(axis=2), same.any(axis=1)
+    shared = a[on_a].reshape(-1, 2, 3)
+    along = _unit(shared[:, 1] - shared[:, 0])
+    far_a, far_b = (
+        corners[~on].reshape(-1, 2, 3) - shared[:, :1] for corners, on in ((a, on_a), (b, on_b))
+    )
+    height = np.abs(dots(unit_normals(a)[:, None], far_b)).max(axis=1)
+    # Parts of the far corners square to the crease point the same way.
+    sides = [far.sum(axis=1) for far in (far_a, far_b)]
+    across = [side - along * dots(side, along)[:, None] for side in sides]
+    result: Booleans = (height <= tolerance) & (dots(across[0], across[1]) > 0)
+    return result
+
+
+def _crossing(
+    points: Array, first: Integers, second: Integers, same: Booleans, tolerance: float
+) -> Booleans:
+    """Whether the edges of one panel at the common vertex lie on both sides of the other."""
+    if not len(first):
+        return np.zeros(0, np.bool_)
+    rows = np.arange(len(first))
+    of_first, of_second = np.divmod(same.reshape(len(first), 16).argmax(axis=1), 4)
+    vertex = points[first[rows, of_first]]
+
+    def arms(faces: Integers, at: Integers) -> tuple[Array, Array]:
+        return (
+            points[faces[rows, (at + 1) % 4]] - vertex,
+            points[faces[rows, (at - 1) % 4]] - vertex,
+        )
+
+    a, b = arms(first, of_first), arms(second, of_second)
+    normal_a, normal_b = _unit(np.cross(*a)), _unit(np.cross(*b))
+    over_a = [dots(normal_a, arm) for arm in b]
+    over_b = [dots(normal_b, arm) for arm in a]
+    line = np.cross(normal_a, normal_b)
+    facing = dots(line, _unit(a[0]) + _unit(a[1])) * dots(line, _unit(b[0]) + _unit(b[1]))
+    result = _straddle(over_a, tolerance) & _straddle(over_b, tolerance) & (facing > 0)
+    for arm, height in zip(b, over_a, strict=True):
+        result |= (np.abs(height) <= tolerance) & _between(a, normal_a, arm)
+    for arm, height in zip(a, over_b, strict=True):
+        result |= (np.abs(height) <= tolerance) & _between(b, normal_b, arm)
+    return result
+
+
+def _straddle(heights: list[Array], tolerance: float) -> Booleans:
+    low, high = np.minimum(*heights), np.maximum(*heights)
+    result: Booleans = (low < -tolerance) & (high > tolerance)
+    return result
+
+
+def _between(arms: tuple[Array, Array], normal: Array, vector: Array) -> Booleans:
+    """Whether a vector near the plane of two arms lies in the sector between them."""
+    small = 1e-12 * lengths(vector)
+    result: Booleans = (dots(np.cross(_unit(arms[0]), vector), normal) > small) & (
+        dots(np.cross(vector, _unit(arms[1])), normal) > small
+    )
+    return result
+
+
+def _unit(vectors: Array) -> Array:
+    length = lengths(vectors)[..., None]
+    return np.asarray(vectors / np.where(length > 0, length, 1.0))
+
+
+def deepest_contact(
+    bodies: Bodies, points: Array, tolerance: float, *, only: Booleans, settled: Integers
+) -> tuple[tuple[int, int], float] | None:
+    """Return the two bodies that reach farthest into each other, and how far; None if none touch.
+
+    Bodies of panels with a common crease are left out: they meet by design.
+
+    Parameters
+    ----------
+    bodies
+        The boards.
+    points
+        Vertices (V, 3) of the state.
+    tolerance
+        Distance at which boards count as touching (length).
+    only
+        Panels (F,): pairs with none of them are left out.
+    settled
+        Vertices about which boards of opposite panels are known to be apart.
+    """
+    slabs = Slabs.of(points, bodies.faces, bodies.height)
+    near = near_panels(points, bodies.faces, tolerance, bodies.height * slabs.normals.T)
+    near = selected(near, only[near[0]] | only[near[1]])
+    near = selected(near, ~_apart_by_design(bodies.faces, near, settled))
+    near = near_slabs((slabs, slabs), near, np.full(len(near[0]), tolerance))
+    pairs, _ = bodies.pairs_of(near)
+    state = bodies.carried(points)
+    apart = Apartness.of((state, state), pairs)
+    found = apart.touching(0, pairs, tolerance)
+    return None if found is None else (found, max(0.0, -float(apart.gaps[0].min())))
+
+
+def _apart_by_design(faces: Integers, pairs: Pairs, settled: Integers) -> Booleans:
+    """Pairs (P,) of panels with a common crease, or opposite each other at a settled vertex."""
+    corners = common_corners(faces, *pairs).any(axis=2)
+    at_settled = (corners & np.isin(faces[pairs[0]], settled)).any(axis=1)
+    return np.asarray((corners.sum(axis=1) > 1) | at_settled)

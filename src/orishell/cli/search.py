@@ -12,7 +12,7 @@ import typer
 from orishell.cli.files import directory, shortened
 from orishell.cli.printing import say
 from orishell.cli.progress import bar
-from orishell.conventions.stopping import asked_to_stop
+from orishell.conventions.progress import asked_to_stop
 
 if TYPE_CHECKING:
     from orishell.search import Crew, Found, Outcome, Problem

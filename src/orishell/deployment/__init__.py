@@ -1,8 +1,7 @@
 """Travel and own weight: the pack, ties and what carries the shell."""
 
 from orishell.deployment.box import Box, smallest_box
-from orishell.deployment.layers import count_layers
-from orishell.deployment.pack import Pack, find_pack
+from orishell.deployment.pack import Pack, count_layers, find_pack
 from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start
 from orishell.deployment.ties import ColumnDistances, Tie, feet_ties, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight

@@ -14,8 +14,7 @@ import numpy as np
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
-from orishell.conventions.knob import Knob
-from orishell.conventions.table import Number
+from orishell.conventions.table import Knob, Number
 from orishell.design import FlapSide
 
 Auto = Literal["auto"]

@@ -13,9 +13,8 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.errors import Remedy
-from orishell.conventions.knob import Knob, knobs_of
 from orishell.conventions.record import record
-from orishell.conventions.table import Number, Table
+from orishell.conventions.table import Knob, Number, Table, knobs_of
 from orishell.curves import Curve
 from orishell.design import Design
 from orishell.families.parameters import COLUMNS, FLAP, ROWS, Auto, ColumnCount, RowCount, Width

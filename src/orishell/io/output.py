@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.stopping import cleaning_up, uninterrupted
+from orishell.conventions.progress import cleaning_up, uninterrupted
 from orishell.io.manifest import NAME, Manifest, hash_of, read_manifest
 
 DRAFT = ".orishell-"

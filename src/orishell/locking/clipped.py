@@ -14,9 +14,9 @@ from itertools import product
 import numpy as np
 
 from orishell.clash import PathContact, find_contacts, overlap_depths
-from orishell.clash.body_state import deepest_contact
+from orishell.clash.body_path import opposite_panels
 from orishell.clash.broad_phase import selected
-from orishell.clash.opposite import opposite_panels
+from orishell.clash.state import deepest_contact
 from orishell.conventions.errors import ClashError, Remedy
 from orishell.design import Design
 from orishell.locking.boards import Corners, cut_corners

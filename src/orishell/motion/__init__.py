@@ -1,6 +1,5 @@
 """The folding sheet as a mechanism: its states from flat over the target to the pack."""
 
-from orishell.motion.hinges import drive_at_fold, largest_fold
 from orishell.motion.mechanism import (
     FoldedState,
     FoldingMotion,
@@ -10,8 +9,16 @@ from orishell.motion.mechanism import (
     mechanism_in_one_line,
     panel_normals,
 )
-from orishell.motion.resolution import RESOLUTION, require_resolution
-from orishell.motion.sizes import corrugation_depth, diagonal, extents, sheet_area
+from orishell.motion.sizes import (
+    RESOLUTION,
+    corrugation_depth,
+    diagonal,
+    drive_at_fold,
+    extents,
+    largest_fold,
+    require_resolution,
+    sheet_area,
+)
 
 __all__ = [
     "RESOLUTION",

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from orishell.conventions.on_demand import import_on_demand
+from orishell.conventions.imports import import_on_demand
 
 if TYPE_CHECKING:
     from orishell.search.cluster import dask_workers

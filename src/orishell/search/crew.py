@@ -162,7 +162,7 @@ class _Process:
     def renew(self) -> None:
         from concurrent.futures import ProcessPoolExecutor
 
-        from orishell.conventions.copies import context_of, prepare
+        from orishell.conventions.imports import context_of, prepare
 
         context = context_of("orishell.search.evaluate")
         prepare(context)  # it imports that while this process imports what it needs

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from orishell.conventions.on_demand import import_on_demand
+from orishell.conventions.imports import import_on_demand
 
 if TYPE_CHECKING:
     from orishell.shell.export import convert_fold, write_format, write_shell, write_structure

@@ -4,14 +4,25 @@ Derived in docs/theory/thickness.md.
 """
 
 from orishell.solids.boards import build_boards
-from orishell.solids.built import BuiltPanels, build_panels, settled_vertices
-from orishell.solids.limits import drive_for_height, largest_height
-from orishell.solids.meeting import Meetings, find_meetings
-from orishell.solids.setbacks import SetBacks, find_set_backs, largest_folds
-from orishell.solids.stop import find_stop, largest_thickness
+from orishell.solids.built import (
+    BuiltPanels,
+    Meetings,
+    build_panels,
+    find_meetings,
+    settled_vertices,
+)
+from orishell.solids.setbacks import (
+    SetBacks,
+    drive_for_height,
+    find_set_backs,
+    largest_folds,
+    largest_height,
+)
 from orishell.solids.thickness_limit import (
     ThicknessLimit,
+    find_stop,
     find_thickness_limit,
+    largest_thickness,
     limit_in_words,
     thinner,
     wide_gap,

@@ -1,4 +1,13 @@
-"""The panels of a design as they are built: boards of the sheet and of its clipped flaps."""
+"""The panels of a design as they are built, and where boards of flaps meet at the target.
+
+Two boards about a crease that folds by phi are at angles w = (pi - phi)/2 to the plane that bisects
+it. Their meeting edges, s from the crease and b over the hinge plane, are
+
+    s sin w - b cos w
+
+from that plane: not at all where s = b tan(phi/2). Where a gap sets boards farther back they have
+play, and the flap can turn until phi = 2 arctan(s/b).
+"""
 
 from __future__ import annotations
 
@@ -11,9 +20,9 @@ from orishell.design import Design, PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import UNFOLDED, CreaseValues
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids.boards import build_boards
-from orishell.solids.setbacks import largest_folds
+from orishell.solids.setbacks import find_set_backs, largest_folds
 
 
 @record
@@ -131,3 +140,111 @@ def _with_flaps(
         reliefs = np.pad(reliefs, ((0, 0), (inner.start, clipped.grid.columns - inner.stop)))
     flat = clipped.positions(0.0)
     return build_boards(flat, clipped.grid, build, CreaseValues(row, column), reliefs)
+
+
+@record
+class Meetings:
+    """The row creases of flaps about which two boards meet at the target.
+
+    Parameters
+    ----------
+    rows, columns
+        Row and column (M,) of the panel above each crease; the other panel is in the next row.
+    boards
+        The two boards (M, 2), the one above the crease first.
+    set_backs
+        How far the edges along which they meet are from the crease (M,) (length).
+    spans
+        From where to where (M, 2) both have such an edge, along the crease from its left end in
+        the flat sheet; alike where the two have none in common (length).
+    plays
+        How far apart these edges are (M,) (length).
+    angles
+        By how much the crease could fold further until they meet (M,) (radians).
+    """
+
+    rows: Integers
+    columns: Integers
+    boards: Integers
+    set_backs: Array
+    spans: Array
+    plays: Array
+    angles: Array
+
+    @property
+    def lengths(self) -> Array:
+        """Along how much of each crease boards meet (M,) (length)."""
+        return np.asarray(self.spans[:, 1] - self.spans[:, 0])
+
+
+def find_meetings(
+    mechanism: Mechanism, build: PanelSpec, folds: CreaseValues, boards: Boards
+) -> Meetings:
+    """Where boards of flaps meet at the target; creases beside which a board is missing left out.
+
+    Parameters
+    ----------
+    mechanism
+        The sheet with its flaps, folded or clipped on.
+    build
+        What its panels are made of.
+    folds
+        The largest fold angles that the boards were set back for, valley positive (radians).
+    boards
+        Its boards.
+    """
+    grid, flat = mechanism.grid, mechanism.positions(0.0)
+    across = grid.columns - 1
+    at_target = mechanism.fold_angles(mechanism.target_drive).row
+    flaps = np.array(mechanism.flap_columns, dtype=np.int64)
+    rows, columns = (
+        each.ravel() for each in np.meshgrid(np.arange(grid.rows - 2), flaps, indexing="ij")
+    )
+    closing = np.sign(at_target[rows, columns]).astype(np.int64)
+
+    # Boards by panel and side.
+    number = np.full((grid.panel_count, 3), -1)
+    number[boards.panels, boards.sides + 1] = np.arange(len(boards))
+    side = 0 * closing if build.construction == "bevel" else closing
+    panel = rows * across + columns
+    pair = np.stack([number[panel, side + 1], number[panel + across, side + 1]], axis=-1)
+    there = (pair >= 0).all(axis=1)
+    rows, columns, closing, pair = rows[there], columns[there], closing[there], pair[there]
+
+    left, right = (flat[rows + 1, columns + k, :2] for k in (0, 1))
+    level = np.where(closing > 0, -1, 0)
+    # The bottom edge of the board above, the top edge of the one below.
+    ends = [
+        _along(_side(boards.outlines[pair[:, k], level, :, :2], edge), left, right)
+        for k, edge in enumerate((1, 3))
+    ]
+    start, stop = np.maximum(*ends)[:, 0], np.minimum(*ends)[:, 1]
+
+    found = find_set_backs(folds, build.height, build.gap)
+    edge = (rows + 1) * across + columns
+    back = np.where(closing > 0, found.top[edge], found.bottom[edge])
+    fold = np.abs(at_target[rows, columns])
+    half = 0.5 * (np.pi - fold)
+    return Meetings(
+        rows,
+        columns,
+        pair,
+        back,
+        np.stack([start, np.maximum(start, stop)], axis=-1),
+        2 * (back * np.sin(half) - build.height * np.cos(half)),
+        2 * np.arctan2(back, build.height) - fold,
+    )
+
+
+def _side(outlines: Array, edge: int) -> Array:
+    """Ends (M, 2, 2) of the sides of outlines (M, K, 2) that follow an edge of their panels."""
+    corners = outlines.shape[1]
+    first = edge if corners == 4 else 2 * edge + 1
+    return outlines[:, [first, (first + 1) % corners]]
+
+
+def _along(points: Array, left: Array, right: Array) -> Array:
+    """How far points (M, 2, 2) are along lines from left to right (M, 2), nearest first."""
+    way = right - left
+    way /= np.hypot(way[:, 0], way[:, 1])[:, None]
+    return np.sort(np.einsum("mkx,mx->mk", points - left[:, None], way), axis=1)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any, Literal, NotRequired, TypedDict
 
-from orishell.conventions.knob import Kind, Measure
+from orishell.conventions.table import Kind, Measure
 from orishell.document import FirstContact
 from orishell.io.view import Curves
 from orishell.shell.report import Report

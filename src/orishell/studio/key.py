@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
 
-from orishell.conventions.stopping import cleaning_up
+from orishell.conventions.progress import cleaning_up
 
 QUERY = "key"
 """What the key is called in the address."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from orishell.conventions.knob import knobs_of
+from orishell.conventions.table import knobs_of
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES

@@ -19,10 +19,9 @@ from multiprocessing.context import ForkServerContext
 from multiprocessing.process import BaseProcess
 from typing import Any, Literal
 
-from orishell.conventions.copies import context_of, prepare
 from orishell.conventions.errors import OrishellError
-from orishell.conventions.progress import Progress
-from orishell.conventions.stopping import cleaning_up
+from orishell.conventions.imports import context_of, prepare
+from orishell.conventions.progress import Progress, cleaning_up
 from orishell.studio.refusals import describe_error
 
 Payload = dict[str, Any]

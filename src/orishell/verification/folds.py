@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.verification.findings import Check, Names, Worst
+from orishell.verification.residuals import SignsSeen, meets_maekawa, turn_between
 from orishell.verification.sheet import Sheet, State
-from orishell.verification.signs import SignsSeen, meets_maekawa, turn_between
 
 SENSE = {"V": 1.0, "M": -1.0, "F": 0.0, "J": 0.0}
 """Sign of the fold angle that a letter asks for; other letters ask for none."""

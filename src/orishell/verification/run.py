@@ -11,10 +11,15 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
 from orishell.io import FoldFile
-from orishell.verification.contact import ClashTest
 from orishell.verification.findings import Check, Names
 from orishell.verification.folds import AssignmentTest, FoldAngleTest
-from orishell.verification.rigidity import ConvexTest, DevelopableTest, FlatTest, RigidTest
+from orishell.verification.rigidity import (
+    ClashTest,
+    ConvexTest,
+    DevelopableTest,
+    FlatTest,
+    RigidTest,
+)
 from orishell.verification.sheet import Sheet, State
 
 TOLERANCE = 1e-6

@@ -8,8 +8,7 @@ from typing import Annotated, Literal, Self, get_args
 from pydantic import Field
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.knob import Knob
-from orishell.conventions.table import Number, Pair, Size, Table
+from orishell.conventions.table import Knob, Number, Pair, Size, Table
 from orishell.workshop.palettes import load_palette, palette_names
 
 CreaseStyle = Literal["score", "dashes", "perforation"]

@@ -7,8 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from orishell.conventions.knob import Knob
-from orishell.conventions.table import Number
+from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating.design import (

@@ -9,8 +9,7 @@ from typing import Annotated, ClassVar, Self
 from pydantic import Field, model_validator
 
 from orishell.conventions.errors import Remedy
-from orishell.conventions.knob import Knob
-from orishell.conventions.table import Number
+from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal

@@ -11,8 +11,7 @@ from pydantic import Field, model_validator
 
 from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import tidy_degrees
-from orishell.conventions.knob import Knob
-from orishell.conventions.table import Number
+from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design, FlapSide
 from orishell.families.parallel_repeating.design import (
