@@ -19,6 +19,9 @@ from typing import Any
 import orishell
 
 ALSO = (
+    "orishell.conventions.colours",
+    "orishell.conventions.errors",
+    "orishell.conventions.units",
     "orishell.io.format",
     "orishell.io.formats",
     "orishell.io.all_formats",

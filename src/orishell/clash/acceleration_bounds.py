@@ -23,21 +23,12 @@ FLATTEST = 1e-30
 
 
 class EdgeBounds:
-    """Bounds of the accelerations of edges in any part of a path.
+    """Bounds of the accelerations of edges in any part of the path from flat to the drive ``end``.
 
     A vector between two vertices is a sum of edges: along a row from one column to the other,
     then down a column. Its acceleration is at most the sum of their bounds, whichever row and
     column it takes. Tables of bounds are made for the parts of the path that are looked at, finer
     where these are finer.
-
-    Parameters
-    ----------
-    mechanism
-        The folding sheet.
-    end
-        The path goes from the flat sheet to this drive (radians).
-    tree
-        The tree over its panels, row by row.
     """
 
     def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:
@@ -72,17 +63,12 @@ class EdgeBounds:
 
 
 class NormalBounds:
-    """Bounds of the accelerations of panels' normals.
+    """Bounds of the accelerations of the normals of panels, given by corners (R-1, C-1, 4, 3).
 
     With edges u, v of a panel its normal n is u x v over a constant area A, and as u' u' = -u u''
     for a rigid edge,
 
         abs(n'') <= (sqrt(abs(u'') abs(v)) + sqrt(abs(v'') abs(u)))^2 / A.
-
-    Parameters
-    ----------
-    corners
-        Corners (rows-1, columns-1, 4, 3) of all panels in any state.
     """
 
     def __init__(self, corners: Array) -> None:
@@ -103,25 +89,13 @@ class NormalBounds:
 
 @record
 class RangeBounds:
-    """Bounds of accelerations in one part of the path.
+    """Bounds of accelerations of edges along rows and down columns in one part of the path."""
 
-    Parameters
-    ----------
-    steps
-        The bounds of edges along rows (C-1,) and down columns (R-1,).
-    along, down
-        Running sums of the bounds of edges along rows (C,) and (R,).
-    hull
-        First and last vertex row and column of the nodes of a :class:`PanelTree`.
-    columns
-        Number of columns of panels.
-    """
-
-    steps: tuple[Array, Array]
-    along: Array
-    down: Array
-    hull: Extents
-    columns: int
+    steps: tuple[Array, Array]  # (C-1,) and (R-1,)
+    along: Array  # running sums (C,)
+    down: Array  # running sums (R,)
+    hull: Extents  # vertex rows and columns of the nodes of a PanelTree
+    columns: int  # of panels
 
     def between_nodes(self, level: int, first: Integers, second: Integers) -> Array:
         """Bound (P,) of the acceleration of any vector between vertices of two nodes."""

@@ -27,32 +27,16 @@ ROW_EDGE, COLUMN_EDGE = np.array([3, 2, 1, 0]), np.array([1, 0, 3, 2])
 class BodyState:
     """All bodies in one state, coordinates first and bodies last.
 
-    Parameters
-    ----------
-    corners
-        Corners (3, C, B).
-    normals, edges
-        Unit normals (A, 3, B) of faces and unit vectors (E, 3, B) along edges; zero where a body
-        has lost the face or edge.
+    Normals of faces and vectors along edges are zero where a body has lost the face or edge.
     """
 
-    corners: Array
-    normals: Array
-    edges: Array
+    corners: Array  # (3, C, B)
+    normals: Array  # (A, 3, B), unit vectors
+    edges: Array  # (E, 3, B), unit vectors
 
 
 class Bodies:
-    """Boards as bodies that may touch.
-
-    Parameters
-    ----------
-    boards
-        The boards.
-    faces
-        Corners (F, 4) of all panels.
-    flat
-        Vertices (V, 3) of the flat sheet.
-    """
+    """Boards as bodies on panels (F, 4) of the flat sheet (V, 3)."""
 
     def __init__(self, boards: Boards, faces: Integers, flat: Array) -> None:
         self.faces, self.panels = faces, boards.panels
@@ -93,17 +77,10 @@ class Bodies:
         return (a[there], b[there]), np.flatnonzero(there) // count**2
 
     def components(self, numbers: Integers, vertices: Integers) -> Array:
-        """What corners of bodies (P,) have along a row, down a column and over the panel.
+        """Shares (3, C, P) of corners of bodies (P,) along a row, down a column and over the panel.
 
-        Parameters
-        ----------
-        vertices
-            A vertex (P,) of each body's panel that they are seen from.
-
-        Returns
-        -------
-        Array
-            Absolute values (3, C, P): in edges of the panel from that vertex, and in lengths.
+        Absolute values, seen from a vertex (P,) of each body's panel: the first two in edges of the
+        panel from there, the third as a length.
         """
         panel = self.panels[numbers]
         corner = (self.faces[panel] == vertices[:, None]).argmax(axis=1)
@@ -142,18 +119,10 @@ def one_direction(state: BodyState, pairs: Pairs, number: Integers) -> Array:
 
 @record
 class Apartness:
-    """How far pairs of bodies are apart in two states.
+    """How far pairs of bodies are apart in two states."""
 
-    Parameters
-    ----------
-    gaps
-        Widest gap (2, P) in either state, negative where they meet.
-    number
-        The direction (P,) along which they are farthest apart in both.
-    """
-
-    gaps: Array
-    number: Integers
+    gaps: Array  # (2, P), the widest in either state, negative where they meet
+    number: Integers  # (P,), the direction that parts them most in both
 
     @classmethod
     def of(cls, states: Sequence[BodyState], pairs: Pairs, *, of_faces: bool = False) -> Apartness:

@@ -22,7 +22,7 @@ from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.broad_phase import Pairs, joined
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
-from orishell.clash.path import Part, PathSearch
+from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
     BASE,
     TICKS,
@@ -55,17 +55,7 @@ def find_first_body_contact(
 ) -> PathResult:
     """Return where two boards of panels without a common crease first come within a tolerance.
 
-    Parameters
-    ----------
-    end
-        The path goes from the flat sheet to this drive (radians).
-    tolerance
-        Distance at which boards count as touching (length).
-    bodies
-        The boards.
-    settled
-        Inner vertices (rows-2, columns-2) about which boards of opposite panels are known to be
-        apart.
+    Opposite boards are known to be apart about inner vertices (rows-2, columns-2) that are settled.
     """
     search = _BodySearch(mechanism, end, tolerance, bodies)
     opposite = search.opposite(settled)
@@ -112,10 +102,10 @@ class _BodySearch(PathSearch):
             self.grid, self.bodies, self.states, bounds, tolerance=tolerance, settled=settled
         )
 
-    def _swung(self, part: Part) -> float:
+    def _swung(self, part: PathRange) -> float:
         return 2 * float(self._swings(part).max())
 
-    def _narrow_phase(self, part: Part, near: Pairs) -> Findings:
+    def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
         swings = self._swings(part)
 
         def chord_error(first: Integers, second: Integers) -> Array:
@@ -131,7 +121,7 @@ class _BodySearch(PathSearch):
         panels = (self.bodies.panels[pairs[0]], self.bodies.panels[pairs[1]])
         return examine_bodies((states[0], states[1]), pairs, tolerance, chord_error(*panels))
 
-    def _swings(self, part: Part) -> Array:
+    def _swings(self, part: PathRange) -> Array:
         """Bounds (F,) of the accelerations of corners of boards over their panels."""
         return self.bodies.height * self.normals.within(*part.bounds.steps)
 
@@ -145,18 +135,7 @@ this share of the step at least."""
 class OppositeBoards:
     """All pairs of boards that are opposite each other at a vertex.
 
-    Parameters
-    ----------
-    grid
-        The grid of the sheet.
-    bodies
-        Its boards.
-    states, bounds
-        The states of the path, and the bounds of accelerations of edges and of normals.
-    tolerance
-        Distance at which boards touch (length).
-    settled
-        Inner vertices (rows-2, columns-2) about which they are known to be apart.
+    Inner vertices (rows-2, columns-2) about which they are known to be apart are settled.
     """
 
     def __init__(

@@ -37,18 +37,10 @@ class Extents:
 
 @record
 class PanelTree:
-    """A binary tree over the panels of a sheet, the same in all states.
+    """A binary tree over the panels of a sheet, the same in all states."""
 
-    Parameters
-    ----------
-    faces
-        Corners (F, 4) of all panels.
-    panels
-        The panel (2**depth,) at every place of the lowest level, -1 at empty ones.
-    """
-
-    faces: Integers
-    panels: Integers
+    faces: Integers  # (F, 4)
+    panels: Integers  # (2**depth,), the panel at every place of the lowest level, or -1
 
     @classmethod
     def over(cls, faces: Integers, places: Array) -> PanelTree:
@@ -76,10 +68,7 @@ class PanelTree:
     def extents(self, points: Array, over: Array | None = None) -> Extents:
         """The 26-DOPs of all nodes in a state (V, 3).
 
-        Parameters
-        ----------
-        over
-            What panels have on both sides (F, 3), if they have a thickness: normals as long as it.
+        ``over`` is what panels with a thickness have on both sides (F, 3): normals as long as it.
         """
         views = (points @ DIRECTIONS.T)[self.faces]
         thick = 0.0 if over is None else np.abs(over @ DIRECTIONS.T)
@@ -91,15 +80,7 @@ class PanelTree:
 
 
 def common_corners(faces: Integers, first: Integers, second: Integers) -> Booleans:
-    """Which corners (P, 4, 4) of two panels, by those of the first and second, are one vertex.
-
-    Parameters
-    ----------
-    faces
-        Corners (F, 4) of all panels.
-    first, second
-        Panels (P,).
-    """
+    """Which corners (P, 4, 4) of two panels (P,), those of the first first, are one vertex."""
     return np.asarray(faces[first][:, :, None] == faces[second][:, None, :])
 
 

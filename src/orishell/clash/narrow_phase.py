@@ -37,15 +37,7 @@ CROWDED = 3
 
 @record
 class Findings:
-    """The pairs of panels that stay open, and those that touch at an end of the part.
-
-    Parameters
-    ----------
-    open
-        Pairs that no direction keeps apart.
-    at_start, at_stop
-        Panels that touch at an end of the part, if there are any: the nearest of them.
-    """
+    """The pairs that no direction keeps apart, and the nearest that touch at an end of the part."""
 
     open: Pairs
     at_start: tuple[int, int] | None
@@ -57,22 +49,11 @@ def examine_pairs(
 ) -> Findings:
     """Return the pairs of panels that are not proved apart, and those that touch at an end.
 
-    Separating axes are sought among the panels' normals and the lines between their nearest points.
-    They stay as they are at one end, or turn from the one to the other: panels that turn together
-    are seen apart by their own normals in steps far longer than any standing direction allows.
-
-    Parameters
-    ----------
-    points
-        Vertices (V, 3) in the states at both ends of the part.
-    faces
-        Corners (F, 4) of all panels.
-    pairs
-        Panels (P,).
-    tolerance
-        Distances (P,) at which they count as touching.
-    chord_error
-        How far (P,) vectors between their corners can be from the straight line in between.
+    Vectors between the corners of a pair can be as far from the straight line between the two
+    states (V, 3) as its chord error (P,). Separating axes are sought among the panels' normals and
+    the lines between their nearest points. They stay as they are at one end, or turn from the one
+    to the other: panels that turn together are seen apart by their own normals in steps far longer
+    than any standing direction allows.
     """
     parts = [slice(k, k + CHUNK) for k in range(0, len(pairs[0]), CHUNK)]
 
@@ -105,24 +86,12 @@ _Touch = tuple[float, tuple[int, int]]
 
 @record
 class Group:
-    """Pairs of convex panels or bodies, with their corners at both ends of the part.
-
-    Parameters
-    ----------
-    pairs
-        Their numbers (P,).
-    corners
-        Corners (3, C, P) of the firsts and of the seconds in both states.
-    tolerance
-        Distances (P,) at which they count as touching.
-    needed
-        Gaps (P,) that prove them apart: tolerance and chord error.
-    """
+    """Pairs of convex panels or bodies, with their corners at both ends of the part."""
 
     pairs: Pairs
-    corners: list[tuple[Array, Array]]
-    tolerance: Array
-    needed: Array
+    corners: list[tuple[Array, Array]]  # (3, C, P) of the firsts and of the seconds
+    tolerance: Array  # (P,), at which they touch
+    needed: Array  # (P,), tolerance and chord error: gaps that prove them apart
 
     def examined(self) -> tuple[Pairs, list[_Touch], list[_Touch]]:
         """Pairs that stay open, and the nearest that touch at the start and at the stop."""
@@ -166,16 +135,7 @@ def examine_bodies(
 ) -> Findings:
     """Return the pairs of bodies that are not proved apart, and those that touch at an end.
 
-    Parameters
-    ----------
-    states
-        The bodies at both ends of the part.
-    pairs
-        Bodies (P,).
-    tolerance
-        Distance at which they count as touching.
-    chord_error
-        How far (P,) vectors between their corners can be from the straight line in between.
+    Like :func:`examine_pairs`, with chord errors (P,).
     """
     corners = [(s.corners[:, :, pairs[0]], s.corners[:, :, pairs[1]]) for s in states]
     touching = np.full(len(pairs[0]), tolerance)
@@ -194,18 +154,10 @@ def examine_bodies(
 
 @record
 class Slabs:
-    """Panels as thick as their boards in one state: they enclose these.
+    """Panels as thick as their boards in one state: they enclose these."""
 
-    Parameters
-    ----------
-    corners
-        Corners (3, 8, F).
-    normals
-        Unit normals (3, F).
-    """
-
-    corners: Array
-    normals: Array
+    corners: Array  # (3, 8, F)
+    normals: Array  # (3, F), unit vectors
 
     @classmethod
     def of(cls, points: Array, faces: Integers, height: float) -> Slabs:
@@ -217,15 +169,7 @@ class Slabs:
 
 
 def near_slabs(states: tuple[Slabs, Slabs], pairs: Pairs, needed: Array) -> Pairs:
-    """The pairs of panels whose normals do not keep them apart, thick as they are.
-
-    Parameters
-    ----------
-    pairs
-        Panels (P,).
-    needed
-        Gaps (P,) that prove them apart.
-    """
+    """The pairs of panels (P,) whose normals show no gap as wide as is needed (P,)."""
     left = []
     for k in range(0, len(pairs[0]), CHUNK):
         part = slice(k, k + CHUNK)

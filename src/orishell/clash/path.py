@@ -91,29 +91,15 @@ def find_first_contact(
 
 
 @record
-class Part:
-    """A range of the path with the pairs that are not proved apart in it.
+class PathRange:
+    """A range of the path with the pairs that are not proved apart in it."""
 
-    Parameters
-    ----------
-    start, stop
-        Its ends, in :data:`TICKS` of the path.
-    step
-        Its width (radians).
-    bounds
-        Bounds of accelerations in it.
-    nodes
-        Pairs of nodes by level of the tree.
-    open
-        Pairs of panels, or of what is looked at in their place.
-    """
-
-    start: int
-    stop: int
-    step: float
+    start: int  # TICKS of the path
+    stop: int  # TICKS of the path
+    step: float  # its width (radians)
     bounds: RangeBounds
-    nodes: list[Pairs]
-    open: Pairs
+    nodes: list[Pairs]  # by level of the tree
+    open: Pairs  # of panels, or of bodies in their place
 
 
 Pending = tuple[list[Pairs], Pairs]
@@ -121,15 +107,7 @@ Pending = tuple[list[Pairs], Pairs]
 
 
 class PathSearch:
-    """A search for the first contact of panels without a common vertex.
-
-    Parameters
-    ----------
-    mechanism, end, tolerance, lenient, only
-        As for :func:`find_first_contact`.
-    bodies
-        Bodies on the panels that are looked at in their place.
-    """
+    """A search for the first contact of panels without a common vertex, or of bodies on them."""
 
     def __init__(
         self,
@@ -170,7 +148,9 @@ class PathSearch:
         step = self.states.drive(stop) - self.states.drive(start)
         self.ranges += 1
         self.steps = (min(self.steps[0], step), max(self.steps[1], step))
-        part = Part(start, stop, step, self.bounds.within(start / TICKS, stop / TICKS), *pending)
+        part = PathRange(
+            start, stop, step, self.bounds.within(start / TICKS, stop / TICKS), *pending
+        )
         waiting, near = self._broad_phase(part)
         found = self._narrow_phase(part, near)
         pair = (int(found.open[0][0]), int(found.open[1][0])) if len(found.open[0]) else None
@@ -179,11 +159,11 @@ class PathSearch:
             None if clear else (waiting, found.open), pair, found.at_start, found.at_stop
         )
 
-    def _swung(self, part: Part) -> float:
+    def _swung(self, part: PathRange) -> float:
         """What is to be added to the bounds of accelerations between vertices of panels."""
         return 0.0
 
-    def _narrow_phase(self, part: Part, near: Pairs) -> Findings:
+    def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
         """Look at panels that stayed open, and at pairs (P,) that the tree found near."""
         pairs = joined([part.open, near])
         self.tests += len(pairs[0])
@@ -195,7 +175,7 @@ class PathSearch:
         points = (self.states.points(part.start), self.states.points(part.stop))
         return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
 
-    def _broad_phase(self, part: Part) -> tuple[list[Pairs], Pairs]:
+    def _broad_phase(self, part: PathRange) -> tuple[list[Pairs], Pairs]:
         """Pairs of nodes that wait for half the range, by level, and pairs of panels to look at."""
         bounds, swung = part.bounds, self._swung(part)
         waiting: list[Pairs] = []

@@ -94,22 +94,12 @@ Numbers = tuple[int, int]
 
 @record
 class Outcome(Generic[Left]):
-    """What is found in a range.
+    """What is found in a range."""
 
-    Parameters
-    ----------
-    left
-        What is to be looked at in both halves of it; None if all is proved apart.
-    pair
-        One of the pairs that are left, if there is any.
-    at_start, at_stop
-        Pairs that touch at its ends, if there are any: the nearest of them.
-    """
-
-    left: Left | None
-    pair: Numbers | None
-    at_start: Numbers | None
-    at_stop: Numbers | None
+    left: Left | None  # for both halves of it; None if all is proved apart
+    pair: Numbers | None  # one of those that are left
+    at_start: Numbers | None  # the nearest that touch there
+    at_stop: Numbers | None  # the nearest that touch there
 
 
 def search_ranges(
@@ -117,19 +107,8 @@ def search_ranges(
 ) -> tuple[tuple[int, Numbers] | None, int]:
     """Work through the ranges of a path in their order, up to the first contact.
 
-    Parameters
-    ----------
-    examine
-        Looks at a range between two ticks.
-    everything
-        What it is to look at to begin with.
-
-    Returns
-    -------
-    found
-        Tick and pair of the first contact, or None.
-    clear
-        Everything is apart up to this tick.
+    ``examine`` looks at a range between two ticks, first at ``everything``. Returned are tick and
+    pair of the first contact, or None, and the tick up to which everything is apart.
     """
     step = TICKS // BASE
     stack = [(k * step, (k + 1) * step, everything) for k in reversed(range(BASE))]
@@ -172,19 +151,7 @@ class _State:
 
 
 class States:
-    """The states at ticks of a path; the last few are kept.
-
-    Parameters
-    ----------
-    mechanism
-        The folding sheet.
-    end
-        The path goes from the flat sheet to this drive (radians).
-    tree
-        The tree over its panels.
-    bodies
-        The bodies on its panels, if these are looked at.
-    """
+    """The states at ticks of the path from flat to the drive ``end``; the last few are kept."""
 
     def __init__(
         self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies | None

@@ -132,13 +132,9 @@ def _between_edges(first: Array, second: Array) -> tuple[Array, Array]:
 def _squared_with(between: Array, *edges: tuple[Array, Array]) -> Array:
     """A vector (3, P) between two edges, at right angles to those that it ends within.
 
-    As a difference of points it has their rounding, by which it is no longer a separating axis
-    where an edge is that much longer than they are apart.
-
-    Parameters
-    ----------
-    edges
-        Each edge (3, P), and where on it (P,) the vector ends.
+    Each edge (3, P) comes with the share (P,) of it at which the vector ends. As a difference of
+    points the vector has their rounding, by which it is no longer a separating axis where an edge
+    is that much longer than they are apart.
     """
     (u, s), (v, t) = edges
     within = [(share > 0) & (share < 1) for share in (s, t)]

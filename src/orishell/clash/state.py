@@ -26,16 +26,7 @@ def near_panels(
 ) -> Pairs:
     """Return all pairs of panels (P,) that bounds do not keep apart, the smaller number first.
 
-    Parameters
-    ----------
-    positions
-        Vertices (V, 3).
-    faces
-        Corners (F, 4) of panels.
-    tolerance
-        Distance at which they are near (length).
-    over
-        What panels have on both sides (F, 3), if they have a thickness: normals as long as it.
+    ``over`` is what panels with a thickness have on both sides (F, 3): normals as long as it.
     """
     tree = PanelTree.over(faces, positions[faces].mean(axis=1))
     extents = tree.extents(positions, over)
@@ -113,17 +104,6 @@ def touching_neighbours(points: Array, faces: Integers, pairs: Pairs, tolerance:
 
     Panels with a common crease touch when it is folded flat. Panels with one common vertex touch
     when the arcs that they cut from a sphere about it meet.
-
-    Parameters
-    ----------
-    points
-        Vertices (V, 3).
-    faces
-        Corners (F, 4) of all panels.
-    pairs
-        The panels.
-    tolerance
-        Distance at which panels count as touching (length).
     """
     first, second = faces[pairs[0]], faces[pairs[1]]
     same = first[:, :, None] == second[:, None, :]
@@ -211,20 +191,8 @@ def deepest_contact(
 ) -> tuple[tuple[int, int], float] | None:
     """Return the two bodies that reach farthest into each other, and how far; None if none touch.
 
-    Bodies of panels with a common crease are left out: they meet by design.
-
-    Parameters
-    ----------
-    bodies
-        The boards.
-    points
-        Vertices (V, 3) of the state.
-    tolerance
-        Distance at which boards count as touching (length).
-    only
-        Panels (F,): pairs with none of them are left out.
-    settled
-        Vertices about which boards of opposite panels are known to be apart.
+    Left out are bodies of panels with a common crease, which meet by design, of panels opposite
+    each other at a settled vertex, and pairs without a panel of ``only`` (F,).
     """
     slabs = Slabs.of(points, bodies.faces, bodies.height)
     near = near_panels(points, bodies.faces, tolerance, bodies.height * slabs.normals.T)

@@ -1,1 +1,3 @@
-"""What the whole program shares: units, colours, how numbers are written, how a run is stopped."""
+"""What the whole program shares: errors, units, colours, records, tables, texts of numbers."""
+
+__all__: list[str] = []

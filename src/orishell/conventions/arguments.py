@@ -21,13 +21,9 @@ def checked(*rules: Callable[[Any], None]) -> Callable[[F], F]:
     """Have a function's arguments checked against the types in its signature before it runs.
 
     Numbers and arrays of numpy's are taken as numbers and lists. A fault is an
-    :class:`~orishell.conventions.errors.InputError` that names the function and the argument.
-
-    Parameters
-    ----------
-    rules
-        What arguments must fulfil together: each is called with an object that has all of them,
-        and raises a ``PydanticCustomError``.
+    :class:`~orishell.conventions.errors.InputError` that names the function and the argument. Rules
+    are what arguments must fulfil together: each is called with an object that has all of them, and
+    raises a ``PydanticCustomError``.
     """
 
     def decorate(function: F) -> F:
@@ -57,20 +53,7 @@ def checked(*rules: Callable[[Any], None]) -> Callable[[F], F]:
 
 
 def path_of(value: str | Path, name: str) -> Path:
-    """A path that may be given as a text.
-
-    Parameters
-    ----------
-    value
-        The path.
-    name
-        The function and its argument, for the message.
-
-    Raises
-    ------
-    InputError
-        If it is neither, or no path.
-    """
+    """A path that may be given as a text; ``name`` says whose argument it is in the message."""
     if not isinstance(value, str | Path) or "\0" in str(value):
         raise InputError(
             "this value does not fit",

@@ -30,18 +30,8 @@ def first_fault(
 ) -> InputError:
     """One message for the first fault; the others follow, a line each.
 
-    Parameters
-    ----------
-    raw
-        The values by their keys.
-    error
-        What pydantic finds wrong with them.
-    spell
-        Says where a location is.
-    keys
-        The keys that may stand beside the last one of a location.
-    inside
-        Keys of the table that pydantic looked at.
+    ``spell`` says where a location is, ``keys`` which keys may stand beside its last one.
+    ``inside`` are the keys of the table that pydantic looked at.
     """
     found = [
         (_key_path(raw, (*inside, *details["loc"]), details["type"]), details)

@@ -11,95 +11,39 @@ ROUNDING = 1e-3
 
 
 def in_degrees(angle: float) -> str:
-    """Degrees to four decimals, as text.
-
-    Parameters
-    ----------
-    angle
-        The angle (radians).
-    """
+    """Degrees to four decimals, as text, of an angle in radians."""
     return f"{np.rad2deg(angle):.4f}".rstrip("0").rstrip(".")
 
 
 def tidy_degrees(angle: float) -> float:
-    """Degrees without the last digits that the conversion leaves.
-
-    Parameters
-    ----------
-    angle
-        The angle (radians).
-    """
+    """Degrees of an angle in radians, without the last digits that the conversion leaves."""
     return float(f"{np.rad2deg(angle):.13g}")
 
 
 def rounded(value: float, digits: int = 4) -> float:
-    """A number rounded to as many digits as are worth typing.
-
-    Parameters
-    ----------
-    value
-        The number.
-    digits
-        Significant digits.
-    """
+    """A number rounded to as many significant digits as are worth typing."""
     return float(f"{value:.{digits}g}")
 
 
 def between(low: float, high: float, wanted: float) -> list[float]:
-    """Values to try of an open interval: near its end next to a wanted value, farther in, midway.
-
-    Parameters
-    ----------
-    low, high
-        The interval.
-    wanted
-        The value that was asked for.
-    """
+    """Values to try of an open interval: near its end next to a wanted value, inside, midway."""
     near, far = (low, high) if abs(wanted - low) <= abs(wanted - high) else (high, low)
     values = inside(near, far), inside(near, far, 0.1), 0.5 * (low + high)
     return [as_typed(value, lambda typed: low < typed < high) for value in values]
 
 
 def as_typed(value: float, works: Callable[[float], bool], fewest: int = 4) -> float:
-    """The value in as few digits as still work when they are typed in.
-
-    Parameters
-    ----------
-    value
-        The value.
-    works
-        Whether a value works.
-    fewest
-        Significant digits at least.
-    """
+    """The value in as few digits as still work when they are typed in, at least ``fewest``."""
     typed = (rounded(value, digits) for digits in range(fewest, 17))
     return next((each for each in typed if works(each)), value)
 
 
 def rounded_down(value: float, digits: int = 4) -> float:
-    """A positive number rounded down to as many digits as are worth typing.
-
-    Parameters
-    ----------
-    value
-        The number.
-    digits
-        Significant digits.
-    """
+    """A positive number rounded down to as many significant digits as are worth typing."""
     unit = 10.0 ** (np.floor(np.log10(value)) + 1 - digits)
     return rounded(float(np.floor(value / unit) * unit), digits)
 
 
 def inside(limit: float, start: float, share: float = ROUNDING) -> float:
-    """A value a little nearer to ``start`` than the limit, so that it still works when quoted.
-
-    Parameters
-    ----------
-    limit
-        What may not be reached.
-    start
-        A value that works.
-    share
-        How much nearer, as a share of the way from the limit to it.
-    """
+    """A value a little nearer to ``start`` than the limit, so that it still works when quoted."""
     return float(start + (limit - start) * (1 - share))

@@ -20,15 +20,7 @@ SAFE_PATH = "PYTHONSAFEPATH"
 def import_on_demand(
     package: str, homes: Mapping[str, tuple[str, ...]]
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """The ``__getattr__`` and the ``__dir__`` of a package that lists names.
-
-    Parameters
-    ----------
-    package
-        Its name.
-    homes
-        The names, by the modules in which they are defined.
-    """
+    """The ``__getattr__`` and ``__dir__`` of a package, whose names are listed by their modules."""
     places = {name: home for home, names in homes.items() for name in names}
 
     def find(name: str) -> Any:
@@ -40,13 +32,7 @@ def import_on_demand(
 
 
 def context_of(module: str) -> ForkServerContext | SpawnContext:
-    """What starts processes that have imported a module.
-
-    Parameters
-    ----------
-    module
-        Its name, with those of its packages.
-    """
+    """What starts processes that have imported a module."""
     import multiprocessing
 
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -57,13 +43,7 @@ def context_of(module: str) -> ForkServerContext | SpawnContext:
 
 
 def prepare(context: ForkServerContext | SpawnContext) -> None:
-    """Start the process that others are copies of, which takes it some seconds, not the caller.
-
-    Parameters
-    ----------
-    context
-        What starts them.
-    """
+    """Start the process that others are copies of, which takes it some seconds, not the caller."""
     if context.get_start_method() != "forkserver":
         return
     from multiprocessing import forkserver

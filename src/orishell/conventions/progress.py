@@ -19,27 +19,11 @@ Progress = Callable[[float, str], None]
 
 
 def no_progress(share: float, what: str) -> None:
-    """Report no progress: the default where nobody watches.
-
-    Parameters
-    ----------
-    share
-        The share that is done.
-    what
-        What is being done.
-    """
+    """Report no progress: the default where nobody watches."""
 
 
 def stretch(progress: Progress, start: float, stop: float) -> Progress:
-    """Report the progress of a part of some work as that of the whole.
-
-    Parameters
-    ----------
-    progress
-        Is told of the whole.
-    start, stop
-        Where the part begins and ends, as shares of the whole.
-    """
+    """Report the progress of a part of some work, from start to stop, as that of the whole."""
     return lambda share, what: progress(start + share * (stop - start), what)
 
 
@@ -47,17 +31,7 @@ T = TypeVar("T")
 
 
 def followed(items: Iterable[T], count: int, progress: Progress, what: str) -> Iterator[T]:
-    """Pass items on, and report what share of them is done.
-
-    Parameters
-    ----------
-    items
-        The things.
-    count
-        How many they are.
-    what
-        What is being done with them.
-    """
+    """Pass items on, and report what share of them is done."""
     for number, item in enumerate(items, start=1):
         yield item
         progress(number / count, what)
@@ -94,13 +68,7 @@ def _stop(number: int, _: FrameType | None) -> None:
 
 @contextlib.contextmanager
 def cleaning_up(clean: Callable[[], None]) -> Iterator[None]:
-    """Clean up at the end of the context, or when the process is stopped in it.
-
-    Parameters
-    ----------
-    clean
-        What to do; raises nothing.
-    """
+    """Clean up at the end of the context, or when the process is stopped in it; raises nothing."""
     _cleanups.append(clean)
     try:
         yield
@@ -131,13 +99,7 @@ def uninterrupted() -> Iterator[None]:
 
 
 class Asked(threading.Event):
-    """Set once this process is asked to stop.
-
-    Attributes
-    ----------
-    number
-        The signal that asked for it; 0 before.
-    """
+    """Set once this process is asked to stop, with the number of the signal; 0 before."""
 
     number = 0
 
@@ -146,10 +108,7 @@ class Asked(threading.Event):
 def asked_to_stop(said: str) -> Iterator[Asked]:
     """Let the first Ctrl-C or SIGTERM ask for an end, and the second one end this process.
 
-    Parameters
-    ----------
-    said
-        What the first one is answered with, on standard error.
+    The first one is answered with a line on standard error.
     """
     asked = Asked()
 

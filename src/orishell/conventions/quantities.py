@@ -18,15 +18,7 @@ RAISED = str.maketrans("-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def plain(value: float, digits: int = DIGITS) -> str:
-    """A number in so many significant digits as sentences and terminals have it: 1540, 2.7e8.
-
-    Parameters
-    ----------
-    value
-        The number.
-    digits
-        Significant digits.
-    """
+    """A number in so many significant digits as sentences and terminals have it: 1540, 2.7e8."""
     rounded = float(f"{value:.{digits}g}") + 0.0  # 0 has no sign
     if rounded and isfinite(rounded) and not SMALL <= abs(rounded) < LARGE:
         mantissa, _, power = f"{rounded:.{digits - 1}e}".partition("e")
@@ -35,15 +27,7 @@ def plain(value: float, digits: int = DIGITS) -> str:
 
 
 def figure(value: float, digits: int = DIGITS) -> str:
-    """A number in so many significant digits as pages have it: thousands apart, 2.7·10⁸.
-
-    Parameters
-    ----------
-    value
-        The number.
-    digits
-        Significant digits.
-    """
+    """A number in so many significant digits as pages have it: thousands apart, 2.7·10⁸."""
     text, _, power = plain(value, digits).partition("e")
     whole, point, part = text.removeprefix("-").partition(".")
     grouped = f"{int(whole):,}".replace(",", NARROW) if len(whole) > 4 else whole
@@ -57,103 +41,45 @@ def _trimmed(number: str) -> str:
 
 
 def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
-    """A number with its unit.
-
-    Parameters
-    ----------
-    value
-        The number.
-    unit
-        Its unit, as it is written.
-    digits
-        Significant digits.
-    """
+    """A number with its unit."""
     return f"{figure(value, digits)}{SPACE}{unit}"
 
 
 @dataclass(frozen=True, slots=True)
 class Quantities:
-    """Quantities of a design in newtons and its unit of length.
-
-    Parameters
-    ----------
-    unit
-        The design's unit of length.
-    """
+    """Quantities of a design in newtons and its unit of length, as texts."""
 
     unit: str
 
     def length(self, value: float) -> str:
-        """A length in the design's unit.
-
-        Parameters
-        ----------
-        value
-            The quantity (length).
-        """
+        """A length in the design's unit."""
         return quantity(value, self.unit)
 
     def displacement(self, value: float) -> str:
-        """A small length: in millimetres, where the design's unit is metric, below a metre.
-
-        Parameters
-        ----------
-        value
-            The quantity (length).
-        """
+        """A small length: in millimetres, where the design's unit is metric, below a metre."""
         millimetres = value * MILLIMETRES[self.unit]
         if self.unit in ("in", "ft") or abs(millimetres) >= 1000:
             return self.length(value)
         return quantity(millimetres, "mm")
 
     def pressure(self, value: float) -> str:
-        """A load by area.
-
-        Parameters
-        ----------
-        value
-            The quantity (force per area).
-        """
+        """A load by area."""
         return quantity(value / self._metres**2 / 1e3, "kN/m\u00b2")
 
     def stress(self, value: float) -> str:
-        """A stress, a strength or a modulus.
-
-        Parameters
-        ----------
-        value
-            The quantity (force per area).
-        """
+        """A stress, a strength or a modulus."""
         return quantity(value / MILLIMETRES[self.unit] ** 2, "MPa")
 
     def per_length(self, value: float) -> str:
-        """A force by length, as stiffness against strain.
-
-        Parameters
-        ----------
-        value
-            The quantity (force per length).
-        """
+        """A force by length, as stiffness against strain."""
         return quantity(value / self._metres / 1e3, "kN/m")
 
     def bending(self, value: float) -> str:
-        """A moment by length and curvature.
-
-        Parameters
-        ----------
-        value
-            The quantity (force times length).
-        """
+        """A moment by length and curvature."""
         return quantity(value * self._metres, "N m")
 
     def moment(self, value: float) -> str:
-        """A moment by length.
-
-        Parameters
-        ----------
-        value
-            The quantity (force).
-        """
+        """A moment by length."""
         return quantity(value, "N m/m")
 
     @property

@@ -20,12 +20,8 @@ T = TypeVar("T")
 def record(cls: type[T]) -> type[T]:
     """Make a frozen dataclass of a class, with slots unless it has a ``cached_property``.
 
-    Records may hold arrays, so two of them are equal if they are the same one.
-
-    Parameters
-    ----------
-    cls
-        The class; a ``__repr__`` of its own stays.
+    Records may hold arrays, so two of them are equal if they are the same one. A ``__repr__`` of
+    the class's own stays.
     """
     slots = not any(isinstance(each, cached_property) for each in vars(cls).values())
     made = dataclass(frozen=True, slots=slots, eq=False, repr=False)(cls)

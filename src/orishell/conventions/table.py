@@ -29,13 +29,7 @@ Size = Annotated[Number, Field(ge=0), AfterValidator(_no_trace)]
 
 
 def entries(count: int | None = None) -> BeforeValidator:
-    """What makes a tuple of a list, whose entries are checked as strictly as any value.
-
-    Parameters
-    ----------
-    count
-        How many there must be; None for any number.
-    """
+    """What makes a tuple of a list, whose entries are checked as strictly as any value."""
 
     def unchangeable(value: Any) -> Any:
         if isinstance(value, list):
@@ -75,20 +69,8 @@ Measure = Literal["length", "deg", "kg/m²", ""]
 class Knob:
     """One parameter, as a control of the studio shows it: metadata of its key in a table.
 
-    Parameters
-    ----------
-    label, help
-        Its name, and one line that says what it does.
-    kind
-        What its value is; a "switch" is on or off, a "size" is a width and a height.
-    auto
-        Whether it may be "auto".
-    unit
-        "length" (in the design's unit), another one, or none.
-    slider, step
-        How far the slider reaches; None where that depends on the curves.
-    choices
-        Its values, if they are few.
+    A "switch" is on or off, a "size" is a width and a height. The unit "length" is the design's.
+    Without a slider it depends on the curves how far it reaches.
     """
 
     label: str
@@ -110,26 +92,12 @@ class Knob:
         step: float = 0.5,
         auto: bool = True,
     ) -> Knob:
-        """A knob for an angle in degrees.
-
-        Parameters
-        ----------
-        label, help, auto
-            As of the class.
-        slider, step
-            How far the slider reaches (degrees).
-        """
+        """A knob for an angle in degrees."""
         return cls(label, help, "number", auto, "deg", slider, step)
 
 
 def knobs_of(model: type[BaseModel]) -> dict[str, Knob]:
-    """The knobs of all keys of a table that the studio shows, in their order.
-
-    Parameters
-    ----------
-    model
-        The table.
-    """
+    """The knobs of all keys of a table that the studio shows, in their order."""
     return {
         key: each
         for key, field in model.model_fields.items()

@@ -37,19 +37,9 @@ WIDTH = 80
 
 
 def read_toml(path: Path, what: str = "design file", remedy: str = "") -> dict[str, Any]:
-    """The tables of a TOML file.
+    """The tables of a TOML file, or an InputError that says what it should be.
 
-    Parameters
-    ----------
-    what
-        What it should be.
-    remedy
-        What to do if it does not exist.
-
-    Raises
-    ------
-    InputError
-        If it does not exist, cannot be read or is not TOML.
+    ``remedy`` is what to do if it does not exist.
     """
     try:
         if path.exists() and not path.is_file():
@@ -74,18 +64,7 @@ def read_toml(path: Path, what: str = "design file", remedy: str = "") -> dict[s
 
 
 def parse_toml(text: str) -> dict[str, Any]:
-    """The tables of a TOML text.
-
-    Parameters
-    ----------
-    text
-        The text.
-
-    Raises
-    ------
-    InputError
-        If it is not TOML, nests too deeply, or has a whole number that TOML does not have.
-    """
+    """The tables of a TOML text, or an InputError: of nesting and whole numbers, too."""
     _require_depth(text)
     try:
         tables = tomllib.loads(text)

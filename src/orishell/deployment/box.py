@@ -111,10 +111,7 @@ def _turned_to_edge(points: Array, axes: Array) -> Array:
 def _axes_of_body(points: Array, even: Array) -> Array:
     """Axes (3, 3) of the box of points (N, 3) that are in no plane, see :func:`smallest_box`.
 
-    Parameters
-    ----------
-    even
-        The points, turned and shrunk so that they reach as far in all directions (N, 3).
+    ``even`` are the points turned and shrunk, so that they reach as far in all directions.
     """
     from scipy.spatial import ConvexHull
 
@@ -189,12 +186,7 @@ def _axes_of_hull(points: Array, hull: ConvexHull) -> Array:
 def _crossing(edges: Array, left: Array, right: Array) -> Array:
     """Directions (D, 3) square to two edges of a hull between which it can be held.
 
-    Parameters
-    ----------
-    edges
-        Unit directions (E, 3).
-    left, right
-        Outward unit normals (E, 3) of the faces at both sides.
+    Edges are unit directions (E, 3), left and right the normals (E, 3) of the faces beside them.
     """
     # On the sphere of normals each edge is an arc from left to right, in the plane square to it.
     # The hull is held between two where one arc crosses the other's antipode.

@@ -21,24 +21,12 @@ LEVEL = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Feet:
-    """What a locked shell stands on.
+    """What a locked shell stands on, flaps left out."""
 
-    Parameters
-    ----------
-    rows
-        The lowest row of vertices towards each end of f.
-    lowest
-        Height of the lowest of their vertices in the design's frame, flaps left out (length).
-    uneven
-        By how much the highest of them lies above it (length).
-    height
-        Height of the shell, flaps left out (length).
-    """
-
-    rows: tuple[int, int]
-    lowest: float
-    uneven: float
-    height: float
+    rows: tuple[int, int]  # the lowest row towards each end of f
+    lowest: float  # height of the lowest vertex in the design's frame
+    uneven: float  # by how much the highest vertex of them lies above it
+    height: float  # of the shell
 
     @property
     def level(self) -> bool:

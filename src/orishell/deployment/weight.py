@@ -224,11 +224,8 @@ class _Body:
 class _Fit:
     """Polynomials through V and L, and what may be missing of them.
 
-    Parameters
-    ----------
-    tail
-        Their last two coefficients, relative to the changes of V and L, where a change of V is at
-        least the weight times that of L.
+    The tail is their last two coefficients, relative to the changes of V and L, where a change of V
+    is at least the weight times that of L.
     """
 
     energy: Chebyshev

@@ -49,25 +49,16 @@ ANY = 1e30
 class Cells:
     """Cells of a surface, each between two values of u and two values of v.
 
-    Parameters
-    ----------
-    sides
-        u0, u1, v0 and v1 (4, C).
-    points
-        Corners (4, C, 3) at (u0, v0), (u1, v0), (u1, v1), (u0, v1).
-    distances, feet, places
-        Their distances (4, C) from the other surface, its nearest points (4, C, 3) and the
-        cells (4, C, 2) of it in which these are.
-    ceiling
-        A distance (1, C) that no point of a cell exceeds.
+    Corners are those at (u0, v0), (u1, v0), (u1, v1), (u0, v1); feet are the nearest points of the
+    other surface, places the cells of it that they are in.
     """
 
-    sides: Array
-    points: Array
-    distances: Array
-    feet: Array
-    places: Integers
-    ceiling: Array
+    sides: Array  # (4, C): u0, u1, v0, v1
+    points: Array  # corners (4, C, 3)
+    distances: Array  # (4, C) from the other surface
+    feet: Array  # (4, C, 3)
+    places: Integers  # (4, C, 2)
+    ceiling: Array  # (1, C): no point of a cell is farther
 
     @classmethod
     def of_lattice(cls, u: Array, v: Array, points: Array, found: Nearest) -> Iterator[Cells]:
@@ -199,22 +190,9 @@ def find_largest(
 ) -> tuple[float, float]:
     """The largest distance of cells from another surface, and by how much it may be exceeded.
 
-    Cells in which it may be exceeded by more than :data:`PRECISION` are cut in two again and again.
-
-    Parameters
-    ----------
-    parts
-        The cells.
-    at
-        Points of their surface.
-    other
-        The other surface.
-    attained
-        A distance that is attained.
-    samples
-        How many further points may be asked for.
-    limit
-        If given, it is enough to know whether the largest distance exceeds it.
+    Cells in which it may be exceeded by more than :data:`PRECISION` are cut in two again and again,
+    for as many further points as ``samples`` says. With a limit it is enough to know whether the
+    largest distance exceeds that. ``attained`` is one that does occur.
     """
     largest, left_out = attained, attained
     waiting: list[tuple[Cells, Booleans]] = []

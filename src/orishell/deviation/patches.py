@@ -25,22 +25,14 @@ AT_ONCE = 2**16
 class Patch:
     """Samples of a surface at every pair of a value of u and a value of v.
 
-    Parameters
-    ----------
-    at
-        Points (..., 3) at both parameters.
-    u, v
-        The parameters (A,) and (B,), increasing.
-    points
-        The samples (A, B, 3).
-    left_out
-        How far the corners of a surface that are not sampled are from what joins the samples.
+    What is left out is how far corners of the surface that are not sampled are from what joins the
+    samples.
     """
 
-    at: At
-    u: Array
-    v: Array
-    points: Array
+    at: At  # points (..., 3) at both parameters
+    u: Array  # (A,), increasing
+    v: Array  # (B,), increasing
+    points: Array  # (A, B, 3)
     left_out: float
 
     @classmethod

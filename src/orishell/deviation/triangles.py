@@ -24,48 +24,27 @@ AT_ONCE = 200_000
 
 @record
 class Nearest:
-    """The nearest points of a surface to given points (...).
-
-    Parameters
-    ----------
-    distances
-        Distances (...).
-    feet
-        The nearest points (..., 3).
-    cells
-        Rows and columns (..., 2) of the cells that they are in.
-    sides
-        +1 (...) where the given point is on the side of the cell's normal, otherwise -1.
-    """
+    """The nearest points of a surface to given points (...)."""
 
     distances: Array
-    feet: Array
-    cells: Integers
-    sides: Array
+    feet: Array  # (..., 3), the nearest points
+    cells: Integers  # (..., 2), rows and columns
+    sides: Array  # (...): +1 on the side of the cell's normal, or -1
 
 
 @record
 class Triangles:
     """A grid of points (A, B, 3) whose cells are two triangles each.
 
-    Parameters
-    ----------
-    vertices, corners
-        Vertices (A*B, 3) and the numbers (T, 3) of each triangle's corners, cell by cell.
-    columns
-        Cells in a row.
-    turning
-        Along rows and down columns of cells: running sums of how much edges turn from cell to
-        cell, and of how much opposite edges of a cell differ, at most (radians).
-    tree
-        libigl's tree of boxes.
+    Turning has, along rows and down columns of cells, running sums of how much edges turn from cell
+    to cell, and of how much opposite edges of a cell differ, at most (radians).
     """
 
-    vertices: Array
-    corners: Integers
-    columns: int
+    vertices: Array  # (A*B, 3)
+    corners: Integers  # (T, 3), cell by cell
+    columns: int  # of cells
     turning: tuple[tuple[Array, Array], tuple[Array, Array]]
-    tree: Any
+    tree: Any  # libigl's, of boxes
 
     @classmethod
     def of(cls, points: Array, corners: Integers) -> Triangles:

@@ -20,29 +20,13 @@ INSIDE = 1e-12
 def inset_panels(panels: Array, distance: Array, grid: Grid, cut: Array | None = None) -> Array:
     """Return what is left of convex panels whose edges move inwards and whose corners are cut off.
 
-    Parameters
-    ----------
-    panels
-        Corners (F, 4, 2) of the panels in the flat sheet, counter-clockwise.
-    distance
-        How far each edge moves inwards (F, 4), from a corner to the next (length).
-    grid
-        The grid of the sheet, for messages.
-    cut
-        Distance (F, 4) from each corner, along the line that halves its angle, at which it is cut
-        off square to that line; 0 where it is not (length). None if no corner is.
+    Panels are counter-clockwise (F, 4, 2). Edges move by distances (F, 4), from a corner to the
+    next. Corners are cut off at distances (F, 4) along the line that halves their angle, square to
+    it; not where these are 0. The outlines (F, K, 2) have K = 4 corners, or 8 if corners are cut.
+    Corner k is where side k begins; where a side is gone its two corners coincide. Sides are the
+    edges, or each corner's cut followed by the edge that begins there.
 
-    Returns
-    -------
-    Array
-        Corners (F, K, 2) of what is left, K being 4, or 8 if corners are cut. Corner k is where
-        side k begins; where a side is gone its two corners coincide. Sides are the edges, or each
-        corner's cut followed by the edge that begins there.
-
-    Raises
-    ------
-    DesignError
-        If nothing is left of a panel.
+    Raises a DesignError if nothing is left of a panel, which the grid helps to name.
     """
     along = np.roll(panels, -1, axis=1) - panels
     size = np.abs(along).max(axis=(1, 2))

@@ -218,16 +218,9 @@ def allowed_heights(
 
 
 def bare_faces(folds: CreaseValues, grid: Grid, columns: Sequence[int]) -> Booleans:
-    """Faces of panels (2, F) in some columns that carry no board: a crease folds flat on them.
+    """Faces of panels (2, F) that carry no board: a crease folds flat on them.
 
-    Parameters
-    ----------
-    folds
-        The largest fold angles, in [-pi, pi], valley positive (radians).
-    grid
-        The grid of the sheet.
-    columns
-        Columns of panels that may go without boards: flaps.
+    Only panels in some columns may go without: flaps.
     """
     unit = find_set_backs(folds, 1.0)
     shut = np.isinf(np.stack([unit.top, unit.bottom])[:, grid.faces_edges()]).any(axis=-1)

@@ -58,10 +58,7 @@ class Contacts:
 class Worst:
     """The worst figure over all frames, measured against its limit, and where it is.
 
-    Parameters
-    ----------
-    name, place
-        Name what a figure belongs to by its number, in words and in the report's fields.
+    ``name`` and ``place`` say what a figure belongs to, by its number: in words, in the report.
     """
 
     def __init__(self, name: Callable[[int], str], place: Callable[[int], dict[str, Any]]) -> None:
@@ -87,14 +84,7 @@ class Worst:
     def checks(self, test: str, says: str, kind: str) -> list[Check]:
         """The outcome of a test, if there was anything to measure.
 
-        Parameters
-        ----------
-        test
-            Its name.
-        says
-            What is wrong, with braces in the place of the figure.
-        kind
-            What the figures belong to, in the plural.
+        ``says`` is what is wrong, with braces for the figure; figures belong to things of a kind.
         """
         if self._share == -math.inf:
             return []

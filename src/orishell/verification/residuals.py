@@ -23,16 +23,7 @@ def meets_maekawa(edges: Integers, signs: Array, vertex_count: int) -> Booleans:
     """Which vertices (V,) meet Maekawa's condition: as many mountains as valleys but for two.
 
     So a vertex with four creases that fold has three of one kind and one of the other, and one
-    with unfolded creases has two of one kind.
-
-    Parameters
-    ----------
-    edges
-        Vertices (E, 2) of edges.
-    signs
-        Their signs (E,): +1 valley, -1 mountain, 0 neither.
-    vertex_count
-        Number of vertices.
+    with unfolded creases has two of one kind. Signs (E,) are +1 valley, -1 mountain, 0 neither.
     """
     total = np.bincount(edges.T.ravel(), np.tile(signs, 2), minlength=vertex_count)
     return np.asarray(np.abs(total) == 2)
@@ -162,13 +153,7 @@ def _sector_sums(positions: Array) -> Array:
 
 
 def require_verified(residuals: Residuals, assignment: AssignmentCheck) -> None:
-    """Refuse states that are not those of rigid panels.
-
-    Raises
-    ------
-    VerificationError
-        If lengths or angles are wrong: a fault of the program.
-    """
+    """Refuse states that are not those of rigid panels: a fault of the program."""
     lengths = max(residuals.panel_length, residuals.planarity)
     angles = max(residuals.sector_sum_rad, residuals.fold_angle_rad)
     if lengths <= LENGTH_LIMIT and angles <= ANGLE_LIMIT:

@@ -25,62 +25,29 @@ class Sheet:
 
     An angle may be wrong by as much as a corner that is moved by ``tolerance`` turns the panel
     there: ``tolerance`` over the panel's size, which is its shortest edge or, if that is
-    less, its area over its longer diagonal.
-
-    Parameters
-    ----------
-    mesh
-        Panels and edges.
-    frame
-        The reference frame.
-    flat
-        Whether it is the flat sheet.
-    diagonal
-        Diagonal of its bounding box (length).
-    tolerance
-        Allowed error of a length (length).
-    distances
-        The six distances (F, 6) of the corners of every panel.
-    reflex
-        Corners (F, 4) whose sector is above pi.
-    panel_limits, edge_limits, vertex_limits
-        Allowed errors (F,), (E,), (V,) of angles, by the smallest panel there (radians).
-    up
-        +1 or -1 (F,): whether the panel, lying level in the flat sheet, goes counter-clockwise
-        seen from +z or clockwise. Mountains and valleys are those seen from +z.
-    inner
-        Vertices (I,) that panels surround.
+    less, its area over its longer diagonal. A panel that lies level in the flat sheet may go
+    counter-clockwise seen from +z or clockwise: mountains and valleys are those seen from +z.
     """
 
     mesh: QuadMesh
     frame: FoldFrame
-    flat: bool
-    diagonal: float
-    tolerance: float
-    distances: Array
-    reflex: Booleans
-    panel_limits: Array
-    edge_limits: Array
-    vertex_limits: Array
-    up: Array
-    inner: Integers
+    flat: bool  # whether the frame is the flat sheet
+    diagonal: float  # of the frame's bounding box
+    tolerance: float  # of a length (length)
+    distances: Array  # (F, 6) of corners
+    reflex: Booleans  # (F, 4), corners whose sector is above pi
+    panel_limits: Array  # (F,), allowed errors of angles (radians)
+    edge_limits: Array  # (E,), by the smallest panel there (radians)
+    vertex_limits: Array  # (V,), by the smallest panel there (radians)
+    up: Array  # (F,), +1 counter-clockwise or -1
+    inner: Integers  # (I,), vertices that panels surround
 
     @classmethod
     def of(cls, file: FoldFile, tolerance: float) -> Sheet:
-        """Find the reference frame and measure it.
+        """Find the reference frame and measure it, with a tolerance relative to its diagonal.
 
         It is the first frame that calls itself a crease pattern, or else the first one without
-        folds, or else the first one.
-
-        Parameters
-        ----------
-        tolerance
-            Allowed error of lengths relative to the diagonal.
-
-        Raises
-        ------
-        InputError
-            If a panel of it has no area.
+        folds, or else the first one. A panel of it without an area is an InputError.
         """
         mesh = file.mesh
         patterns = [frame for frame in file.frames if "creasePattern" in frame.classes]
@@ -128,21 +95,11 @@ class Sheet:
 
 @record
 class State:
-    """One frame of the file.
-
-    Parameters
-    ----------
-    frame
-        The frame.
-    folds
-        Fold angles (E,) measured from the positions, valley positive (radians).
-    folded
-        Whether any crease is folded.
-    """
+    """One frame of the file."""
 
     frame: FoldFrame
-    folds: Array
-    folded: bool
+    folds: Array  # (E,), measured, valley positive (radians)
+    folded: bool  # whether any crease is
 
 
 def _is_unfolded(mesh: QuadMesh, frame: FoldFrame, tolerance: float) -> bool:
