@@ -5,8 +5,9 @@ classes, and for the fields of dataclasses:
 
 1. There is a docstring, and its first line is one sentence.
 2. Parameters of functions and fields of dataclasses have an entry under "Parameters". Methods,
-   which are short, may have it or name their parameters in their text. A parameter of a function
-   needs none if it is what its type says, a class of ours, a file or a ``Progress``.
+   which are short, may have it or name their parameters in their text. A parameter or a field
+   needs none if it is what its type says: a class of ours, a file, a ``Progress``, or an array
+   whose type is named after its shape (``ALIASES``).
 3. Where an array goes in or comes out, its shape is written: "(n, 2)", "(E,)", "(...)".
 4. An angle is said to be in radians or degrees, where its name does not end in ``_deg``; a length
    is said to be in some unit, or relative to something.
@@ -94,7 +95,8 @@ CALLABLES = {
     name: each for name, each in public_callables().items() if not is_explained_elsewhere(name)
 }
 OBJECTS = public_objects()
-SPEAKING = {"Path", "Progress"} | {
+ALIASES = {"Corners", "Positions", "Vectors"}
+SPEAKING = {"Path", "Progress", *ALIASES} | {
     path.rpartition(".")[2] for path, thing in OBJECTS.items() if inspect.isclass(thing)
 }
 
@@ -156,7 +158,8 @@ def faults_of_class(thing: type) -> Iterator[str]:
         if field.name.startswith("_"):
             continue
         if field.name not in entries:
-            yield f"{field.name} is not explained"
+            if str(field.type) not in SPEAKING:
+                yield f"{field.name} is not explained"
         else:
             yield from faults_of_entry(field.name, str(field.type), entries[field.name], text)
 

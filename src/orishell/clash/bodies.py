@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.clash.broad_phase import Pairs
-from orishell.clash.separation import common_gap, views_along
+from orishell.clash.separation import common_gap, cross, views_along
 from orishell.conventions.record import record
 from orishell.motion.boards import Boards, panel_axes
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -160,10 +160,7 @@ def _plain_gaps(state: BodyState, pairs: Pairs, of_faces: bool) -> Array:
 
 def _square_to(u: Array, v: Array) -> Array:
     """Unit vectors (3, ...) square to vectors (3, ...), zero where these are parallel."""
-    across = np.stack(
-        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    )
-    return _unit(across, 0)
+    return _unit(cross(u, v), 0)
 
 
 def _directions(outlines: Array) -> tuple[Array, Array]:

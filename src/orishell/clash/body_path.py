@@ -15,6 +15,7 @@ have one. All other boards are looked at as panels are (:mod:`~orishell.clash.pa
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,7 +30,6 @@ from orishell.clash.ranges import (
     Outcome,
     PathContact,
     PathResult,
-    ProofRecord,
     States,
     search_ranges,
 )
@@ -68,15 +68,8 @@ def find_first_body_contact(
         contact = PathContact(*ends, bodies.carriers(found[1]), found[1])
         search = _BodySearch(mechanism, ends[0], tolerance, bodies)
     result = search.run(stretch(progress, OPPOSITE, 1.0))
-    record = result.proof
-    proof = ProofRecord(
-        record.states,
-        record.ranges + opposite.ranges,
-        record.tests + opposite.tests,
-        record.largest_step,
-        record.smallest_step,
-        record.tolerance,
-    )
+    ranges, tests = result.proof.ranges + opposite.ranges, result.proof.tests + opposite.tests
+    proof = replace(result.proof, ranges=ranges, tests=tests)
     if result.contact is not None:
         first = result.contact
         until = (

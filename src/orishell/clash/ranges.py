@@ -72,8 +72,6 @@ class PathResult:
     ----------
     contact
         The first contact, or None.
-    proof
-        How the path was examined.
     """
 
     contact: PathContact | None

@@ -24,7 +24,7 @@ def corners_of(points: Array, faces: Integers) -> Array:
 
 def normals(corners: Array) -> Array:
     """Unit normals (3, P): across both diagonals."""
-    normal = _cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normal = cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     length = np.sqrt(_dot(normal, normal))
     return np.asarray(normal / np.where(length > 0, length, 1.0))
 
@@ -93,7 +93,7 @@ def overlaps(first: Array, second: Array) -> Array:
     corner, do not reach into each other; panels that pass through each other do.
     """
     u, v = _next(first) - first, _next(second) - second
-    across = _cross(u[:, :, None], v[:, None]).reshape(3, 16, -1)
+    across = cross(u[:, :, None], v[:, None]).reshape(3, 16, -1)
     directions = np.concatenate([normals(first)[:, None], normals(second)[:, None], across], axis=1)
     length = np.sqrt(_dot(directions, directions))
     found = length > 0
@@ -141,7 +141,7 @@ def _squared_with(between: Array, *edges: tuple[Array, Array]) -> Array:
     for edge, inside in ((u, within[0] & ~within[1]), (v, within[1] & ~within[0])):
         length = np.where(inside, _dot(edge, edge), 1.0)
         between = between - np.where(inside, _dot(between, edge) / length, 0.0) * edge
-    normal = _cross(u, v)
+    normal = cross(u, v)
     both = within[0] & within[1] & (_dot(normal, normal) > 0)
     length = np.where(both, _dot(normal, normal), 1.0)
     return np.asarray(np.where(both, _dot(between, normal) / length * normal, between))
@@ -149,7 +149,7 @@ def _squared_with(between: Array, *edges: tuple[Array, Array]) -> Array:
 
 def _inside(panel: Array, normal: Array, points: Array) -> Booleans:
     """Whether points (3, K, P) lie over the panel, seen along its normal."""
-    inward = _cross(normal[:, None], _next(panel) - panel)
+    inward = cross(normal[:, None], _next(panel) - panel)
     level = _dot(inward, panel)
     within = _dot(inward[:, :, None], points[:, None]) >= level[:, None]
     return np.asarray(within.all(axis=0))
@@ -169,7 +169,8 @@ def _dot(u: Array, v: Array) -> Array:
     return np.asarray(u[0] * v[0] + u[1] * v[1] + u[2] * v[2])
 
 
-def _cross(u: Array, v: Array) -> Array:
+def cross(u: Array, v: Array) -> Array:
+    """Vector products (3, ...) of vectors (3, ...)."""
     return np.stack(
         [
             u[1] * v[2] - u[2] * v[1],

@@ -16,14 +16,12 @@ THIN = 1e-3
 
 @record
 class Pack:
-    """The state of a motion that fits into the smallest box.
+    """The state of a motion that fits into the smallest box, panels with their thickness.
 
     Parameters
     ----------
     drive
         Its drive angle (radians).
-    box
-        Its smallest box, of panels with their thickness.
     layers
         How many panels lie on top of each other there, see :func:`count_layers`.
     """

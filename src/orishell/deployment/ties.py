@@ -52,14 +52,8 @@ class ColumnDistances(Protocol):
     ) -> Enclosure:
         """Squared distances (S, P) of pairs of vertices as functions of the drive.
 
-        Parameters
-        ----------
-        rows
-            Rows of the two vertices of every pair (P, 2).
-        columns
-            Their column (P,), an inner one, as the grid counts it.
-        start, stop
-            Ends (S,) of ranges of the drive (radians).
+        The pairs have ``rows`` (P, 2) and inner ``columns`` (P,), as the grid counts them; ranges
+        of the drive go from ``start`` (S,) to ``stop`` (S,) (radians).
         """
         ...
 

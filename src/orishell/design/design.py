@@ -45,8 +45,6 @@ class Design:
 
     Parameters
     ----------
-    mechanism
-        The folding sheet.
     parameters
         What the family used and found, in the units of files: degrees (``_deg``) and the unit of
         the curves. ``flap`` is among them, a number, where the table [pattern] may say "auto".

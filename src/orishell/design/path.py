@@ -19,14 +19,12 @@ FEW = 64
 
 @record
 class Path:
-    """The pieces of a curve between its corners.
+    """The pieces of a curve, its trace, between its corners.
 
     Points and directions are complex numbers x + iy.
 
     Parameters
     ----------
-    trace
-        The curve.
     nodes
         Samples (K+1,) of the trace at which its K pieces begin and end.
     last
@@ -95,17 +93,10 @@ class Path:
     def stations(self, step: float, sagitta: float, reach: Array) -> Array:
         """Places along the path, as piece + share of the piece, close enough to join by chords.
 
-        Pieces that are too short to matter share a chord with the next.
-
-        Parameters
-        ----------
-        step
-            Largest distance of neighbours, about.
-        sagitta
-            Largest distance of a chord from the curve, about.
-        reach
-            How far the curves reach that go beside each piece (K,), on its outer side: their
-            steps and sagittas count. 0 for the path itself.
+        Neighbours are at most a ``step`` apart, chords a ``sagitta`` from the curve, about
+        (length). Curves that go beside each piece on its outer side, as far as ``reach`` (K,) away,
+        count too; it is 0 for the path itself. Pieces that are too short to matter share a chord
+        with the next.
         """
         trace = self.trace
         cells = np.diff(trace.arc)
@@ -128,12 +119,7 @@ class Path:
     def bulge(self, places: Array, reach: Array) -> float:
         """Bound of the distance of the path, and of curves beside it, from chords between places.
 
-        Parameters
-        ----------
-        places
-            Places (A,) along the path, as :meth:`stations` gives them.
-        reach
-            How far the curves reach that go beside each piece (K,).
+        ``places`` (A,) and ``reach`` (K,) are those of :meth:`stations`.
         """
         trace = self.trace
         of_cell = np.repeat(np.arange(len(self)), np.diff(self.nodes))

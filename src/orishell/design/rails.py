@@ -17,15 +17,10 @@ MET = 1e-9
 
 @record
 class Rail(ABC):
-    """Carries points x of f's horizontal axis along g.
+    """Carries points x of f's horizontal axis along its path, g.
 
     A place along g is a number u: the count of corners of g before it plus its share of the
     stretch between two corners.
-
-    Parameters
-    ----------
-    path
-        g.
     """
 
     path: Path
@@ -37,12 +32,9 @@ class Rail(ABC):
 
     @abstractmethod
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
-        """Return where x (...) is at u (...), and the directions along g and of f's axis there.
+        """Where x (...) is at u (...), the tangent along g and f's axis there, (..., 3) each.
 
-        Returns
-        -------
-        tuple
-            Points, tangents along g and the axis with its stretch, (..., 3) each.
+        The axis is as long as f is stretched along it.
         """
 
     @abstractmethod
@@ -67,8 +59,6 @@ class Sliding(Rail):
 
     Parameters
     ----------
-    path
-        g.
     axis
         Unit direction of f's horizontal axis, as a complex number.
     tilt
@@ -110,8 +100,6 @@ class Turning(Rail):
 
     Parameters
     ----------
-    path
-        g.
     plane
         Angle from f's plane to g's tangent, in (0, pi) (radians).
     affine

@@ -11,7 +11,7 @@ from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.design.path import Path
 from orishell.design.rails import Rail
-from orishell.motion.quads import area_vectors, lengths
+from orishell.motion.quads import area_vectors, grid_corners, lengths
 from orishell.numerics.arrays import Array, Integers
 
 LOOSE = 20.0
@@ -55,21 +55,17 @@ class Lattice:
 
     def area(self) -> float:
         """Area of its cells."""
-        return float(lengths(area_vectors(_cells(self.points))).sum())
+        return float(lengths(area_vectors(grid_corners(self.points))).sum())
 
 
 @record
 class Surface:
-    """f carried along g, upright: z is f's y axis.
+    """f, the profile, carried along g by its rail, upright: z is f's y axis.
 
     Parameters
     ----------
-    profile
-        f, run through along its x axis.
     origin
         The point (2,) of f's plane that is carried along g itself.
-    rail
-        How it is carried.
 
     Examples
     --------
@@ -116,17 +112,10 @@ class Surface:
     ) -> Lattice:
         """A lattice of points as close as asked for, with the corners of f and g unless too many.
 
-        Parameters
-        ----------
-        step
-            Largest distance of neighbours along f, about.
-        sagitta
-            Largest distance of a cell from the surface, about.
-        longer
-            Neighbours along g may be so many times farther apart.
-        most
-            Cells at most: where f and g have so many bends that it takes more, step and sagitta are
-            doubled until it does not, and what that leaves out is counted.
+        Neighbours along f are at most a ``step`` apart, along g so many times ``longer``, and cells
+        a ``sagitta`` from the surface, about (length). Where f and g have so many bends that it
+        takes more cells than ``most``, step and sagitta are doubled until it does not, and what
+        that leaves out is counted.
         """
         if sagitta is None:
             sagitta = step / LOOSE
@@ -151,7 +140,7 @@ class Surface:
         if sagitta > wanted:
             # Along g, along f, and between what joins the chords and the triangles.
             left_out += self.rail.bulge(u, reach) + of_f.bulge(places, np.zeros(len(of_f)))
-            a, b, c, d = np.moveaxis(_cells(points), -2, 0)
+            a, b, c, d = np.moveaxis(grid_corners(points), -2, 0)
             left_out += 0.5 * float(lengths(a - b + c - d).max())
         return Lattice(u, v, points, left_out)
 
@@ -185,8 +174,3 @@ def _left_out(places: Array, at: Callable[[Array], Array]) -> float:
     share = (chord * (point - start)).sum(axis=-1) / (chord * chord).sum(axis=-1)
     foot = start + np.clip(share, 0, 1)[:, None] * chord
     return float(np.linalg.norm(point - foot, axis=-1).max())
-
-
-def _cells(points: Array) -> Array:
-    """Corners (A-1, B-1, 4, 3) of every cell of a lattice."""
-    return np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=-2)

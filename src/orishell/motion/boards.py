@@ -47,14 +47,8 @@ class Boards:
     def carried(self, faces: Integers, flat: Array, positions: Array) -> Array:
         """Corners (B, H, K, 3) of all outlines in a folded state.
 
-        Parameters
-        ----------
-        faces
-            Corners (F, 4) of the panels.
-        flat
-            Vertices (V, 2) of the flat sheet.
-        positions
-            Vertices (V, 3) of the state.
+        The panels have the corners ``faces`` (F, 4); the vertices are ``flat`` (V, 2) in the flat
+        sheet and ``positions`` (V, 3) in the state.
         """
         lying = np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
         start, axes = panel_axes(lying[faces], lying[faces])
@@ -76,13 +70,9 @@ class Boards:
     def triangles(self) -> tuple[Integers, Booleans]:
         """Closed surfaces of all boards, seen counter-clockwise from outside.
 
-        Returns
-        -------
-        triangles
-            Corners (B, T, 3), as places among the H K corners of the board's own outlines; those
-            that coincide have one place.
-        present
-            Which of them (B, T) are there: the others have lost a side to corners that coincide.
+        Corners (B, T, 3), as places among the H K corners of the board's own outlines, where those
+        that coincide have one place; and which triangles (B, T) are there: the others have lost a
+        side to corners that coincide.
         """
         heights, corners = self.outlines.shape[1:3]
         number = np.arange(heights * corners).reshape(heights, corners)
@@ -117,10 +107,7 @@ class Boards:
     def surfaces(self, corners: Array) -> Surfaces:
         """Closed surfaces of all boards in a state, as one mesh.
 
-        Parameters
-        ----------
-        corners
-            Corners (B, H, K, 3) of all outlines in that state, as :meth:`carried` has them.
+        Its ``corners`` (B, H, K, 3) are those of all outlines, as :meth:`carried` has them.
         """
         found, present = self.triangles()
         count, size = len(self), self.outlines.shape[1] * self.outlines.shape[2]

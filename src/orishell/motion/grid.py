@@ -19,6 +19,8 @@ UNFOLDED = 1e-9
 
 BORDER, MOUNTAIN, FLAT, VALLEY = "B", "M", "F", "V"
 
+Positions = Array
+"""Vertices (..., rows, columns, 3) of a sheet in one or many states."""
 Vertex = tuple[int, int]
 """Row and column of a vertex."""
 VertexPair = tuple[Vertex, Vertex]
@@ -99,13 +101,7 @@ class CreaseValues:
 
 
 def crease_signs(fold_angles: CreaseValues) -> CreaseValues:
-    """Signs of fold angles: +1 valley, -1 mountain, 0 unfolded (below :data:`UNFOLDED`).
-
-    Parameters
-    ----------
-    fold_angles
-        Fold angles of all creases (radians).
-    """
+    """Signs of fold angles: +1 valley, -1 mountain, 0 unfolded (below :data:`UNFOLDED`)."""
 
     def sign(angle: Array) -> Array:
         return np.where(np.abs(angle) > UNFOLDED, np.sign(angle), 0.0)

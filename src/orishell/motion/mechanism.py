@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import record
-from orishell.motion.grid import CreaseValues, Grid, crease_signs
+from orishell.motion.grid import CreaseValues, Grid, Positions, crease_signs
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array
 
@@ -49,12 +49,8 @@ class Mechanism(Protocol):
     def with_stop(self, stop: float) -> Mechanism:
         """The sheet whose flaps stop short of folding flat; itself if it has none.
 
-        The row crease of a flap that folds most has the fold angle pi - 2 stop at the target.
-
-        Parameters
-        ----------
-        stop
-            At least 0, for flaps that fold flat (radians).
+        The row crease of a flap that folds most has the fold angle pi - 2 stop at the target: a
+        ``stop`` of 0 folds it flat (radians).
 
         Raises
         ------
@@ -97,25 +93,17 @@ class Mechanism(Protocol):
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of edges while the drive is between ``start`` and ``stop``.
 
-        Parameters
-        ----------
-        start, stop
-            Ends (S,) of ranges of the drive (radians).
-
-        Returns
-        -------
-        tuple
-            Upper bounds of the length of the second derivative by the drive of the vectors
-            between neighbouring vertices, in length per radian squared: along rows
-            (S, columns-1), the largest of all rows; down columns (S, rows-1), the largest of
-            all columns.
+        At ends (S,) of ranges of the drive (radians) they are upper bounds of the length of the
+        second derivative by the drive of the vectors between neighbouring vertices, in length per
+        radian squared: along rows (S, columns-1), the largest of all rows; down columns
+        (S, rows-1), the largest of all columns.
         """
         ...
 
 
 @record
 class FoldedState:
-    """One state of a mechanism.
+    """One state of a mechanism, with fold angles from the closed form (radians).
 
     Parameters
     ----------
@@ -123,8 +111,6 @@ class FoldedState:
         Drive angle (radians).
     positions
         Vertices (rows, columns, 3), read-only.
-    fold_angles
-        Fold angles of all creases from the closed form (radians).
     """
 
     drive: float
@@ -145,8 +131,6 @@ class FoldingMotion:
 
     Parameters
     ----------
-    mechanism
-        The folding sheet.
     frames
         Number of states, at least 2, or 3 from a pack; at nearly equal steps of the drive angle.
     pack
@@ -235,14 +219,8 @@ def mechanism_in_one_line(mechanism: Mechanism) -> str:
     )
 
 
-def panel_normals(positions: Array) -> Array:
-    """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet.
-
-    Parameters
-    ----------
-    positions
-        Vertices (..., rows, columns, 3).
-    """
+def panel_normals(positions: Positions) -> Array:
+    """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet."""
     p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
     r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
     normal = np.cross(r - p, s - q)
@@ -250,16 +228,11 @@ def panel_normals(positions: Array) -> Array:
     return np.asarray(normal)
 
 
-def measure_fold_angles(positions: Array) -> CreaseValues:
+def measure_fold_angles(positions: Positions) -> CreaseValues:
     """Fold angles of all creases measured from the positions (..., rows, columns, 3).
 
     Signed angles between the normals of the two panels at each crease, valley positive, in
     (-pi, pi] (radians). At pi the sign is undetermined.
-
-    Parameters
-    ----------
-    positions
-        Vertices (..., rows, columns, 3).
     """
     normal = panel_normals(positions)
     return CreaseValues(

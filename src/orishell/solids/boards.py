@@ -80,7 +80,7 @@ def build_boards(
     folds: CreaseValues,
     reliefs: Array | None = None,
 ) -> Boards:
-    """The boards of all panels.
+    """The boards of all panels, set back for the largest fold angles, in [-pi, pi].
 
     A sandwich has two on each panel, square cut, the upper one first; where a crease folds flat the
     panels beside it have none on its closing side. A bevelled panel is one solid: on the hinge
@@ -91,12 +91,6 @@ def build_boards(
     ----------
     flat
         Vertices (rows, columns, 3) of the flat sheet.
-    grid
-        Its grid.
-    build
-        What panels are made of.
-    folds
-        The largest fold angles, in [-pi, pi], valley positive (radians).
     reliefs
         How far corners are cut off at every vertex (rows, columns) (length); None if none is.
 

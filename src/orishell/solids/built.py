@@ -27,22 +27,16 @@ from orishell.solids.setbacks import find_set_backs, largest_folds
 
 @record
 class BuiltPanels:
-    """The panels of a design as they are built.
+    """The panels of a design as they are built, for the largest folds of its creases on the way.
 
     Parameters
     ----------
-    build
-        What they are made of.
     limit
         The drive up to which boards are set back (radians).
-    folds
-        The largest fold angles of the sheet's creases up to there (radians).
     reliefs
         How far corners of boards are cut off at the sheet's vertices (rows, columns) (length).
-    boards
-        The boards of the sheet.
     flaps
-        Those of the sheet with flaps that are clipped on at its target; None if there are none.
+        Boards of flaps that are clipped on at its target; None if there are none.
     """
 
     build: PanelSpec
@@ -57,13 +51,7 @@ class BuiltPanels:
         return settled_vertices(self.folds)
 
     def with_flaps(self, clipped: Mechanism) -> Boards:
-        """All boards, numbered as panels of the sheet with its clipped flaps.
-
-        Parameters
-        ----------
-        clipped
-            The sheet with its flaps.
-        """
+        """All boards, as panels of the sheet with its flaps: ``clipped``."""
         assert self.flaps is not None
         inner, across = clipped.inner_columns, clipped.grid.columns - 1
         row, column = np.divmod(self.boards.panels, inner.stop - inner.start - 1)
@@ -83,11 +71,6 @@ def settled_vertices(folds: CreaseValues) -> Booleans:
 
     Where the two creases of a row, or of a column, do not fold, the others are one straight
     line, and its bisecting plane keeps all boards on one side of it from those on the other.
-
-    Parameters
-    ----------
-    folds
-        Fold angles for which boards are set back (radians).
     """
     row, column = (np.abs(each) < UNFOLDED for each in (folds.row, folds.column))
     return np.asarray((row[:, :-1] & row[:, 1:]) | (column[:-1] & column[1:]))
@@ -180,18 +163,9 @@ class Meetings:
 def find_meetings(
     mechanism: Mechanism, build: PanelSpec, folds: CreaseValues, boards: Boards
 ) -> Meetings:
-    """Where boards of flaps meet at the target; creases beside which a board is missing left out.
+    """Where boards of flaps, folded or clipped on, meet at the target, if a crease has both.
 
-    Parameters
-    ----------
-    mechanism
-        The sheet with its flaps, folded or clipped on.
-    build
-        What its panels are made of.
-    folds
-        The largest fold angles that the boards were set back for, valley positive (radians).
-    boards
-        Its boards.
+    The fold angles are the largest, those that the boards were set back for.
     """
     grid, flat = mechanism.grid, mechanism.positions(0.0)
     across = grid.columns - 1

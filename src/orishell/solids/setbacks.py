@@ -75,13 +75,12 @@ def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
 
 
 def find_set_backs(folds: CreaseValues, height: float, gap: float = 0.0) -> SetBacks:
-    """Set-backs of boards from all edges.
+    """Set-backs of boards from all edges, for the largest fold angles, in [-pi, pi].
+
+    Beside a crease that folds flat there is no room for a board: its set-back is infinite.
 
     Parameters
     ----------
-    folds
-        The largest fold angles, in [-pi, pi], valley positive (radians). Beside a crease that folds
-        flat there is no room for a board: its set-back is infinite.
     height
         How high boards stand over the membrane on one face (length).
     gap
@@ -143,16 +142,10 @@ def largest_height(
     ----------
     flat
         Vertices (rows, columns, 3) of the flat sheet.
-    grid
-        Its grid.
-    folds
-        The largest fold angles, in [-pi, pi], valley positive (radians).
     share
         Share of the way across every panel that set-backs may take.
-    setback
-        Longest set-back (length).
-    gap
-        What is cut away between two panels where they open (length).
+    setback, gap
+        Longest set-back, and what is cut away between two panels where they open (length).
     """
     heights = allowed_heights(flat, grid, folds, share=share, setback=setback, gap=gap)
     return float(heights.min())
@@ -177,10 +170,8 @@ def drive_for_height(
         The drive up to which the motion is known to be free; None for its end (radians).
     share
         Share of the way across every panel that set-backs may take.
-    setback
-        Longest set-back (length).
-    gap
-        What is cut away between two panels where they open (length).
+    setback, gap
+        Longest set-back, and what is cut away between two panels where they open (length).
     """
     grid, edges = mechanism.grid, mechanism.grid.faces_edges()
     room = share * _ways_across(mechanism.positions(0.0), grid)

@@ -48,11 +48,6 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     """How thick the panels of a sheet with its flaps, folded or clipped on, may be at its target.
 
     Flaps whose creases fold flat carry no boards there, and are left out.
-
-    Parameters
-    ----------
-    build
-        What they are made of: how much set-backs may take, and the gap.
     """
     grid, flat = mechanism.grid, mechanism.positions(0.0)
     folds = largest_folds(mechanism, mechanism.target_drive)
@@ -156,13 +151,6 @@ def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
 
     Rounded up to a hundredth of a degree; 0 if there are no flaps (radians).
 
-    Parameters
-    ----------
-    mechanism
-        The sheet, whose flaps may have any stop.
-    build
-        What its panels are made of.
-
     Raises
     ------
     DesignError
@@ -207,14 +195,7 @@ def _no_room(mechanism: Mechanism, build: PanelSpec) -> DesignError:
 def largest_thickness(mechanism: Mechanism, build: PanelSpec) -> float:
     """The largest thickness of panels, with whatever stop leaves their flaps most room (length).
 
-    Infinite where no crease folds.
-
-    Parameters
-    ----------
-    mechanism
-        The sheet with its flaps, if it has any.
-    build
-        What its panels are made of; with a stop of 0 flaps carry no boards.
+    Infinite where no crease folds. With a stop of 0 flaps carry no boards.
     """
     most = find_thickness_limit(mechanism.with_stop(0.0), build).thickness
     if not mechanism.flap_columns or build.stop == 0:

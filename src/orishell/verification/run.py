@@ -43,8 +43,6 @@ class Inspection:
 
     Parameters
     ----------
-    file
-        The file.
     sheet
         The reference frame.
     tolerance
