@@ -12,7 +12,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from orishell.design_file import read_design_file
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.shell.structure import analyse_structure
 from orishell.structure.settings import NO_CODE, LoadCase, Snow, Structure, Support, Wind
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from orishell import Shell, design_shell
+from orishell.io.format import Settings
 from orishell.io.formats.svg import write_svg
-from orishell.io.settings import Settings
-from orishell.workshop.board_parts import board_parts
+from orishell.workshop.board_sheets import board_parts
 
 
 def design() -> Shell:

@@ -13,7 +13,7 @@ from tempfile import TemporaryDirectory
 
 from orishell import Shell
 from orishell.design_file import check_design
-from orishell.design_file.values import with_values
+from orishell.design_file.tables import with_values
 from orishell.search import (
     Crew,
     Found,
@@ -25,7 +25,7 @@ from orishell.search import (
     search_designs,
 )
 from orishell.shell.make import make_shell
-from orishell.shell.parts import PARTS
+from orishell.shell.steps import PARTS
 
 DESIGN = Path(__file__).with_suffix(".toml")
 MADE = DESIGN.with_suffix("") / "journal.jsonl"

@@ -15,7 +15,7 @@ import numpy as np
 from orishell import Shell, analyse_structure
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES, Part
+from orishell.shell.steps import MEASURES, Part
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Support
 

@@ -8,9 +8,8 @@ import numpy as np
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.exposure import Exposure
 from orishell.structure.loads import case_forces
-from orishell.structure.results import Analysis, Balance, CaseResult, FreeMotion
+from orishell.structure.results import Analysis, Balance, CaseResult, Exposure, FreeMotion
 from orishell.structure.sections import Section
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
 from orishell.structure.sheet import mesh_sheet

@@ -7,9 +7,9 @@ from typing import Any
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.design_file import check_design
-from orishell.design_file.values import with_values
+from orishell.design_file.tables import with_values
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 
 Tables = dict[str, Any]
 

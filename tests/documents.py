@@ -19,7 +19,7 @@ from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.solids import build_boards, find_stop, largest_folds, largest_height
 from orishell.structure.sheet import mesh_sheet
 

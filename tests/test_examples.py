@@ -16,7 +16,7 @@ from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.solids import drive_for_height
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

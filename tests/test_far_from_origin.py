@@ -18,11 +18,11 @@ from orishell.design_file.file import check_design
 from orishell.deviation import measure_deviation
 from orishell.io import read_fold
 from orishell.io.all_formats import find_formats
-from orishell.io.settings import Settings
+from orishell.io.format import Settings
 from orishell.io.view import dump_view
 from orishell.shell.export import convert_fold, write_format
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.verification import inspect_fold
 from strategies import graph, pair
 

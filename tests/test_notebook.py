@@ -29,7 +29,7 @@ from orishell.io.all_formats import FORMATS
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.export import write_format, write_shell, write_structure
-from orishell.shell.overlay import lay_surface
+from orishell.shell.pictures import lay_surface
 from orishell.studio import notebook
 from orishell.studio.notebook import show
 from public_names import public_callables

@@ -22,7 +22,7 @@ from PIL import Image
 
 from node_tools import lacking
 from orishell.io.formats.html import viewer_is_built
-from orishell.io.program_page import place_of
+from orishell.io.html_pages import place_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Frame, Locator, Page

@@ -24,7 +24,7 @@ from orishell.design_file import DesignFile, read_design_file
 from orishell.io.formats.html import read_viewer, viewer_is_built
 from orishell.io.view import dump_view
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.overlay import lay_surface
+from orishell.shell.pictures import lay_surface
 
 if TYPE_CHECKING:
     from collections.abc import Callable

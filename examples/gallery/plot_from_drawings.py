@@ -23,7 +23,7 @@ from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.plot.scene import Camera
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 
 
 def draw(name: str, view: Camera) -> None:

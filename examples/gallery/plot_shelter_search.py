@@ -22,7 +22,7 @@ import matplotlib.pyplot as plt
 from drawing import EXAMPLES, LOCKED, camera, draw_shell, same_scale
 
 from orishell.search import alone, read_problem
-from orishell.search.feasible import reasons
+from orishell.search.evaluate import reasons
 from orishell.search.front import costs
 from orishell.search.write import draw_front
 

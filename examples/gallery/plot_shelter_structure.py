@@ -20,9 +20,9 @@ import matplotlib.pyplot as plt
 from drawing import EXAMPLES
 
 from orishell import Shell
-from orishell.cli.structure_summary import summarize_structure
+from orishell.cli.structure import summarize_structure
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.structure.files import draw_structure
 
 example = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))

@@ -16,7 +16,7 @@ from orishell.conventions.colours import LIGHT
 from orishell.design_file import read_design_file
 from orishell.motion import find_assignment
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 
 file = read_design_file(EXAMPLES / "vault.toml")
 shell = make_shell(file, leave_out=MEASURES)

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from orishell.cli import progress
+from orishell.cli import files as progress
 from orishell.conventions.progress import no_progress
 
 

@@ -10,7 +10,7 @@ import pytest
 from analysed import STRUCTURE, analysed
 from command_line import orishell
 from design_tables import formula, made, tables
-from orishell.cli.structure_summary import brief_structure, summarize_structure
+from orishell.cli.structure import brief_structure, summarize_structure
 from orishell.conventions.errors import InputError
 from orishell.shell.export import write_structure
 from orishell.shell.make import Shell

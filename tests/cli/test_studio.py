@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from orishell.cli.main import run
-from orishell.studio import app, key
+from orishell.studio import app, guard
 
 ROOT = Path(__file__).parents[2]
 
@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 def opened(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """No browser opens."""
     pages: list[str] = []
-    monkeypatch.setattr(key, "open_page", pages.append)
+    monkeypatch.setattr(guard, "open_page", pages.append)
     yield
     assert pages == []
 

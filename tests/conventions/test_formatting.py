@@ -24,7 +24,7 @@ from orishell.families.registry import FAMILIES
 from orishell.io import document_of_fold, read_fold, write_fold
 from orishell.locking import find_lock
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.verification import inspect_fold
 from public_names import public_objects
 

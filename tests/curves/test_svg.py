@@ -16,7 +16,7 @@ from orishell.conventions.errors import InputError
 from orishell.curves import read_dxf, read_svg, trace_curve
 from orishell.curves.pieces import Arc
 from orishell.curves.svg.path_data import parse_path
-from orishell.curves.svg.values import parse_transform
+from orishell.curves.svg.tree import parse_transform
 
 Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -225,8 +225,7 @@ def test_a_rectangle_with_round_corners_is_made_of_what_it_should(tmp_path: Path
     """Its outline meets an open line in two pieces: area and perimeter by our own trace."""
     from orishell.curves.piecewise import PieceArrays
     from orishell.curves.svg.shapes import draw_shape
-    from orishell.curves.svg.tree import Element
-    from orishell.curves.svg.values import View
+    from orishell.curves.svg.tree import Element, View
 
     values = {"x": "1", "y": "2", "width": "10", "height": "6", "rx": "2"}
     pieces = draw_shape(Element("rect", values), View(0, 0))

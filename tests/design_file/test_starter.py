@@ -16,7 +16,7 @@ from orishell.design_file import check_design, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.search.problem import pose
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from samples import THOROUGH
 
 Tables = dict[str, Any]

@@ -20,8 +20,7 @@ from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
-from orishell.locking.panel_report import MeetingReport, PanelReport
-from orishell.locking.report import PathReport
+from orishell.locking.report import MeetingReport, PanelReport, PathReport
 from orishell.search.figures import NAMES
 from orishell.shell.deployment_report import (
     DeploymentReport,

@@ -20,9 +20,9 @@ from orishell.families.longitudinal_linear_repeating import (
     Sectors,
     find_solutions,
 )
-from orishell.families.longitudinal_linear_repeating.motion import acceleration
-from orishell.families.longitudinal_linear_repeating.motion.fold_rates import fold_rates
+from orishell.families.longitudinal_linear_repeating.motion import rates
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import Pose
+from orishell.families.longitudinal_linear_repeating.motion.rates import fold_rates
 from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Directions,
@@ -235,7 +235,7 @@ def test_ranges_are_bounded_alike_alone_and_together(monkeypatch: pytest.MonkeyP
     assert mechanism is not None
     ends = np.linspace(0.0, mechanism.target_drive, 8)
     together = mechanism.edge_accelerations(ends[:-1], ends[1:])
-    monkeypatch.setattr(acceleration, "AT_ONCE", 1)
+    monkeypatch.setattr(rates, "AT_ONCE", 1)
     alone = mechanism.edge_accelerations(ends[:-1], ends[1:])
     for one, other in zip(alone, together, strict=True):
         np.testing.assert_allclose(one, other, rtol=1e-12)

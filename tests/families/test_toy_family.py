@@ -19,15 +19,14 @@ from pydantic import Field
 from command_line import orishell
 from orishell import Design, InputError, design_shell, measure_residuals, write_shell
 from orishell.conventions.table import Knob, Number
-from orishell.families.parameters import Auto, Limits
-from orishell.families.pattern import Family, Pattern
+from orishell.families.pattern import Auto, Family, Limits, Pattern
 from orishell.families.registry import FAMILIES
 from orishell.io import read_fold
 from orishell.motion import FoldingMotion
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array
 from orishell.polylines import alternating
-from orishell.studio.knobs import describe_examples, describe_families
+from orishell.studio.labels import describe_examples, describe_families
 from orishell.verification import inspect_fold
 
 STARTER = """

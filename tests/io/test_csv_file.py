@@ -3,7 +3,7 @@
 import csv
 from pathlib import Path
 
-from orishell.io.csv_file import write_csv
+from orishell.io.formats.tables import write_csv
 
 
 def test_texts_that_are_formulas_have_a_quote_and_numbers_have_none(tmp_path: Path) -> None:

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loaded_shells import LARGEST, loaded_document
+from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats.html import write_html
-from orishell.io.settings import DEFAULT_SETTINGS
 from orishell.io.view import dump_view
 from viewer_pages import await_frames, pixels, wait_until, watched_page
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from orishell.io.panels import find_frames, quaternions
+from orishell.io.solids import find_frames, quaternions
 from orishell.motion.quads import longer_diagonals
 
 

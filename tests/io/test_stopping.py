@@ -20,7 +20,7 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import stop_quietly
 from orishell.io import OutputDirectory
-from orishell.io.manifest import NAME, require_one_run
+from orishell.io.output import NAME, require_one_run
 
 STEPS = ("open", "os.mkdir", "os.rename", "os.remove", "os.rmdir", "shutil.rmtree", "os.listdir")
 OLD = {name: f"old {name}" for name in "abcd"}

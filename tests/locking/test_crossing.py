@@ -9,7 +9,7 @@ from orishell.curves import curve_from_formulas, parse_formula
 from orishell.design import Design
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.locking import end_motion
-from orishell.locking.crossing import require_uncrossed
+from orishell.locking.clipped import require_uncrossed
 from strategies import graph
 
 

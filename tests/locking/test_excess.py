@@ -12,7 +12,7 @@ from design_tables import Tables, formula, tables
 from orishell.conventions.errors import DesignError
 from orishell.design import Design
 from orishell.design_file import DesignFile, check_design
-from orishell.design_file.values import with_values
+from orishell.design_file.tables import with_values
 from orishell.locking import Lock, require_pack
 from orishell.motion import largest_fold
 from orishell.shell.designed import designed, ended

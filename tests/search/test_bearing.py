@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from orishell.search import Found, Problem, alone, journal_in_memory, search_designs
-from orishell.search.evaluate import evaluate, job_of
-from orishell.search.feasible import asked_of_loads, reasons, violation
+from orishell.search.evaluate import asked_of_loads, evaluate, job_of, reasons, violation
 from orishell.search.problem import pose
 from search.problems import PATH, loaded_tables, small_problem
 

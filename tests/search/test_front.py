@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from orishell.search.evaluate import Outcome
-from orishell.search.feasible import nearest, reasons, said_of
+from orishell.search.evaluate import Outcome, nearest, reasons, said_of
 from orishell.search.front import costs, front_of, unbeaten
 from search.problems import small_problem
 

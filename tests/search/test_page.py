@@ -19,7 +19,7 @@ import pytest
 from command_line import orishell
 from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
-from orishell.design_file.values import with_values
+from orishell.design_file.tables import with_values
 from orishell.search import Crew, Found, Problem, alone, journal_in_memory, local_processes
 from orishell.search import page as pages
 from orishell.search.evaluate import Outcome, job_of

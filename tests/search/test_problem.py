@@ -19,7 +19,7 @@ from orishell.design_file import starter_file
 from orishell.design_file.search import Range
 from orishell.search.problem import pose, read_problem
 from orishell.search.space import Choices, Interval
-from orishell.search.variant_file import variant_text
+from orishell.search.write import variant_text
 from search.problems import PATH, loaded_tables, small_problem
 
 GOOD: dict[str, Any] = {

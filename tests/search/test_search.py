@@ -9,11 +9,9 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import DesignError, InputError
-from orishell.search.choose import chooser
 from orishell.search.crew import Crew, alone, local_processes
-from orishell.search.evaluate import Outcome, _common, evaluate, job_of
-from orishell.search.feasible import violation
-from orishell.search.front import scores
+from orishell.search.evaluate import Outcome, _common, evaluate, job_of, violation
+from orishell.search.front import chooser, scores
 from orishell.search.journal import Journal, journal_in_memory
 from orishell.search.problem import Problem
 from orishell.search.run import Found, search_designs

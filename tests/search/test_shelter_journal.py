@@ -13,8 +13,7 @@ import pytest
 
 from orishell.search import Crew, Found, Outcome, Problem, read_problem
 from orishell.search.crew import Work
-from orishell.search.evaluate import evaluate, job_of
-from orishell.search.feasible import violation
+from orishell.search.evaluate import evaluate, job_of, violation
 from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from orishell.design_file.search import Range
-from orishell.design_file.values import with_values
+from orishell.design_file.tables import with_values
 from orishell.search.space import Choices, Interval, Space, stepped
 
 SPACE = Space({"a": Choices(("x", "y", "z")), "b": Interval(-1.5, 2.0), "c": Choices((5, 7))})

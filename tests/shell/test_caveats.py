@@ -30,7 +30,7 @@ from orishell.shell.caveats import (
     find_caveats,
 )
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.workshop import Workshop
 from strategies import graph, pair
 

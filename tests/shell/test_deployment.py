@@ -12,7 +12,7 @@ import pytest
 
 from command_line import Ran, orishell
 from orishell.io import read_fold
-from orishell.io.fold_document import document_of_fold
+from orishell.io.fold import document_of_fold
 from orishell.shell.make import design_shell
 from samples import thorough
 

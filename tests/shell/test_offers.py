@@ -12,7 +12,7 @@ import pytest
 from design_tables import Tables, formula, mended, tables
 from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import check_design
-from orishell.design_file.values import with_values
+from orishell.design_file.tables import with_values
 from orishell.shell import remedies
 from orishell.shell.make import make_shell
 from samples import THOROUGH

@@ -14,7 +14,7 @@ from orishell.locking import find_lock
 from orishell.locking.report import describe_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
-from orishell.shell.parts import MEASURES, PARTS, Part
+from orishell.shell.steps import MEASURES, PARTS, Part
 from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.workshop import Workshop
 from planted import clear

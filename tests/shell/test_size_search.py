@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
 from orishell.families.pattern import Tolerance, Variants
-from orishell.shell.choice import Measured
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import MOST, Sizes
+from orishell.shell.size_trials import MOST, Measured, Sizes
 
 Error = Callable[[int, int], float]
 

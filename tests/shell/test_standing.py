@@ -18,8 +18,8 @@ from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.io import read_fold
 from orishell.shell.make import Shell, make_shell
-from orishell.shell.parts import MEASURES
 from orishell.shell.report import StandsReport
+from orishell.shell.steps import MEASURES
 from strategies import graph, pair
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -144,8 +144,8 @@ def test_ground_is_z0_unless_said() -> None:
 def test_curves_and_surface_are_raised_with_the_shell(tmp_path: Path) -> None:
     import rhino3dm
 
+    from orishell.io.format import Settings
     from orishell.io.formats.rhino import write_rhino
-    from orishell.io.settings import Settings
 
     standing = shell("-0.7*x**2", [-1, 1])
     write_rhino(tmp_path / "shell.3dm", standing.document, Settings())

@@ -12,7 +12,7 @@ from design_tables import formula, tables
 from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.structure.report import StructureReport
 
 STORM = {"speed": 26, "terrain": "II", "direction_deg": 90}

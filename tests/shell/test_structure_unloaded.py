@@ -7,7 +7,7 @@ from pathlib import Path
 from design_tables import formula, tables
 from orishell.design_file import check_design
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.structure.files import write_structure_files
 
 

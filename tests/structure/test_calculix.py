@@ -19,8 +19,8 @@ from calculix_tool import Answers, run_calculix
 from documents import EXAMPLES
 from orishell import Shell, design_shell
 from orishell.document import LoadedShell
+from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats.calculix import write_calculix
-from orishell.io.settings import DEFAULT_SETTINGS
 from orishell.numerics.arrays import Array
 from orishell.structure.results import CaseResult
 from samples import thorough

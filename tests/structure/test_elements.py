@@ -11,10 +11,10 @@ from scipy.sparse.linalg import spsolve
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.facets import FREEDOMS, Facets
 from orishell.structure.hinges import hinge_elements
 from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
+from orishell.structure.triangle import FREEDOMS, Facets
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

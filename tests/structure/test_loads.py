@@ -10,11 +10,10 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.exposure import Exposure
-from orishell.structure.loads import case_forces, case_loads
+from orishell.structure.loads import case_forces, case_loads, peak_pressure
+from orishell.structure.results import Exposure
 from orishell.structure.settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone
 from orishell.structure.sheet import mesh_sheet
-from orishell.structure.wind import peak_pressure
 
 SLOPE = np.deg2rad(40)
 SPAN, LENGTH = 4.0, 3.0

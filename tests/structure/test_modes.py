@@ -15,13 +15,16 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import hold
-from orishell.structure.inverse import Inverse
 from orishell.structure.model import Frame, Model
 from orishell.structure.sections import Section
 from orishell.structure.settings import Structure, Support
 from orishell.structure.sheet import mesh_sheet
-from orishell.structure.stability import find_buckling, geometric_stiffness
-from orishell.structure.vibration import find_frequencies
+from orishell.structure.stability import (
+    Inverse,
+    find_buckling,
+    find_frequencies,
+    geometric_stiffness,
+)
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])

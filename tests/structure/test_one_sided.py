@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from orishell.motion.grid import Grid
-from orishell.structure.acting import Response, respond
+from orishell.structure.active_set import Response, respond
 from orishell.structure.conditions import Conditions, between, joined, on_ground
 from orishell.structure.factorise import hold
 from orishell.structure.held import Held

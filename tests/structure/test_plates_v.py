@@ -14,16 +14,19 @@ import pytest
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.acting import respond
+from orishell.structure.active_set import respond
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import hold
 from orishell.structure.hinges import hinge_elements, rigid_stiffness
-from orishell.structure.inverse import Inverse
 from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
-from orishell.structure.stability import find_buckling, geometric_stiffness
+from orishell.structure.stability import (
+    Inverse,
+    find_buckling,
+    find_frequencies,
+    geometric_stiffness,
+)
 from orishell.structure.stresses import facet_stresses
-from orishell.structure.vibration import find_frequencies
 
 SLOPE, LENGTH = np.deg2rad(30), 4.0
 SECTION = Section.solid(10e9, 0.02, 0.3)

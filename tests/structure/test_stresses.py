@@ -7,11 +7,10 @@ import pytest
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.acting import respond
+from orishell.structure.active_set import respond
 from orishell.structure.conditions import joined, on_ground
-from orishell.structure.crease_moments import crease_moments
 from orishell.structure.factorise import hold
-from orishell.structure.hinges import hinge_elements, rigid_stiffness
+from orishell.structure.hinges import crease_moments, hinge_elements, rigid_stiffness
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh, mesh_sheet
 from orishell.structure.stresses import FacetStresses, facet_stresses

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from orishell.conventions.units import GRAVITY
+from orishell.conventions.quantities import GRAVITY
 from orishell.deployment import feet_ties, measure_weight
 from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
-from orishell.structure.acting import respond
+from orishell.structure.active_set import respond
 from orishell.structure.loads import case_forces
 from orishell.structure.model import Frame, Model
 from orishell.structure.settings import LoadCase, Structure, Support

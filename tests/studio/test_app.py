@@ -25,8 +25,7 @@ from command_line import orishell
 from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.studio.app import LIMITS
-from orishell.studio.guard import Guard
-from orishell.studio.key import Key
+from orishell.studio.guard import Guard, Key
 from studio_server import Studio, descendants, running_studio
 
 Design = dict[str, Any]

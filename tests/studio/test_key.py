@@ -18,8 +18,7 @@ import httpx
 import pytest
 
 from apart import run_apart
-from orishell.studio.guard import LOCKED, Guard
-from orishell.studio.key import Key
+from orishell.studio.guard import LOCKED, Guard, Key
 from studio_server import Studio, running_studio
 
 BROWSER = """\

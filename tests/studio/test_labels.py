@@ -12,8 +12,7 @@ from orishell.design_file import starter_file
 from orishell.design_file.file import check_design
 from orishell.design_file.tables import FileTable, keys_of
 from orishell.families.registry import FAMILIES
-from orishell.studio.knobs import describe_workshop
-from orishell.studio.labels import TABLES, WORKSHOP_CHOICES, describe_tables
+from orishell.studio.labels import TABLES, WORKSHOP_CHOICES, describe_tables, describe_workshop
 
 FAMILY = "parallel-repeating"
 THICK = {"thickness": 0.02, "membrane": 0.001}

@@ -11,7 +11,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.search.figures import NAMES
-from orishell.studio import limits, searches
+from orishell.studio import processes, searches
 from orishell.studio.search_api import SearchState
 from orishell.studio.tasks import answer
 from orishell.studio.workers import Pool
@@ -73,7 +73,7 @@ def test_what_cannot_be_made_is_counted_by_its_reason() -> None:
 
 
 def test_variants_are_as_large_as_designs_may_be(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(limits, "MAX_VERTICES", 11 * 13)
+    monkeypatch.setattr(processes, "MAX_VERTICES", 11 * 13)
     _, last = searched(design_with(variables={"pattern.columns": [3, 50]}))
     assert last["refused"] == [("the sheet is too large for the studio", 1)]
     assert [member["number"] for member in last["front"]] == [0]

@@ -13,7 +13,7 @@ from orishell.conventions.errors import InputError, OrishellError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.shell import tradeoff
-from orishell.studio.limits import MAX_VERTICES
+from orishell.studio.processes import MAX_VERTICES
 from orishell.studio.tasks import answer
 from orishell.workshop.palettes import load_palette
 

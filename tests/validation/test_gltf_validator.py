@@ -11,8 +11,8 @@ import pytest
 
 from documents import FAMILIES, demo_document, thick_document
 from node_tools import ask_node
+from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats.gltf import write_gltf
-from orishell.io.settings import DEFAULT_SETTINGS
 
 DOCUMENTS = {
     **{family: partial(demo_document, family) for family in FAMILIES},

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from documents import FAMILIES, demo_document
 from node_tools import ask_node
 from orishell.document import Document
+from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats.origami_simulator import write_origami_simulator
-from orishell.io.settings import DEFAULT_SETTINGS
 from rigid import distance_after_motion
 
 Integers = NDArray[np.int64]

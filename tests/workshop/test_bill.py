@@ -12,15 +12,15 @@ from boarded import BUILDS, boarded_document
 from documents import demo_document
 from orishell.design import PanelSpec
 from orishell.document import Document, DocumentState
+from orishell.io.format import Settings
 from orishell.io.formats.tables import write_tables
-from orishell.io.settings import Settings
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array
 from orishell.workshop import Workshop
-from orishell.workshop.board_parts import nest_boards
-from orishell.workshop.clipped import with_clipped
+from orishell.workshop.assembly import with_clipped
+from orishell.workshop.board_sheets import nest_boards
 from orishell.workshop.quantities import PanelBill, measure_panels
 
 

@@ -17,10 +17,9 @@ from orishell.conventions.errors import InputError
 from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.board_parts import board_parts, nest_boards
-from orishell.workshop.board_sheets import draw_boards
+from orishell.workshop.assembly import with_clipped
+from orishell.workshop.board_sheets import board_parts, draw_boards, nest_boards
 from orishell.workshop.boards import part_name
-from orishell.workshop.clipped import with_clipped
 from orishell.workshop.layout import require_stock
 from orishell.workshop.paper_model import make_board_models, make_paper_model
 from orishell.workshop.quantities import measure_quantities

@@ -18,7 +18,7 @@ from orishell.document.from_design import document_of_motion
 from orishell.motion import FoldingMotion
 from orishell.numerics.arrays import Array
 from orishell.workshop import Drawing, Workshop
-from orishell.workshop.clipped import with_clipped
+from orishell.workshop.assembly import with_clipped
 from orishell.workshop.layout import lay_out
 from orishell.workshop.quantities import measure_quantities
 from orishell.workshop.sheets import draw_sheets, measure_waste

@@ -14,7 +14,7 @@ from orishell.motion.mesh import build_mesh
 from orishell.workshop import Workshop
 from orishell.workshop.creases import crease_lines, mean_edge, relief_holes
 from orishell.workshop.cut_parts import whole_sheet
-from orishell.workshop.drawing import Line
+from orishell.workshop.palettes import Line
 
 Array = NDArray[np.float64]
 LETTERS = {"MOUNTAIN": "M", "VALLEY": "V"}

@@ -6,7 +6,7 @@ import pytest
 
 from documents import FAMILIES, demo_document, folded_only
 from orishell.conventions.errors import InputError
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.motion.mesh import build_mesh
 from orishell.motion.quads import signed_areas
 from orishell.workshop import Drawing, Line, Workshop

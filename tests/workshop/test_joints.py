@@ -11,9 +11,8 @@ import shapely
 from documents import FAMILIES, demo_document
 from orishell.document import Document
 from orishell.motion.mesh import build_mesh
-from orishell.workshop.cut_parts import CutPart
-from orishell.workshop.drawing import Text
-from orishell.workshop.joints import Joint, make_parts
+from orishell.workshop.cut_parts import CutPart, Joint, make_parts
+from orishell.workshop.palettes import Text
 from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.settings import Workshop
 from orishell.workshop.splitting import split_sheet

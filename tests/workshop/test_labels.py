@@ -8,8 +8,8 @@ from orishell.document import Document
 from orishell.motion.mesh import build_mesh
 from orishell.workshop import Text, Workshop
 from orishell.workshop.cut_parts import CutPart, whole_sheet
+from orishell.workshop.draw import part_labels
 from orishell.workshop.fitted_words import CHARACTER
-from orishell.workshop.labels import part_labels
 from orishell.workshop.settings import Labels
 
 

@@ -6,8 +6,7 @@ import pytest
 from ezdxf.colors import aci2rgb
 
 from orishell.conventions.errors import InputError
-from orishell.workshop.drawing import LAYERS
-from orishell.workshop.palettes import load_palette, palette_names
+from orishell.workshop.palettes import LAYERS, load_palette, palette_names
 
 GOOD = """
 [mine]

@@ -83,17 +83,17 @@ export interface ChosenReport {
   panel_min: number;
   /** What was asked for; ``panel_max`` is None if edges may have any length. */
   panel_max: number | null;
-  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
   rows: number;
-  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
   columns: number;
-  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
   panels: number;
-  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
   error: number;
-  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
   shortest: number;
-  /** The design that was chosen, see :class:`~orishell.shell.choice.Trial`. */
+  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
   longest: number;
   /** Number of designs measured. */
   designs_tried: number;

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, WRITE_HELP, directory, state_named
-from orishell.cli.printing import say
-from orishell.cli.progress import bar
+from orishell.cli.files import STATE_HELP, WRITE_HELP, bar, directory, say, state_named
 from orishell.cli.summary import summarize
 from orishell.conventions.errors import ClashError, InputError
 

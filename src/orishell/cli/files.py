@@ -1,14 +1,66 @@
-"""Options that several commands share: formats, the state to show, the output directory."""
+"""What commands share: printing, the progress bar, options for formats and directories."""
 
 from __future__ import annotations
 
+import contextlib
 import re
-from collections.abc import Iterable
+import sys
+import time
+from collections.abc import Iterable, Iterator
 from itertools import groupby
 from pathlib import Path
 
-from orishell.conventions.errors import InputError
+import typer
+
+from orishell.conventions.errors import InputError, printable
+from orishell.conventions.progress import Progress, no_progress
 from orishell.io.registry import ALL, MODULES
+
+
+def say(text: str, *, err: bool = False) -> None:
+    """Print lines, with all control characters but line breaks escaped.
+
+    Parameters
+    ----------
+    text
+        The lines.
+    err
+        Whether on standard error.
+    """
+    typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
+
+
+WAIT = 1.0
+"""Work that takes less time than this shows no bar (seconds)."""
+
+
+@contextlib.contextmanager
+def bar() -> Iterator[Progress]:
+    """A progress bar on a terminal, for whatever takes longer than a second."""
+    if not sys.stderr.isatty():
+        yield no_progress
+        return
+    from rich.console import Console
+    from rich.progress import Progress as Bars
+
+    bars = Bars(console=Console(stderr=True), transient=True)
+    task = bars.add_task("", total=1.0)
+    begin: dict[str, float] = {}
+
+    def progress(share: float, what: str) -> None:
+        begin.setdefault(what, time.monotonic())
+        if time.monotonic() - begin[what] > WAIT and not bars.live.is_started:
+            bars.start()
+        bars.update(task, completed=share, description=what)
+        if share == 1.0:
+            begin.pop(what)
+            bars.stop()
+
+    try:
+        yield progress
+    finally:
+        bars.stop()
+
 
 WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
 

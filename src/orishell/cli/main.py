@@ -10,11 +10,10 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.check import check
-from orishell.cli.convert import convert
+from orishell.cli.check import check, convert
 from orishell.cli.design import design
+from orishell.cli.files import say
 from orishell.cli.new import new
-from orishell.cli.printing import say
 from orishell.cli.search import search
 from orishell.cli.solve import solve
 from orishell.cli.structure import structure

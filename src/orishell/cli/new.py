@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.printing import say
+from orishell.cli.files import say
 from orishell.conventions.errors import InputError
 
 

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import directory, shortened
-from orishell.cli.printing import say
-from orishell.cli.progress import bar
+from orishell.cli.files import bar, directory, say, shortened
 from orishell.conventions.progress import asked_to_stop
 
 if TYPE_CHECKING:
@@ -74,7 +72,7 @@ def _crew(processes: int | None, address: str | None) -> AbstractContextManager[
 
 
 def _summary(problem: Problem, found: Found, written: list[Path]) -> Iterator[str]:
-    from orishell.search.feasible import asked_of_loads, reasons, violation
+    from orishell.search.evaluate import asked_of_loads, reasons, violation
     from orishell.search.front import costs
 
     made = found.outcomes

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from orishell.cli.printing import say
+from orishell.cli.files import say
 
 SECOND = ("alpha_2", "beta_2", "gamma_2", "delta_2")
 

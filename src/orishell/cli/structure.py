@@ -1,19 +1,157 @@
-"""``orishell structure``: whether a designed shell stands, by its own table [structure]."""
+"""The summary that ``orishell structure`` prints, and the lines of it in that of a design."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import directory
-from orishell.cli.printing import say
-from orishell.cli.progress import bar
-from orishell.cli.structure_summary import summarize_structure
+from orishell.cli.files import bar, directory, say, shortened
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import plain
+
+if TYPE_CHECKING:
+    from orishell.structure.case_report import CaseReport, StandingReport, Vector
+    from orishell.structure.report import ModelReport, StructureReport
+
+ROUNDING = 1e-6
+"""Components of a vector below this share of the largest are none."""
+
+
+def summarize_structure(report: StructureReport, unit: str, written: list[Path]) -> Iterator[str]:
+    """Lines that say what was analysed and found, and which files were written."""
+    from orishell.structure.build_warnings import name_of
+
+    yield from _model(report.model, unit)
+    for each in {case.name: case for case in report.cases}.values():
+        yield from _loads(each)
+    for case in report.cases:
+        yield f"case      {name_of(case, report.cases)}"
+        yield from _case(case, unit)
+    yield from _governing(report)
+    yield from (f"not covered: {text}" for text in report.not_covered)
+    yield from (f"wrote     {text}" for text in shortened(written))
+
+
+def brief_structure(report: StructureReport, unit: str) -> Iterator[str]:
+    """A line for every load case, and what governs."""
+    from orishell.structure.build_warnings import name_of
+
+    for case in report.cases:
+        found = case.moves or f"stands, {_displacement(case.stands, unit)}"
+        yield f"loaded    {name_of(case, report.cases)}: {found}"
+    yield from _governing(report)
+
+
+def _model(model: ModelReport, unit: str) -> Iterator[str]:
+    yield (
+        f"model     {model.triangles} triangles, {model.freedoms} freedoms; "
+        f"{plain(model.mass)} kg; "
+        f"panels {plain(model.thickness)} {unit} thick, E = {plain(model.modulus)} N/{unit}2"
+    )
+    low, high = model.crease_stiffness
+    stiffness = f"{low}" if low == high else f"{low} to {high}"
+    stretch = "that do not stretch" if model.tie_stiffness is None else plain(model.tie_stiffness)
+    yield f"stiffness of creases {stiffness} (N), of ties {stretch} (N)"
+    for each in model.supports:
+        at = each.at if isinstance(each.at, str) else ", ".join(str(list(v)) for v in each.at)
+        friction = f" {each.friction:g}" if each.friction else ""
+        yield f"held      {at}: {each.kind}{friction}"
+
+
+def _loads(case: CaseReport) -> Iterator[str]:
+    """The loads of a case, which are the same for every stiffness of creases."""
+    yield f"load      {case.name}: {_vector(case.load)} in all"
+    for load in case.loads:
+        of = "" if load.case == case.name else f"{load.factor:g} x {load.case}: "
+        yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
+
+
+def _case(case: CaseReport, unit: str) -> Iterator[str]:
+    if case.stands is None:
+        yield f"  moves     it {case.moves}"
+        return
+    found = case.stands
+    yield f"  stands    {_displacement(found, unit)}"
+    yield from _forces(found, unit)
+    factor, frequencies = found.buckling, found.frequencies
+    buckling = "not" if factor is None else f"under {plain(factor)} times the loads"
+    yield f"  buckles   {buckling}"
+    if frequencies:
+        yield f"  frequency {', '.join(plain(each) for each in frequencies)} Hz"
+    missing = f"{found.residual:.1g} of the loads"
+    yield f"  balance   reactions {_vector(found.reaction)}, missing {missing}"
+
+
+def _forces(found: StandingReport, unit: str) -> Iterator[str]:
+    used = found.utilisation
+    if found.ties:
+        tie, pulling = found.ties[0], sum(each.force > 0 for each in found.ties)
+        first, second = (list(end) for end in tie.ends)
+        yield (
+            f"  ties      {pulling} of {len(found.ties)} pull, {plain(tie.force)} N at most, from "
+            f"{first} to {second}{_used(used.ties)}"
+        )
+    pressing = [each for each in found.flaps if each.force > 0]
+    if pressing:
+        pairs = f"{len(pressing)} of {len(found.flaps)} pairs"
+        yield f"  flaps     {pairs} press, {plain(pressing[0].force)} N at most"
+    if found.crease is not None:
+        first, second = (list(panel) for panel in found.crease.panels)
+        yield (
+            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, between panels "
+            f"{first} and {second}{_used(used.creases)}"
+        )
+    yield (
+        f"  panels    {plain(found.stress.size)} N/{unit}2 at most, on the "
+        f"{found.stress.face} face "
+        f"of {list(found.stress.panel)}{_used(used.panels)}"
+    )
+
+
+def _displacement(found: StandingReport | None, unit: str) -> str:
+    assert found is not None
+    most = found.displacement
+    return (
+        f"displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, at "
+        f"panel {list(most.panel)} along {_components(most.vector, 3)}"
+    )
+
+
+def _governing(report: StructureReport) -> Iterator[str]:
+    from orishell.structure.case_report import GOVERNING
+
+    governs = report.governs
+    if governs is None:
+        return
+    share = governs.utilisation
+    buckles = governs.part == "buckling"
+    borne = f"{plain(100 * share, 3)} % of what can be borne"
+    much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
+    creases = governs.creases
+    stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
+    yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
+
+
+def _used(share: float | None) -> str:
+    return "" if share is None else f": {plain(100 * share, 3)} % of what they bear"
+
+
+def _vector(force: Vector) -> str:
+    unit, size = ("kN", 1e3) if max(map(abs, force)) >= 1e4 else ("N", 1.0)
+    x, y, z = (each / size for each in force)
+    return f"{_components((x, y, z), 4)} {unit}"
+
+
+def _components(vector: Vector, digits: int) -> str:
+    """Numbers to so many digits; 0 is what rounding leaves beside the largest."""
+    least = ROUNDING * max(map(abs, vector))
+    kept = (each if abs(each) > least else 0.0 for each in vector)
+    return "({})".format(", ".join(plain(each, digits) for each in kept))
 
 
 def structure(
@@ -38,7 +176,7 @@ def structure(
     from orishell.io import OutputDirectory
     from orishell.shell.export import write_structure
     from orishell.shell.make import make_shell
-    from orishell.shell.parts import MEASURES
+    from orishell.shell.steps import MEASURES
 
     if out is not None:
         OutputDirectory(out).require_usable()

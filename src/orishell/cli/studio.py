@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.printing import say
+from orishell.cli.files import say
 from orishell.conventions.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,9 +41,9 @@ def studio(
         )
     import uvicorn
 
-    from orishell.io.program_page import BUILD_PAGES
+    from orishell.io.html_pages import BUILD_PAGES
     from orishell.studio.app import PAGES, make_app
-    from orishell.studio.key import Key, open_page
+    from orishell.studio.guard import Key, open_page
     from orishell.studio.protocol import ImpatientProtocol
 
     if not (PAGES / "index.html").exists():

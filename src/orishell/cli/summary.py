@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from orishell.cli.files import shortened
-from orishell.cli.structure_summary import brief_structure
+from orishell.cli.structure import brief_structure
 from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
     from orishell.deviation.report import DeviationReport
-    from orishell.locking.panel_report import PanelReport
+    from orishell.locking.report import PanelReport
     from orishell.shell.deployment_report import DeploymentReport
     from orishell.shell.make import Shell
     from orishell.shell.report import Report

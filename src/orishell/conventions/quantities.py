@@ -1,11 +1,29 @@
-"""Numbers with their units, as engineers read them: newtons, megapascals, kilonewtons per metre."""
+"""Units, and numbers with their units as engineers read them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import isfinite
+from typing import Final, Literal
 
-from orishell.conventions.units import MILLIMETRES, conversion
+Unit = Literal["mm", "cm", "m", "in", "ft"]
+
+MILLIMETRES: Final[dict[str, float]] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
+"""Length of each unit in millimetres."""
+GRAVITY: Final = 9.81
+"""Metres per second squared."""
+
+
+def conversion(source: str, target: str) -> float:
+    """The factor that converts lengths from one unit to another: 1 for the same unit.
+
+    Parameters
+    ----------
+    source, target
+        The units: mm, cm, m, in, ft.
+    """
+    return 1.0 if source == target else MILLIMETRES[source] / MILLIMETRES[target]
+
 
 DIGITS = 4
 LARGE, SMALL = 1e7, 1e-4

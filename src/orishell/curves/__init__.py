@@ -1,13 +1,12 @@
 """Planar curves: from formulas, from points, from drawings."""
 
 from orishell.curves.curve import Curve, curve_from_formulas
-from orishell.curves.direction import run_along_axis
 from orishell.curves.dxf import read_dxf
 from orishell.curves.files import read_points
 from orishell.curves.formula import Formula, parse_formula
 from orishell.curves.frames import nearby_origin
 from orishell.curves.interpolation import curve_from_points
-from orishell.curves.joining import Chain
+from orishell.curves.joining import Chain, run_along_axis
 from orishell.curves.memo import remembered
 from orishell.curves.svg import curve_data, parse_curve, read_svg
 from orishell.curves.trace import Trace

@@ -1,8 +1,9 @@
-"""From pieces in any order and direction to one curve, or to the place where they make none."""
+"""Which way a curve is run through."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,9 +12,36 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves.curve import Curve
 from orishell.curves.interpolation import curve_from_points
+from orishell.curves.memo import remembered
 from orishell.curves.pieces import MAX_PIECES, Affine, Arc, Bezier, Piece
 from orishell.curves.piecewise import PieceArrays, curve_from_pieces
+from orishell.curves.trace import Trace
 from orishell.numerics.arrays import Array, Integers
+
+
+@remembered
+def run_along_axis(trace: Trace, theta: float = 0.0) -> Trace:
+    """The curve run through in the direction of its x axis, whichever way it was drawn.
+
+    Parameters
+    ----------
+    theta
+        Rotation that is going to be made (radians): it is the rotated x axis that counts.
+
+    Returns
+    -------
+    Trace
+        The curve, or its reverse, with tangents that after the rotation are nearer to the x axis
+        than to its opposite, and directions on the branch about 0.
+    """
+    low, high = trace.heading_range()
+    turns = np.round((0.5 * (low + high) + theta) / np.pi)
+    if int(turns) % 2:
+        return run_along_axis(trace.reversed(), theta)
+    return replace(
+        trace, heading=trace.heading - turns * np.pi, arriving=trace.arriving - turns * np.pi
+    )
+
 
 Place = Callable[[Array], str]
 """How messages name a point (2,) of the drawing."""

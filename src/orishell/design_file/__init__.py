@@ -1,9 +1,8 @@
 """The design file: TOML tables, checked, and the curves that they name."""
 
-from orishell.design_file.file import DesignFile, check_design, read_design_file
-from orishell.design_file.limits import require_memory
+from orishell.design_file.file import DesignFile, check_design, read_design_file, require_memory
 from orishell.design_file.starter import starter_file
-from orishell.design_file.workshop import read_workshop
+from orishell.design_file.tables import read_workshop
 
 __all__ = [
     "DesignFile",

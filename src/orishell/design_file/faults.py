@@ -8,8 +8,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from orishell.conventions.arguments import Location, first_fault
 from orishell.conventions.errors import InputError
-from orishell.conventions.faults import Location, first_fault
 
 LISTS = ("load_case",)
 """Tables of which there may be several."""

@@ -1,25 +1,180 @@
-"""The tables of a design file."""
+"""The tables of a design file, and what they ask of each other."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, Field, ValidationInfo, field_validator
+from pydantic import BaseModel, Field, ValidationError, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
-from orishell.conventions.faults import Location
+from orishell.conventions.arguments import Location
+from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import Unit
 from orishell.conventions.table import Number, Several, Table
-from orishell.conventions.units import Unit
+from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
 from orishell.design import PanelSpec
+from orishell.design_file.faults import explain
 from orishell.design_file.search import Search
 from orishell.design_file.target import Targets
 from orishell.families.pattern import Tolerance
 from orishell.families.registry import FAMILIES
 from orishell.locking import CONTACT_TOLERANCE
-from orishell.structure.settings import LoadCase, StructureTable
+from orishell.structure.settings import OWN_WEIGHT, LoadCase, Structure, StructureTable
 from orishell.workshop import DEFAULT, Workshop
+
+Values = dict[str, Any]
+"""What keys of the design file have, by key, the tables in front of it."""
+
+
+def value_at(tables: Any, key: str) -> Any:
+    """What tables have at a dotted key; None if they have nothing there."""
+    for part in key.split("."):
+        if isinstance(tables, list) and part.isdecimal() and int(part) < len(tables):
+            tables = tables[int(part)]
+        elif isinstance(tables, dict):
+            tables = tables.get(part)
+        else:
+            return None
+    return tables
+
+
+def with_values(tables: Any, values: Mapping[str, Any]) -> Any:
+    """Tables of a design file with other values at some keys; what they name need not exist.
+
+    Parameters
+    ----------
+    tables
+        The tables.
+    values
+        Values by dotted key; in lists a number, from 0, is the key. None for a key that is removed.
+
+    Raises
+    ------
+    LookupError
+        If a key names an entry that a list does not have, or stands in what is no table.
+    """
+    for key, value in values.items():
+        tables = _with_value(tables, key.split("."), value)
+    return tables
+
+
+def _with_value(tables: Any, keys: list[str], value: Any) -> Any:
+    if not keys:
+        return value
+    first, *rest = keys
+    match tables:
+        case list():
+            if not (first.isascii() and first.isdecimal() and int(first) < len(tables)):
+                raise LookupError(first)
+            inner = _with_value(tables[int(first)], rest, value)
+            return [*tables[: int(first)], inner, *tables[int(first) + 1 :]]
+        case dict():
+            if value is None and not rest:
+                return {key: inner for key, inner in tables.items() if key != first}
+            return {**tables, first: _with_value(tables.get(first, {}), rest, value)}
+    raise LookupError(first)
+
+
+def read_workshop(path: Path) -> Workshop:
+    """The table [workshop] of a TOML file, which may hold others: a design file will do.
+
+    Raises
+    ------
+    InputError
+        Naming the file, the key, what was found and what is expected.
+    """
+    raw = read_toml(path, "workshop file")
+    if "workshop" not in raw:
+        raise InputError("this file has no table [workshop]", where=str(path))
+    try:
+        table = Workshop.model_validate(raw["workshop"])
+    except ValidationError as error:
+        keys = list(Workshop.model_fields)
+        raise explain(path, raw, error, lambda _: keys, ("workshop",)) from None
+    try:
+        return table.beside(path.parent)
+    except InputError as error:
+        raise error.located(f"{path}:") from None
+
+
+def structure_of(
+    table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelSpec | None
+) -> Structure | None:
+    """The structure that a design file asks for; None without the table.
+
+    Parameters
+    ----------
+    cases
+        Its load cases; none for its own weight.
+    panel
+        What the table [panel] says.
+
+    Raises
+    ------
+    InputError
+        If load cases or the thickness of panels do not fit.
+    """
+    if table is None:
+        if cases:
+            raise InputError(
+                "load cases need a structure that they load",
+                where="[[load_case]]",
+                remedy="add the table [structure], or remove the load cases",
+            )
+        return None
+    _require_one_thickness(table, panel)
+    _require_names(cases)
+    return table.under(cases or (OWN_WEIGHT,))
+
+
+def _require_names(cases: tuple[LoadCase, ...]) -> None:
+    """Refuse two cases of one name, and combinations of what is not there or combines itself."""
+    for number, case in enumerate(cases):
+        if case.name in [each.name for each in cases[:number]]:
+            raise InputError(
+                "two load cases have one name",
+                where=f"[[load_case]][{number}] name",
+                got=repr(case.name),
+            )
+    loaded = [case.name for case in cases if not case.combine]
+    for number, case in enumerate(cases):
+        for name in case.combine:
+            if name not in loaded:
+                raise InputError(
+                    "there is no such load case that has loads of its own",
+                    where=f"[[load_case]][{number}] combine",
+                    got=repr(name),
+                    expected="one of " + ", ".join(map(repr, loaded)) if loaded else "",
+                    remedy="" if loaded else "add the cases that are to be combined",
+                )
+
+
+def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> None:
+    if panel is None and table.thickness is None:
+        raise InputError(
+            "the thickness of panels is not known",
+            where="[structure] thickness",
+            remedy="write it here, or in [panel] if the motion is to leave room for it",
+        )
+    if panel is not None and table.thickness is not None:
+        raise InputError(
+            "panels have a thickness already",
+            where="[structure] thickness",
+            got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
+            remedy="remove it here",
+        )
+    if table.membrane_modulus and (panel is None or panel.construction != "sandwich"):
+        raise InputError(
+            "there is no membrane between boards",
+            where="[structure] membrane_modulus",
+            got=f"{table.membrane_modulus:g}",
+            expected='a table [panel] with a thickness and construction = "sandwich"',
+            remedy="remove it",
+        )
+
 
 Ground = Literal["z0", "as-drawn"]
 """Where a shell that can stand is put: its feet on z = 0, or g in the plane z = 0."""

@@ -11,8 +11,8 @@ from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import Unit, conversion
 from orishell.conventions.table import Number, Table
-from orishell.conventions.units import Unit, conversion
 from orishell.curves import (
     Chain,
     Curve,

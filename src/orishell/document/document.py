@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.record import record
-from orishell.conventions.units import MILLIMETRES
 from orishell.curves import nearby_origin
 from orishell.design import PanelSpec
 from orishell.document.loaded import LoadedShell

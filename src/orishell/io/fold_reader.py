@@ -14,12 +14,15 @@ from orishell.document import LARGEST
 from orishell.io.fold_frames import (
     Frames,
     differing,
+    misfit,
+    number_list,
+    number_table,
     read_frames,
     read_grid_shape,
     read_title,
     read_unit,
+    shown,
 )
-from orishell.io.json_arrays import misfit, number_list, number_table, shown
 from orishell.motion.mesh import QuadMesh, build_mesh
 from orishell.numerics.arrays import Array, Integers
 

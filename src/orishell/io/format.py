@@ -1,14 +1,44 @@
-"""The entry of a file format: its name, its endings and the function that writes it."""
+"""The entry of a file format, and the settings for files that are written."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Self
 
 from orishell.conventions.errors import InputError
-from orishell.document import Document
-from orishell.io.settings import Settings
+from orishell.document import FLAT, SHELL, Document
+from orishell.workshop import DEFAULT, Workshop
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """The state that is shown and the workshop's settings, for all formats.
+
+    Parameters
+    ----------
+    state
+        The state that formats with one state show, by name or number.
+    print_state
+        The state in which solids are printed, by name or number.
+    workshop
+        How the flat sheet is drawn and cut.
+    """
+
+    state: int | str = SHELL
+    print_state: int | str = FLAT
+    workshop: Workshop = DEFAULT
+
+    @classmethod
+    def showing(cls, state: int | str | None, workshop: Workshop = DEFAULT) -> Self:
+        """Settings with one state for all formats; None for the one that each shows by itself."""
+        if state is None:
+            return cls(workshop=workshop)
+        return cls(state, state, workshop)
+
+
+DEFAULT_SETTINGS = Settings()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,16 +1,96 @@
-"""The boards of a document as solids: in a state, or lying flat beside each other."""
+"""Rigid panels and boards as formats need them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.document import Document, DocumentState
 from orishell.motion.boards import Boards
+from orishell.motion.quads import ALIKE, reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.clipped import lying_beside
+from orishell.workshop.assembly import lying_beside
+
+TRIANGLES: Final[Integers] = np.array([[[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [1, 3, 0]]])
+"""Corners of a panel's two triangles (2, 2, 3), which go round as the panel does: split from
+corner 0 to corner 2, or from corner 1 to corner 3."""
+TRIANGLES.flags.writeable = False
+
+
+def find_splits(corners: Array) -> Integers:
+    """The diagonal (F,) that splits each panel (F, 4, 3): 1 where the first runs outside, else 0.
+
+    All panels are split from corner 0 to corner 2, except those with a corner 1 or 3 that points
+    into the panel: there that diagonal runs outside, and the other one inside.
+    """
+    return np.asarray(reflex_corners(corners)[:, [1, 3]].any(axis=1), dtype=np.int64)
+
+
+def split_panels(corners: Array) -> Array:
+    """The triangles (2F, 3, 3) of panels (F, 4, 3), the two of a panel one after the other."""
+    picked = TRIANGLES[find_splits(corners)].reshape(len(corners), 6, 1)
+    return np.asarray(np.take_along_axis(corners, picked, axis=1).reshape(-1, 3, 3))
+
+
+def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
+    """Origin and axes of a frame fixed in every panel, as it moves.
+
+    Parameters
+    ----------
+    corners
+        Corners (F, 4, 3) of the panels.
+    along
+        The corner (F,) at which the diagonal begins that the x axis follows, the same in all
+        states: see :func:`~orishell.motion.quads.longer_diagonals`.
+
+    Returns
+    -------
+    origins
+        Means (F, 3) of the corners.
+    axes
+        Rotations (F, 3, 3) with the unit axes x, y, z as columns; z is the panel's normal. A
+        panel without an area has any z square to its x axis.
+    """
+    panels = np.arange(len(corners))
+    x = _normalised(corners[panels, along + 2] - corners[panels, along], 0)
+    z = unit_normals(corners)
+    z = _normalised(z - (x * z).sum(axis=1, keepdims=True) * x, (np.argmax(abs(x), axis=1) + 1) % 3)
+    z = _normalised(z - (x * z).sum(axis=1, keepdims=True) * x, 0)
+    return corners.mean(axis=1), np.stack([x, np.cross(z, x), z], axis=-1)
+
+
+def quaternions(axes: Array) -> Array:
+    """Unit quaternions (F, 4; x, y, z, w) of rotations (F, 3, 3), largest component positive.
+
+    Of components that are alike but for rounding that is the first.
+
+    Four times the products of a quaternion's components are a symmetric matrix made of sums and
+    differences of the rotation's entries. The row with the largest diagonal is the quaternion
+    but for its length, and no digits are lost in it.
+    """
+    diagonal = np.diagonal(axes, axis1=1, axis2=2)
+    trace = diagonal.sum(axis=1)
+    products = np.empty((len(axes), 4, 4))
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        products[:, i, i] = 1 + 2 * diagonal[:, i] - trace
+        products[:, i, j] = products[:, j, i] = axes[:, i, j] + axes[:, j, i]
+        products[:, i, 3] = products[:, 3, i] = axes[:, k, j] - axes[:, j, k]
+    products[:, 3, 3] = 1 + trace
+    squares = np.diagonal(products, axis1=1, axis2=2)
+    largest = np.argmax(squares > squares.max(axis=1, keepdims=True) - ALIKE, axis=1)
+    row = products[np.arange(len(axes)), largest]
+    return np.asarray(row / np.linalg.norm(row, axis=1, keepdims=True))
+
+
+def _normalised(vectors: Array, otherwise: Integers | int) -> Array:
+    """Unit vectors (F, 3); where there is no direction, that of the axis of this number (F,)."""
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    axis = np.eye(3)[np.broadcast_to(otherwise, len(vectors))]
+    return np.where(length > 0, vectors / np.where(length > 0, length, 1.0), axis)
 
 
 @record

@@ -17,7 +17,7 @@ from typing import Any, Literal, NotRequired, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document, DocumentState, FirstContact
 from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array

@@ -1,8 +1,13 @@
 """Where the motion ends, the proof, and the widest flaps that meet nothing."""
 
-from orishell.locking.flap_widths import largest_quotable, reaches_target, widest_flap
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock, lock_without_clash
-from orishell.locking.motion_end import end_motion, require_pack
+from orishell.locking.motion_end import (
+    end_motion,
+    largest_quotable,
+    reaches_target,
+    require_pack,
+    widest_flap,
+)
 from orishell.locking.result import Cause, Contact, Kind, Lock
 
 __all__ = [

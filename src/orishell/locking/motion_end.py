@@ -1,4 +1,4 @@
-"""How a design is ended: refused, stopped, or with narrower flaps, where panels meet too early."""
+"""How a design is ended where panels meet too early: refused, stopped, or with narrower flaps."""
 
 from __future__ import annotations
 
@@ -8,16 +8,87 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.conventions.errors import ClashError, DesignError, Remedy
-from orishell.conventions.formatting import in_degrees, inside, rounded
+from orishell.conventions.formatting import in_degrees, inside, rounded, rounded_down
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
-from orishell.locking.clipped import flap_width, refuse_clipped
-from orishell.locking.crossing import require_uncrossed
-from orishell.locking.flap_widths import widest_flap
+from orishell.locking.clipped import flap_width, refuse_clipped, require_uncrossed
 from orishell.locking.lock import CONTACT_TOLERANCE, find_lock
 from orishell.locking.result import Contact, Lock
 from orishell.motion import corrugation_depth
+from orishell.numerics.bisection import largest_below
 from orishell.solids import build_panels
+
+NARROWEST = 1e-3
+"""Flaps narrower than this share of what was asked for are of no use."""
+FINE = 1e-3
+"""Accuracy of the widest flaps, relative to their width."""
+
+
+def reaches_target(design: Design, tolerance: float, *, flaps_only: bool = False) -> bool:
+    """Return whether no panels of a design meet before its target state.
+
+    Parameters
+    ----------
+    tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
+    flaps_only
+        Look for contacts of the flaps only.
+    """
+    return not find_lock(design, tolerance=tolerance, flaps_only=flaps_only, beyond=False).early
+
+
+def widest_flap(
+    design: Design, narrower: Callable[[float], Design], tolerance: float, *, boards: bool = False
+) -> float | None:
+    """Return the largest width, below that of a design's flaps, at which no flap meets anything.
+
+    Parameters
+    ----------
+    narrower
+        Makes the design with flaps of another width (length); raises DesignError where it cannot.
+    tolerance
+        Distance at which panels touch, relative to the diagonal of the flat sheet.
+    boards
+        Look for contacts of all boards and panels, not of panels of the flaps only.
+    """
+    asked = flap_width(design)
+    if asked <= 0:
+        return None
+
+    def works(width: float) -> bool:
+        try:
+            made = narrower(width)
+        except DesignError:
+            return False
+        return reaches_target(made, tolerance, flaps_only=not boards)
+
+    return largest_quotable(works, asked, NARROWEST, FINE)
+
+
+def largest_quotable(
+    works: Callable[[float], bool], most: float, smallest: float, accuracy: float
+) -> float | None:
+    """Return the largest value below ``most`` that works; None if none is found.
+
+    It has the four digits that messages show, rounded down, if that works too.
+
+    Parameters
+    ----------
+    works
+        Whether a value works.
+    most
+        A value that does not.
+    smallest
+        The smallest share of it that is tried.
+    accuracy
+        To this share the value is found.
+    """
+    good = largest_below(works, most, smallest=smallest, relative=accuracy)
+    if good is None:
+        return None
+    tidy = rounded_down(good)
+    return tidy if works(tidy) else good
+
 
 NO_PACK = 1e-3
 """A motion that goes on beyond the target by less than this share is of no use."""

@@ -3,10 +3,10 @@
 from orishell.numerics.elementary import FUNCTIONS, power_of
 from orishell.numerics.enclosure import (
     Enclosure,
+    Interval,
     spinning_acceleration,
     turning_acceleration,
 )
-from orishell.numerics.interval import Interval
 
 __all__ = [
     "FUNCTIONS",

@@ -11,8 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from orishell.numerics.arrays import Array, Booleans
-from orishell.numerics.enclosure import Enclosure
-from orishell.numerics.interval import Interval
+from orishell.numerics.enclosure import Enclosure, Interval
 
 Curved = Callable[[Array], Array]
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.artist import Artist
-from matplotlib.path import Path
+from matplotlib.path import Path as Outline
 
 from orishell.numerics.arrays import Array, Integers
 
@@ -43,7 +43,7 @@ class ShadedPanels(Artist):
         triangles: Array,
         colours: Array,
         ends: Integers,
-        outlines: Sequence[Path],
+        outlines: Sequence[Outline],
         *,
         edge: tuple[float, ...],
         width: float,

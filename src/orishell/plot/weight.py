@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 OPENS, CLOSES = LIGHT["valley"], LIGHT["mountain"]
-LINE, TIPS = LIGHT["border-crease"], LIGHT["contact"]
+CHART_LINE, TIPS = LIGHT["border-crease"], LIGHT["contact"]
 MARKS = {"target": LIGHT["target"], "pack": LIGHT["unfolded"]}
 
 
@@ -79,8 +79,8 @@ def draw_weight(axes: Axes, weight: DrawnWeight) -> None:
             axes.fill_between(
                 drives, shown, where=side, interpolate=True, color=colour, alpha=0.2, label=words
             )
-    axes.plot(drives, force, color=LINE, linewidth=1.4)
-    axes.axhline(0, color=LINE, linewidth=0.8)
+    axes.plot(drives, force, color=CHART_LINE, linewidth=1.4)
+    axes.axhline(0, color=CHART_LINE, linewidth=0.8)
     for name, drive in weight.marked_deg.items():
         axes.axvline(drive, color=MARKS[name], linewidth=1.8, label=f"{name}, {drive:.4g}°")
     for k, drive in enumerate(weight.tipping_deg):

@@ -18,8 +18,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.curves import Trace, remembered
 from orishell.numerics.arrays import Array, Integers
-from orishell.polylines.closeness import Closeness, measure_closeness, thinned
-from orishell.polylines.edge_errors import measure_edges
+from orishell.polylines.closeness import Closeness, measure_closeness, measure_edges, thinned
 
 Spacing = Literal["curvature", "equal"]
 Placement = Literal["inscribed", "balanced"]

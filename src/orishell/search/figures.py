@@ -12,8 +12,8 @@ from typing import Any, Union, get_args, get_origin, get_type_hints
 
 from orishell.conventions.errors import InputError
 from orishell.design_file.search import Limit
-from orishell.shell.parts import Part
 from orishell.shell.report import Report
+from orishell.shell.steps import Part
 from orishell.structure.case_report import StandingReport
 
 Read = Callable[[Report], float | None]

@@ -23,7 +23,7 @@ from pydantic import Field, JsonValue
 from orishell.conventions.errors import InputError
 from orishell.conventions.table import Number, Table
 from orishell.conventions.version import __version__
-from orishell.design_file.values import Values
+from orishell.design_file.tables import Values
 from orishell.search.evaluate import FAULT, Outcome
 from orishell.search.problem import Problem
 from orishell.search.space import key_of

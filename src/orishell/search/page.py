@@ -18,16 +18,15 @@ from orishell.conventions.errors import OrishellError
 from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress
 from orishell.design_file.search import Limit
-from orishell.design_file.values import Values
-from orishell.io.program_page import place_of, program_page, read_program
+from orishell.design_file.tables import Values
+from orishell.io.html_pages import place_of, program_page, read_program
 from orishell.io.view import dump_view
 from orishell.search.crew import Crew
-from orishell.search.evaluate import Job, job_of, shell_of
-from orishell.search.feasible import asked_of_loads, violation
+from orishell.search.evaluate import Job, asked_of_loads, job_of, shell_of, violation
 from orishell.search.front import beaten, costs, scores
 from orishell.search.problem import Problem
 from orishell.search.run import Found
-from orishell.shell.parts import PARTS
+from orishell.shell.steps import PARTS
 
 PROGRAM = place_of("front.js")
 """The page's program, once it is built."""

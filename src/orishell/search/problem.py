@@ -15,7 +15,7 @@ from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file import check_design
 from orishell.design_file.search import Limit, Range, Search
-from orishell.design_file.values import value_at, with_values
+from orishell.design_file.tables import value_at, with_values
 from orishell.search.figures import BEARS, Figure, figure
 from orishell.search.space import Choices, Interval, Space, stepped
 

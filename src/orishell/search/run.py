@@ -10,12 +10,22 @@ from functools import partial
 from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
-from orishell.design_file.values import Values
-from orishell.search.choose import chooser
+from orishell.design_file.tables import Values
 from orishell.search.crew import Crew
-from orishell.search.evaluate import LACKING, Job, Outcome, Require, died, evaluate, job_of
-from orishell.search.feasible import nearest, reasons, said_of, violation
-from orishell.search.front import Front, front_of
+from orishell.search.evaluate import (
+    LACKING,
+    Job,
+    Outcome,
+    Require,
+    died,
+    evaluate,
+    job_of,
+    nearest,
+    reasons,
+    said_of,
+    violation,
+)
+from orishell.search.front import Front, chooser, front_of
 from orishell.search.journal import Journal
 from orishell.search.problem import Problem
 

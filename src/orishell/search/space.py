@@ -14,7 +14,7 @@ import numpy as np
 from orishell.conventions.formatting import rounded
 from orishell.conventions.record import record
 from orishell.design_file.search import Range
-from orishell.design_file.values import Values, value_at
+from orishell.design_file.tables import Values, value_at
 from orishell.numerics.arrays import Array
 
 DIGITS = 6

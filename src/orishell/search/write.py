@@ -1,10 +1,12 @@
-"""What a search found, as files: a table, design files, a picture and a page."""
+"""The design file of a variant: that of the design with other values, its comments kept."""
 
 from __future__ import annotations
 
 import json
+import os
 import re
 import threading
+import tomllib
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -13,16 +15,63 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.io.csv_file import write_csv
+from orishell.design_file.tables import Values, with_values
+from orishell.io.formats.tables import write_csv
 from orishell.io.output import OutputDirectory
 from orishell.plot.tradeoff import plot_front
 from orishell.search.crew import Crew
 from orishell.search.evaluate import Outcome
 from orishell.search.front import Front, beaten, scores
 from orishell.search.page import require_page, write_page
-from orishell.search.problem import Problem
+from orishell.search.problem import Problem, files_named
 from orishell.search.run import Found
-from orishell.search.variant_file import variant_text
+
+
+def variant_text(problem: Problem, values: Values, directory: Path) -> str:
+    """The design file of a variant, without the table [search].
+
+    Parameters
+    ----------
+    problem
+        The design.
+    values
+        What keys of the variant have.
+    directory
+        Where the file will be: from there it names the files of curves.
+    """
+    import tomlkit
+
+    values = {**values, **_moved(problem, values, directory)}
+    tables = with_values(problem.tables, values)
+    try:
+        document = tomlkit.parse(problem.text)
+        document.pop("search", None)
+        for key, value in values.items():
+            _set(document, key.split("."), value)
+        text = tomlkit.dumps(document)
+    except tomlkit.exceptions.TOMLKitError:  # its comments cannot be kept
+        text = ""
+    return text if text and tomllib.loads(text) == tables else tomlkit.dumps(tables)
+
+
+def _set(document: Any, keys: list[str], value: Any) -> None:
+    *outer, last = keys
+    for key in outer:
+        document = (
+            document[int(key)] if isinstance(document, list) else document.setdefault(key, {})
+        )
+    document[int(last) if isinstance(document, list) else last] = value
+
+
+def _moved(problem: Problem, values: Values, directory: Path) -> Values:
+    """The files that a variant names, as seen from a directory."""
+    tables = with_values(problem.tables, values)
+    return {
+        key: Path(os.path.relpath(problem.path.parent / name, directory)).as_posix()
+        for key, name in files_named(tables, problem.path.parent).items()
+        if not Path(name).is_absolute()
+    }
+
 
 _WRITTEN = re.compile(r"front(-\d+\.toml|\.(csv|png|html))")
 MANIFEST = ".orishell-search.json"

@@ -11,8 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
-from orishell.conventions.quantities import plain
-from orishell.conventions.units import conversion
+from orishell.conventions.quantities import conversion, plain
 from orishell.deployment.feet import Feet
 from orishell.design import Design
 from orishell.locking import Lock
@@ -20,7 +19,7 @@ from orishell.motion import Mechanism, extents, find_assignment, sheet_area
 from orishell.numerics.arrays import Array, Booleans
 from orishell.polylines.plane import extent_across
 from orishell.workshop import Workshop
-from orishell.workshop.chamfers import chamfer_angles
+from orishell.workshop.boards import chamfer_angles
 
 BELOW = 0.01
 """Flaps lower than the feet by this share of the height carry the shell: mortar evens out less."""

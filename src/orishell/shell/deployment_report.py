@@ -9,8 +9,8 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.quantities import GRAVITY, conversion
 from orishell.conventions.record import record
-from orishell.conventions.units import GRAVITY, conversion
 from orishell.deployment import (
     Attachment,
     Deployment,
@@ -27,7 +27,7 @@ from orishell.design_file import DesignFile
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
 from orishell.motion.grid import VertexPair
-from orishell.shell.parts import Part
+from orishell.shell.steps import Part
 from orishell.solids import BuiltPanels, largest_thickness
 
 PACKS = 9

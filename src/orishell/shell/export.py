@@ -10,17 +10,15 @@ from pathlib import Path
 from orishell.conventions.arguments import checked, path_of
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.conventions.units import Unit
+from orishell.conventions.quantities import Unit
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory, document_of_fold, read_fold
 from orishell.io.all_formats import FOLD, format_of
-from orishell.io.format import Format
-from orishell.io.settings import DEFAULT_SETTINGS, Settings
-from orishell.shell.clock import Clock
+from orishell.io.format import DEFAULT_SETTINGS, Format, Settings
 from orishell.shell.make import Shell
-from orishell.shell.overlay import lay_surface
-from orishell.shell.pictures import draw_pictures
+from orishell.shell.pictures import draw_pictures, lay_surface
+from orishell.shell.steps import Clock
 from orishell.structure.files import write_structure_files
 
 

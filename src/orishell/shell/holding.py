@@ -15,7 +15,7 @@ from orishell.design_file import DesignFile
 from orishell.locking import Lock, find_lock
 from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
 from orishell.shell.designed import designed
-from orishell.shell.parts import Part
+from orishell.shell.steps import Part
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""

@@ -28,16 +28,12 @@ from orishell.locking import (
     lock_without_clash,
     require_pack,
 )
-from orishell.locking.panel_report import describe_panels
-from orishell.locking.report import describe_lock
+from orishell.locking.report import describe_lock, describe_panels
 from orishell.motion import FoldingMotion, extents, sheet_area
 from orishell.shell.caveats import find_caveats, warn_of_lock
-from orishell.shell.choice import Choice
-from orishell.shell.clock import Clock
 from orishell.shell.deployment_report import describe_deployment
 from orishell.shell.designed import designed, ended
 from orishell.shell.holding import warn_of_deployment
-from orishell.shell.parts import Part, Question, not_checked, require_parts
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
@@ -47,6 +43,8 @@ from orishell.shell.report import (
     describe_choice,
     describe_feet,
 )
+from orishell.shell.size_trials import Choice
+from orishell.shell.steps import Clock, Part, Question, not_checked, require_parts
 from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance
 from orishell.structure.results import Analysis

@@ -1,15 +1,18 @@
-"""The pictures of a designed shell: which states they show, and their captions."""
+"""The surface that a shell follows, and the distances of its vertices, added to its document."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+
+import numpy as np
 
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.deployment import FROM_FLAT
 from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.deviation import Deviation, locked_shell, measure_signed
+from orishell.deviation import Deviation, locked_shell, measure_points, measure_signed
 from orishell.document import Document
 from orishell.locking import Lock
 from orishell.motion import FoldingMotion
@@ -22,8 +25,33 @@ from orishell.plot import (
     plot_tradeoff,
     plot_weight,
 )
-from orishell.shell.choice import Choice, Trial
 from orishell.shell.deployment_report import DeploymentReport
+from orishell.shell.size_trials import Choice, Trial
+
+CELLS = 40
+"""Cells of the lattice along the surface's longer side, about."""
+FLAT = 200
+"""Cells leave the surface by about their size divided by this."""
+MOST_CELLS = 40_000
+"""Cells of the lattice at most."""
+
+
+def lay_surface(document: Document, design: Design, *, measured: bool = True) -> Document:
+    """The document with the surface of its design added, unchanged if there is none."""
+    if design.swept is None:
+        return document
+    surface = design.surface
+    step = surface.size() / CELLS
+    lattice = surface.lattice(step, step / FLAT, most=MOST_CELLS)
+    document = replace(document, surface=lattice.points)
+    if not measured:
+        return document
+    grid, inner = design.mechanism.grid, design.mechanism.inner_columns
+    shell = document.shell.positions.reshape(grid.rows, grid.columns, 3)
+    distances = np.full((grid.rows, grid.columns), np.nan)
+    distances[:, inner] = measure_points(shell[:, inner], surface)
+    return replace(document, distances=distances.ravel())
+
 
 DRAWN_SAMPLES, DRAWN_PANELS = 6_000, 70
 """Points of the shell, and rows or columns of panels, in the picture of its deviation."""

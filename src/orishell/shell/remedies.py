@@ -25,7 +25,7 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.design_file import DesignFile
-from orishell.design_file.values import value_at
+from orishell.design_file.tables import value_at
 from orishell.locking import largest_quotable, reaches_target, widest_flap
 from orishell.shell.designed import designed
 

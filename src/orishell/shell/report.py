@@ -17,11 +17,10 @@ from orishell.deployment.feet import Feet
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
 from orishell.families.pattern import Tolerance
-from orishell.locking.panel_report import PanelReport
-from orishell.locking.report import LockReport
+from orishell.locking.report import LockReport, PanelReport
 from orishell.motion import find_assignment
-from orishell.shell.choice import Choice, Trial
 from orishell.shell.deployment_report import DeploymentReport
+from orishell.shell.size_trials import Choice, Trial
 from orishell.structure.report import StructureReport
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
@@ -80,7 +79,7 @@ class ChosenReport:
     tolerance, panel_min, panel_max
         What was asked for; ``panel_max`` is None if edges may have any length.
     rows, columns, panels, error, shortest, longest
-        The design that was chosen, see :class:`~orishell.shell.choice.Trial`.
+        The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`.
     designs_tried
         Number of designs measured.
     tradeoff

@@ -20,8 +20,17 @@ from orishell.conventions.formatting import rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import plain
 from orishell.families.pattern import Tolerance
-from orishell.shell.choice import Choice, Trial, unbeaten
-from orishell.shell.size_trials import CHOOSING, GIVEN_UP, NEAR, Sizes, Trials, Tried
+from orishell.shell.size_trials import (
+    CHOOSING,
+    GIVEN_UP,
+    NEAR,
+    Choice,
+    Sizes,
+    Trial,
+    Trials,
+    Tried,
+    unbeaten,
+)
 
 GROWTH = 1.6
 """Factor from one size to the next in the first, coarse search."""

@@ -8,8 +8,8 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.conventions.units import conversion
 from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import DesignFile

@@ -20,10 +20,9 @@ from orishell.document.from_design import document_of_design
 from orishell.families.pattern import Pattern as FamilyPattern
 from orishell.families.pattern import Tolerance, Variants
 from orishell.motion.quads import lengths
-from orishell.shell.choice import Choice, Measured
 from orishell.shell.designed import designed
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import Sizes
+from orishell.shell.size_trials import Choice, Measured, Sizes
 from orishell.workshop.fitting import SLACK, OversizeError
 from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 

@@ -12,8 +12,8 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design_file import DesignFile
 from orishell.families.pattern import Tolerance
-from orishell.shell.choice import Trial, unbeaten
 from orishell.shell.size_search import size_ladder
+from orishell.shell.size_trials import Trial, unbeaten
 from orishell.shell.tolerance import measure
 
 MOST_PANELS = 1_000

@@ -10,17 +10,20 @@ from orishell.conventions.errors import InputError, VerificationError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.design import Design
 from orishell.numerics.arrays import Array
-from orishell.structure.acting import Response, respond
-from orishell.structure.crease_moments import crease_moments
-from orishell.structure.inverse import Inverse
+from orishell.structure.active_set import Response, describe_motion, respond
+from orishell.structure.hinges import crease_moments
 from orishell.structure.loads import case_forces
 from orishell.structure.model import Frame, Model, models
-from orishell.structure.motion import describe_motion
 from orishell.structure.results import Analysis, Balance, CaseResult
 from orishell.structure.settings import LoadCase, Structure
-from orishell.structure.stability import find_buckling, geometric_stiffness, turning_stiffness
+from orishell.structure.stability import (
+    Inverse,
+    find_buckling,
+    find_frequencies,
+    geometric_stiffness,
+    turning_stiffness,
+)
 from orishell.structure.stresses import facet_stresses
-from orishell.structure.vibration import find_frequencies
 
 FREQUENCIES = 3
 """How many frequencies are found."""

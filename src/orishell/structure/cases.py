@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from orishell.conventions.formatting import in_degrees
-from orishell.conventions.quantities import plain
-from orishell.conventions.units import GRAVITY, conversion
+from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.locking.report import Panel
 from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
@@ -27,11 +26,16 @@ from orishell.structure.case_report import (
     UtilisationReport,
     Vector,
 )
-from orishell.structure.exposure import Exposure
-from orishell.structure.loads import Load, case_loads, cylinder_coefficient
-from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.loads import (
+    Load,
+    case_loads,
+    cylinder_coefficient,
+    gusts,
+    wind_height,
+    wind_pressure,
+)
+from orishell.structure.results import Analysis, CaseResult, Exposure
 from orishell.structure.settings import LoadCase, Structure, Wind
-from orishell.structure.wind import gusts, wind_height, wind_pressure
 
 
 def describe_case(

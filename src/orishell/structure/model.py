@@ -8,8 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.conventions.units import conversion
 from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
@@ -18,10 +18,10 @@ from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
 from orishell.structure.conditions import Conditions, between, joined, on_ground
-from orishell.structure.exposure import Exposure
 from orishell.structure.factorise import hold
 from orishell.structure.held import Held
 from orishell.structure.hinges import hinge_elements, rigid_stiffness
+from orishell.structure.results import Exposure
 from orishell.structure.sections import Section, panel_sections
 from orishell.structure.settings import Structure
 from orishell.structure.sheet import SheetMesh, mesh_sheet

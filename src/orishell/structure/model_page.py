@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
-from orishell.io.static_page import paragraph, table
+from orishell.io.html_pages import paragraph, table
 from orishell.structure.case_report import Stiffness
 from orishell.structure.report import ModelReport, SupportReport
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
-from orishell.io.static_page import bullets, heading, paragraph, picture, static_page, table
+from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
 from orishell.structure.build_warnings import name_of
 from orishell.structure.case_report import GOVERNING, CaseReport, PairReport, StandingReport, Vector
 from orishell.structure.model_page import model_parts

@@ -12,8 +12,8 @@ from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.elements import Elements
-from orishell.structure.facets import Facets
 from orishell.structure.sections import Section
+from orishell.structure.triangle import Facets
 
 CELLS = 4
 """Cells along every side of a panel, of two triangles each."""

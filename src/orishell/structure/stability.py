@@ -1,4 +1,6 @@
-"""Linear buckling: by which factor all loads may grow until the shell gives way sideways.
+"""Linear buckling, and natural frequencies of small motions about a loaded state.
+
+K mode = omega^2 M mode, with the mass of panels lumped at their nodes.
 
 With K_g the stiffness that forces in the plane of triangles, in ties and in flaps have by turning,
 
@@ -9,17 +11,108 @@ Ties, flaps and feet that act under the load are taken to go on acting.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.numerics.arrays import Array, Integers
+from orishell.conventions.record import record
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.elements import assemble
-from orishell.structure.facets import Facets
-from orishell.structure.inverse import Inverse, largest
+from orishell.structure.held import Held
+from orishell.structure.triangle import Facets
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
+
+SEED = 0
+ACCURACY = 1e-8
+"""Relative accuracy of modes' values."""
+
+
+@record
+class Inverse:
+    """A structure some of whose rows act, as they are in a state that it moves about.
+
+    Parameters
+    ----------
+    held
+        The structure.
+    acting
+        Which rows act (M,), in both directions.
+    motions
+        What nothing resists (n, k), orthonormal: it is left out.
+    """
+
+    held: Held
+    acting: Booleans
+    motions: Array
+    _law: Array
+
+    @classmethod
+    def of(cls, held: Held, acting: Booleans, motions: Array) -> Inverse:
+        """The same, prepared, of rows that are acting (M,) and free motions (n, k)."""
+        return cls(held, acting, motions, held.law(acting))
+
+    def solve(self, loads: Array) -> Array:
+        """Displacements (n,) under loads (n,) without those along free motions."""
+        held = self.held
+        direct = held.quick_solve(loads - self.motions @ (self.motions.T @ loads))
+        moved = direct + held.spread @ (self._law @ (held.rows @ direct))
+        return np.asarray(moved - self.motions @ (self.motions.T @ moved))
+
+    def stiffness(self, moved: Array) -> Array:
+        """Forces (n,) of a structure that is moved (n,) as rows which act allow."""
+        return np.asarray(self.held.soft_stiffness(moved, self.acting))
+
+
+def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tuple[Array, Array]:
+    """Largest values (count,) of a matrix relative to the stiffness, and their vectors (n, count).
+
+    Parameters
+    ----------
+    apply
+        Products of the symmetric matrix with vectors (n,).
+    count
+        How many.
+    """
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    size = len(inverse.held.free)
+    start = inverse.solve(np.random.default_rng(SEED).standard_normal(size))
+    matrix, stiffness, solved = (
+        LinearOperator((size, size), matvec=each, dtype=np.float64)
+        for each in (apply, inverse.stiffness, inverse.solve)
+    )
+    values, vectors = eigsh(
+        matrix, count, M=stiffness, Minv=solved, which="LA", v0=start, tol=ACCURACY
+    )
+    order = np.argsort(values)[::-1]
+    return values[order], vectors[:, order]
+
+
+def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
+    """Lowest frequencies (count,) but those of free motions, and their modes (n, count) (Hz).
+
+    Parameters
+    ----------
+    mass
+        Of every free freedom (n,), in force by acceleration in the unit of the sheet.
+    count
+        How many.
+    """
+    free = inverse.motions
+    heavy = mass[:, None] * free
+    held_back = np.linalg.solve(free.T @ heavy, heavy.T) if free.size else heavy.T
+
+    def apply(moved: Array) -> Array:
+        # Without the free motions' share, so that what is left is in balance.
+        bare = moved - free @ (held_back @ moved)
+        return np.asarray(mass * bare - heavy @ (held_back @ bare))
+
+    values, modes = largest(inverse, apply, count)
+    return 1 / np.sqrt(values) / (2 * np.pi), modes - free @ (held_back @ modes)
+
 
 NEVER = 1e-9
 """Factors above the inverse of this are none."""

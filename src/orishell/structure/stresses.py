@@ -6,10 +6,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
-from orishell.structure.facets import IN_PLANE, OUT_OF_PLANE, Facets
-from orishell.structure.membrane import strains
-from orishell.structure.plate import curvatures
 from orishell.structure.sections import Section
+from orishell.structure.triangle import IN_PLANE, OUT_OF_PLANE, Facets, curvatures, strains
 
 MIDDLE = 1 / 3, 1 / 3
 

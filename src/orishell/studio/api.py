@@ -13,7 +13,7 @@ from orishell.io.view import Curves
 from orishell.shell.report import Report
 from orishell.shell.tradeoff import Tradeoff
 from orishell.studio.search_api import SearchInfo
-from orishell.workshop.drawing import Layer
+from orishell.workshop.palettes import Layer
 from orishell.workshop.sheets import Waste
 
 Tables = dict[str, Any]

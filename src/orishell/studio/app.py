@@ -16,17 +16,19 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, StreamingResponse
 from starlette.exceptions import HTTPException
 
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.io.all_formats import FORMATS
 from orishell.studio.api import Info, NamedDesign, Refusal
-from orishell.studio.guard import Guard
-from orishell.studio.key import Key
-from orishell.studio.knobs import describe_examples, describe_families, describe_workshop
-from orishell.studio.labels import describe_tables
-from orishell.studio.limits import MAX_VERTICES
+from orishell.studio.guard import Guard, Key
+from orishell.studio.labels import (
+    describe_examples,
+    describe_families,
+    describe_tables,
+    describe_workshop,
+)
 from orishell.studio.pages import Compressed, Pages
-from orishell.studio.processes import prepared_copies
+from orishell.studio.processes import MAX_VERTICES, prepared_copies
 from orishell.studio.refusals import RefusalError, make_refusal
 from orishell.studio.searches import describe_search
 from orishell.studio.tasks import answer

@@ -1,4 +1,4 @@
-"""Curves in files that are dropped onto the page, as what they are: paths or points."""
+"""Curves that are dropped onto the page, and target curves as it draws them."""
 
 from __future__ import annotations
 
@@ -8,10 +8,13 @@ import re
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.curves import (
     Chain,
+    Curve,
     curve_data,
     parse_curve,
     read_dxf,
@@ -21,9 +24,36 @@ from orishell.curves import (
 )
 from orishell.curves.pieces import Bezier
 from orishell.design_file.target import MOST_POINTS
+from orishell.io.view import Drawn
 from orishell.numerics.arrays import Array
 from orishell.studio.api import DroppedCurve
-from orishell.studio.few_points import few_points
+from orishell.studio.ranges import few_points
+
+DRAWN = 200
+"""Points of a curve that are drawn, about."""
+
+
+def sampled(curve: Curve, name: str) -> Drawn:
+    """Points of a curve to be drawn; empty if it cannot be used.
+
+    Parameters
+    ----------
+    curve
+        The curve.
+    name
+        Which of both it is: "f" or "g".
+    """
+    try:
+        trace = trace_curve(curve, name)
+    except InputError:
+        return []
+    kept = np.unique(np.rint(np.linspace(0, len(trace.points) - 1, DRAWN)).astype(int))
+    corners = np.flatnonzero(np.abs(trace.heading - trace.arriving) > 0)
+    # The page says how wide and how high the curve is.
+    extremes = [*trace.points.argmin(axis=0), *trace.points.argmax(axis=0)]
+    points = trace.points[np.unique([*kept, *corners[:DRAWN], *extremes])]
+    return [(float(x), float(y)) for x, y in points]
+
 
 IDS = re.compile(r"""\bid\s*=\s*["']([^"']+)["']""")
 LAYERS = re.compile(r"^[ ]*8\r?\n(.+?)\r?$", re.MULTILINE)

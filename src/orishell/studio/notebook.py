@@ -14,7 +14,7 @@ from orishell.document.from_design import document_of_design
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.make import Shell
-from orishell.shell.overlay import lay_surface
+from orishell.shell.pictures import lay_surface
 
 if TYPE_CHECKING:
     from anywidget import AnyWidget

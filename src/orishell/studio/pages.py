@@ -1,13 +1,56 @@
-"""The built pages as they are served: text compressed, files of hashed names kept for ever."""
+"""What the studio serves: built pages, archives, and names of designs."""
 
 from __future__ import annotations
 
+import io
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, Final
 
 from fastapi import Response
 from fastapi.staticfiles import StaticFiles
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import Receive, Scope, Send
+
+from orishell.studio.api import NAME
+
+LONGEST_NAME = 200
+"""Bytes of a name; files and their endings may have 255."""
+
+
+def design_name(said: str) -> str:
+    """What a design is called, in letters that every system has in names of files."""
+    kept = "".join(each if each.isalnum() or each in "-_" else " " for each in said)
+    short = " ".join(kept.split()).encode()[:LONGEST_NAME].decode("utf-8", "ignore")
+    return short.strip() or NAME
+
+
+def file_name(file: str, name: str) -> str:
+    """A file of the command line's with the name of its design, as in pattern.dxf, panels.csv."""
+    for stem in ("shell", "pattern"):
+        if file.startswith(stem):
+            return name + file.removeprefix(stem)
+    return f"{name}-{file}"
+
+
+ZIP_DATE = (1980, 1, 1, 0, 0, 0)
+
+
+def zipped(files: Mapping[str, Path]) -> bytes:
+    """A zip archive of files, the same bytes at any time.
+
+    Parameters
+    ----------
+    files
+        The files, by their names in the archive.
+    """
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, path in files.items():
+            packed.writestr(zipfile.ZipInfo(name, ZIP_DATE), path.read_bytes())
+    return archive.getvalue()
+
 
 HASHED: Final = "assets/"
 """Where files are whose names change with their content."""

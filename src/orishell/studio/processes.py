@@ -1,4 +1,4 @@
-"""Processes that work through requests, one after the other.
+"""How large a design the studio takes.
 
 They are copies of one that has imported all that answers need (``orishell.studio.warm``), so that
 one that is stopped is replaced at once. Where a system makes no copies, each imports anew.
@@ -19,10 +19,34 @@ from multiprocessing.context import ForkServerContext
 from multiprocessing.process import BaseProcess
 from typing import Any, Literal
 
-from orishell.conventions.errors import OrishellError
+from orishell.conventions.errors import InputError, OrishellError
 from orishell.conventions.imports import context_of, prepare
 from orishell.conventions.progress import Progress, cleaning_up
+from orishell.design_file import DesignFile
 from orishell.studio.refusals import describe_error
+
+MAX_VERTICES = 60_000
+"""Vertices of a sheet in the studio, at most; the command line takes more."""
+
+
+def require_small(file: DesignFile) -> None:
+    """Refuse a sheet that is too large for the studio.
+
+    Raises
+    ------
+    InputError
+        If it has more vertices than :data:`MAX_VERTICES`.
+    """
+    vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
+    if vertices > MAX_VERTICES:
+        raise InputError(
+            "the sheet is too large for the studio",
+            where="[pattern] rows, columns",
+            got=f"{vertices} vertices",
+            expected=f"at most {MAX_VERTICES}",
+            remedy="use orishell design",
+        )
+
 
 Payload = dict[str, Any]
 Send = Callable[[Any], None]

@@ -10,14 +10,13 @@ from pathlib import Path
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.search import Front, Outcome, Problem, alone, journal_in_memory, search_designs
-from orishell.search.feasible import reasons, violation
+from orishell.search.evaluate import reasons, violation
 from orishell.search.figures import BEARS, NAMES, figure
 from orishell.search.front import costs, front_of
 from orishell.search.problem import pose
 from orishell.search.space import key_of
 from orishell.studio.api import Tables
-from orishell.studio.limits import require_small
-from orishell.studio.processes import Send
+from orishell.studio.processes import Send, require_small
 from orishell.studio.search_api import SearchedDesign, SearchInfo, SearchState
 
 EVERY = 0.2

@@ -12,13 +12,12 @@ from orishell.design_file import DesignFile
 from orishell.document import Document
 from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
-from orishell.shell.parts import MEASURES
+from orishell.shell.steps import MEASURES
 from orishell.studio.api import DrawnSheet, LayerPen, Sheets
 from orishell.studio.labels import LAYERS
 from orishell.workshop import Workshop
 from orishell.workshop.boards import has_sheet
-from orishell.workshop.drawing import ORDER
-from orishell.workshop.palettes import Palette, load_palette
+from orishell.workshop.palettes import ORDER, Palette, load_palette
 from orishell.workshop.paper_model import make_paper_model
 from orishell.workshop.sheets import draw_sheet_files, measure_waste
 

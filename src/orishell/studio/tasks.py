@@ -12,8 +12,8 @@ from typing import Any, Final
 
 from orishell.conventions.errors import ClashError, InputError, OrishellError
 from orishell.conventions.progress import Progress
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.toml_file import parse_toml
-from orishell.conventions.units import MILLIMETRES
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io import Settings
@@ -21,8 +21,8 @@ from orishell.io.all_formats import find_formats
 from orishell.io.view import Curves, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
-from orishell.shell.overlay import lay_surface
-from orishell.shell.parts import PARTS
+from orishell.shell.pictures import lay_surface
+from orishell.shell.steps import PARTS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
@@ -34,12 +34,9 @@ from orishell.studio.api import (
     Verified,
     Written,
 )
-from orishell.studio.archives import zipped
-from orishell.studio.curves import sampled
-from orishell.studio.dropped import read_dropped
-from orishell.studio.limits import require_small
-from orishell.studio.names import design_name, file_name
-from orishell.studio.processes import Send, ignore
+from orishell.studio.dropped import read_dropped, sampled
+from orishell.studio.pages import design_name, file_name, zipped
+from orishell.studio.processes import Send, ignore, require_small
 from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
 from orishell.studio.search_api import SearchState

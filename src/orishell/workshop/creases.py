@@ -12,7 +12,7 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.workshop.cut_parts import STRAIGHT, CutPart
-from orishell.workshop.drawing import Circle, Layer, Line
+from orishell.workshop.palettes import Circle, Layer, Line
 from orishell.workshop.settings import Workshop
 
 Names = NDArray[np.str_]

@@ -1,6 +1,13 @@
-"""What is cut in one piece, and its rim: the whole sheet, or one of the parts it is split into."""
+"""What is cut in one piece, its rim, and how parts of a split sheet are joined.
+
+A tab (:mod:`~orishell.workshop.tabs`) is glued to the back of the neighbouring panel, the side
+away from +z. The crease at its root is the real crease, scored as ever, and the other part is cut
+there. A strip is two such tabs with the crease between them, glued to the backs of both panels.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -8,7 +15,9 @@ from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.drawing import Line, Text
+from orishell.workshop.palettes import Line, Text
+from orishell.workshop.settings import Joint as JointKind
+from orishell.workshop.tabs import find_owners, tab_shapes
 
 
 @record
@@ -125,3 +134,166 @@ def _cycles(successor: dict[int, int]) -> list[list[int]]:
             cycle.append(after)
         cycles.append(cycle)
     return cycles
+
+
+NAME_AT, NAME_SHARE = 0.42, 0.46
+"""Where a joint's name stands between the crease and the far side of its tab; its height."""
+LETTER_WIDTH = 0.85
+"""Width of a letter on average, relative to its height."""
+
+
+@record
+class Joint:
+    """A crease that is cut and glued.
+
+    Parameters
+    ----------
+    name
+        Its name, for instance "2-5c": the third joint between parts 2 and 5.
+    edge
+        Number of the crease.
+    parts
+        Numbers of the two parts; the first one has the tab.
+    tabs
+        Corners (4, 2) of what is glued under panels: the tab under a panel of the second part,
+        and, if the joint is a strip, its other half under the first part.
+    """
+
+    name: str
+    edge: int
+    parts: tuple[int, int]
+    tabs: tuple[Array, ...]
+
+    def marks(self) -> tuple[Text, ...]:
+        """The joint's name on every tab; on the panel above it stands in the same place."""
+        return tuple(_fit_text(self.name, tab) for tab in self.tabs)
+
+
+def make_parts(
+    document: Document, split: Sequence[Integers], kind: JointKind, width: float
+) -> tuple[tuple[CutPart, ...], tuple[CutPart, ...], tuple[Joint, ...]]:
+    """Parts with their joints.
+
+    Parameters
+    ----------
+    split
+        Numbers of the panels of every part.
+    kind
+        "tabs" or "strips".
+    width
+        Width of a tab, half the width of a strip, where panels leave room for it.
+
+    Returns
+    -------
+    parts, strips, joints
+        Parts, numbered from 1; strips (number 0), one for each joint; joints. Of two panels
+        beside a crease the one with the lower number is on the part with the tab.
+    """
+    mesh = document.mesh
+    number = np.zeros(len(mesh.faces), dtype=np.int64)
+    for k, panels in enumerate(split, 1):
+        number[panels] = k
+    shapes = tab_shapes(document, width)
+    beside = number[mesh.edge_faces]
+    joints = _name_joints(document, number, shapes, kind)
+    parts = []
+    for k, panels in enumerate(split, 1):
+        mine = [joint for joint in joints if k in joint.parts]
+        rooted = [joint.edge for joint in mine if kind == "tabs" and joint.parts[0] == k]
+        inside = np.flatnonzero(mesh.crease & (beside == k).all(axis=1))
+        parts.append(
+            CutPart(
+                number=k,
+                panels=np.sort(panels),
+                creases=np.sort(np.concatenate([inside, np.array(rooted, dtype=np.int64)])),
+                outlines=_outlines(document, panels, [j for j in mine if j.edge in set(rooted)]),
+                marks=_marks(mine, k, kind),
+            )
+        )
+    strips = tuple(_strip(joint) for joint in joints) if kind == "strips" else ()
+    return tuple(parts), strips, joints
+
+
+def _name_joints(
+    document: Document, number: Integers, shapes: Array, kind: JointKind
+) -> tuple[Joint, ...]:
+    mesh = document.mesh
+    owner, other = find_owners(document)
+    cut = np.flatnonzero(mesh.crease & (number[owner] != number[other]))
+    pairs = np.sort(np.stack([number[owner[cut]], number[other[cut]]], axis=1), axis=1)
+    order = np.lexsort((cut, pairs[:, 1], pairs[:, 0]))
+    joints: list[Joint] = []
+    counts: dict[tuple[int, int], int] = {}
+    for k in order.tolist():
+        edge = int(cut[k])
+        pair = (int(pairs[k, 0]), int(pairs[k, 1]))
+        counts[pair] = counts.get(pair, 0) + 1
+        sides = mesh.edge_faces[edge].tolist()
+        far, near = sides.index(other[edge]), sides.index(owner[edge])
+        tabs = (shapes[edge, far],) + ((shapes[edge, near],) if kind == "strips" else ())
+        parts = (int(number[owner[edge]]), int(number[other[edge]]))
+        joints.append(Joint(f"{pair[0]}-{pair[1]}{_letters(counts[pair])}", edge, parts, tabs))
+    return tuple(joints)
+
+
+def _letters(count: int) -> str:
+    """Letters for a number, as in spreadsheets: 1 is a, 26 is z, 27 is aa."""
+    letters = ""
+    while count:
+        count, last = divmod(count - 1, 26)
+        letters = chr(ord("a") + last) + letters
+    return letters
+
+
+def _marks(joints: Sequence[Joint], number: int, kind: JointKind) -> tuple[Text, ...]:
+    """Names of a part's joints: on its tabs and on its panels where others' tabs come."""
+    if kind == "tabs":
+        return tuple(mark for joint in joints for mark in joint.marks())
+    return tuple(joint.marks()[0 if joint.parts[1] == number else 1] for joint in joints)
+
+
+def _strip(joint: Joint) -> CutPart:
+    far, near = joint.tabs
+    return CutPart(
+        number=0,
+        panels=np.empty(0, dtype=np.int64),
+        creases=np.array([joint.edge]),
+        outlines=(np.concatenate([far[1:], far[:1], near[2:]]),),
+        marks=joint.marks(),
+    )
+
+
+def _outlines(document: Document, panels: Integers, rooted: Sequence[Joint]) -> tuple[Array, ...]:
+    """The outlines of a part with its tabs; the part lies to the left of them.
+
+    A tab's corners are a, b, far b, far a around the panel that it is glued to; the rim comes
+    from b, goes around the tab, and on to a.
+    """
+    flat = document.require_flat()
+    ends = {frozenset(document.mesh.edges[j.edge].tolist()): j.tabs[0][2:] for j in rooted}
+    outlines = []
+    for loop in find_outlines(document.mesh.faces[panels], flat):
+        pieces = []
+        for first, second in zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True):
+            pieces.append(flat[first][None])
+            far = ends.get(frozenset((first, second)))
+            if far is not None:
+                pieces.append(far)
+        outlines.append(np.concatenate(pieces))
+    return tuple(outlines)
+
+
+def _fit_text(words: str, tab: Array) -> Text:
+    """Words on a tab along its crease, never upside down, as large as they fit.
+
+    They stand nearer to the crease than to the tab's far side, clear of the panel's label.
+    """
+    run, top = tab[1] - tab[0], tab[2] - tab[3]
+    width = 0.5 * float(np.hypot(*run) + np.hypot(*top))
+    depth = float((run[0] * (tab[3] - tab[0])[1] - run[1] * (tab[3] - tab[0])[0]) / np.hypot(*run))
+    angle = float(np.arctan2(run[1], run[0]))
+    if not -0.5 * np.pi < angle <= 0.5 * np.pi:
+        angle -= np.copysign(np.pi, angle)
+    middle = (1 - NAME_AT) * tab[:2].mean(axis=0) + NAME_AT * tab[2:].mean(axis=0)
+    height = min(NAME_SHARE * depth, 0.85 * width / (LETTER_WIDTH * len(words)))
+    return Text("ENGRAVE", float(middle[0]), float(middle[1]), height, words, angle)

@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.workshop.drawing import Text
+from orishell.workshop.palettes import Text
 
 CHARACTER = 1.0
 """Width kept for a character, in heights of capitals: that of CAD programs' stroke fonts."""

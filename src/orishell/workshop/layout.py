@@ -1,7 +1,7 @@
 """The layout: the whole sheet on one page, or its parts on sheets of stock.
 
 A sheet larger than the stock is split into parts (:mod:`~orishell.workshop.splitting`), which get
-tabs or strips (:mod:`~orishell.workshop.joints`) and are laid on the stock
+tabs or strips (:mod:`~orishell.workshop.cut_parts`) and are laid on the stock
 (:mod:`~orishell.workshop.nesting`).
 """
 
@@ -17,11 +17,10 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.document import Document
 from orishell.numerics.arrays import Array, Integers
+from orishell.workshop.assembly import with_clipped
 from orishell.workshop.boards import has_sheet, seen_from_outside
-from orishell.workshop.clipped import with_clipped
-from orishell.workshop.cut_parts import CutPart, whole_sheet
+from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
-from orishell.workshop.joints import Joint, make_parts
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
 from orishell.workshop.settings import Workshop
@@ -61,7 +60,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
 
     Splitting takes long. The last layouts are kept: who asks for the same flat sheet on the same
     stock again, whatever its states are, gets the same one. The numbers of panels and creases are
-    those of :func:`~orishell.workshop.clipped.with_clipped`.
+    those of :func:`~orishell.workshop.assembly.with_clipped`.
 
     Raises
     ------

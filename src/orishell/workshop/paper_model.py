@@ -7,17 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
+from orishell.workshop.assembly import with_clipped
 from orishell.workshop.board_sheets import board_layers
 from orishell.workshop.boards import back_of, sheet_title, with_glue_areas
-from orishell.workshop.clipped import with_clipped
 from orishell.workshop.cut_parts import whole_sheet
 from orishell.workshop.draw import part_lines, require_drawable
-from orishell.workshop.drawing import Layer, Line, Text
-from orishell.workshop.palettes import load_palette
+from orishell.workshop.palettes import Layer, Line, Text, load_palette
 from orishell.workshop.placing import Content
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tiling import Tiling, tile_sheet

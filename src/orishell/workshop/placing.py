@@ -10,7 +10,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
-from orishell.workshop.drawing import ORDER, Anchor, Circle, Drawing, Line, Text
+from orishell.workshop.palettes import ORDER, Anchor, Circle, Drawing, Line, Text
 from orishell.workshop.settings import Workshop
 
 Content = tuple[tuple[Line, ...], tuple[Circle, ...], tuple[Text, ...]]

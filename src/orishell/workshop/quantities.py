@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.numerics.arrays import Array
-from orishell.workshop.board_parts import nest_boards
-from orishell.workshop.clipped import with_clipped
+from orishell.workshop.assembly import with_clipped
+from orishell.workshop.board_sheets import nest_boards
 from orishell.workshop.layout import require_stock
 from orishell.workshop.settings import Workshop
 from orishell.workshop.sheets import Waste, measure_waste

@@ -15,9 +15,8 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
-from orishell.workshop.assembly import draw_map, number_text
-from orishell.workshop.board_parts import nest_boards
-from orishell.workshop.board_sheets import draw_boards, draw_plan
+from orishell.workshop.assembly import draw_map, number_text, with_clipped
+from orishell.workshop.board_sheets import draw_boards, draw_plan, nest_boards
 from orishell.workshop.boards import (
     back_of,
     distinct_corners,
@@ -26,11 +25,10 @@ from orishell.workshop.boards import (
     sheet_title,
     with_glue_areas,
 )
-from orishell.workshop.clipped import with_clipped
 from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
-from orishell.workshop.drawing import Drawing
 from orishell.workshop.layout import Layout, lay_out, usable_stock
+from orishell.workshop.palettes import Drawing
 from orishell.workshop.placing import Content, Placement, draw_stock_sheet
 from orishell.workshop.settings import Workshop
 from orishell.workshop.title_block import program_and_palette, quoted_size

@@ -10,14 +10,13 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.errors import printable
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import Document
 from orishell.numerics.arrays import Array
 from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
 from orishell.workshop.cut_parts import CutPart
-from orishell.workshop.drawing import LAYERS, Anchor, Drawing, Layer, Line, Text
-from orishell.workshop.palettes import Palette
+from orishell.workshop.palettes import LAYERS, Anchor, Drawing, Layer, Line, Palette, Text
 from orishell.workshop.settings import Workshop
 
 SMALLEST_MM = 2.0

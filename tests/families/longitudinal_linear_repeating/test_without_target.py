@@ -19,7 +19,7 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.locking import end_motion, find_lock
 from orishell.motion import FoldingMotion
-from orishell.shell.overlay import lay_surface
+from orishell.shell.pictures import lay_surface
 from orishell.verification.residuals import measure_residuals
 from samples import examples
 from strategies import graph

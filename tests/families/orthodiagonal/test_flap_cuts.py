@@ -9,7 +9,7 @@ import shapely
 from orishell.curves import Curve
 from orishell.design import Design
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
-from orishell.families.orthodiagonal.flap_cuts import SMALLEST_KEPT, depth_below_feet
+from orishell.families.orthodiagonal.row import SMALLEST_KEPT, depth_below_feet
 from orishell.locking import find_lock
 from orishell.motion import FoldingMotion
 from orishell.verification.residuals import measure_residuals

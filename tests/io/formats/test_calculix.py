@@ -10,8 +10,8 @@ from documents import demo_document, loaded_document
 from io_readers import read_calculix
 from orishell.conventions.errors import InputError
 from orishell.document.loaded import LoadedShell
+from orishell.io.format import Settings
 from orishell.io.formats.calculix import write_calculix
-from orishell.io.settings import Settings
 
 DOCUMENT = loaded_document(cells=2)
 

@@ -12,9 +12,9 @@ from documents import EXAMPLES
 from orishell.design_file import read_design_file
 from orishell.document import Document
 from orishell.document.from_design import document_of_design
+from orishell.io.format import Settings
 from orishell.io.formats.obj import write_obj
 from orishell.io.formats.rhino import write_rhino
-from orishell.io.settings import Settings
 
 
 @pytest.fixture(scope="module")

@@ -15,10 +15,10 @@ from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 from documents import FAMILIES, demo_document
 from orishell.conventions.errors import InputError
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.dxf import write_dxf
-from orishell.io.settings import Settings
 from orishell.motion.quads import signed_areas
 from orishell.workshop import DEFAULT, LAYERS, Workshop
 from orishell.workshop.palettes import load_palette

@@ -12,10 +12,10 @@ from scipy.spatial.transform import Rotation
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
 from orishell.conventions.errors import InputError
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document, DocumentState
+from orishell.io.format import Settings
 from orishell.io.formats.gltf import SECONDS, write_gltf
-from orishell.io.settings import Settings
 from orishell.motion.mesh import build_mesh
 
 Array = NDArray[np.float64]

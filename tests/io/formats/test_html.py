@@ -25,9 +25,9 @@ from documents import (
 from orishell.conventions.colours import rgb
 from orishell.conventions.errors import InputError
 from orishell.design import PanelSpec
+from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
-from orishell.io.settings import DEFAULT_SETTINGS
 from orishell.io.view import dump_view
 from viewer_pages import (
     await_frames,

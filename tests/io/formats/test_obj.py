@@ -10,8 +10,8 @@ import pytest
 from documents import FAMILIES, demo_document, flat_only, folded_only
 from orishell.conventions.errors import InputError
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.obj import write_obj
-from orishell.io.settings import Settings
 
 DEMO = demo_document()
 

@@ -8,8 +8,8 @@ import pytest
 from documents import FAMILIES, demo_document, folded_only
 from orishell.conventions.errors import InputError
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.origami_simulator import write_origami_simulator
-from orishell.io.settings import Settings
 
 STROKES = {
     "#000000": "B",

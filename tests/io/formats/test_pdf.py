@@ -15,8 +15,8 @@ from pypdf.generic import ContentStream
 from documents import FAMILIES, demo_document, folded_only
 from orishell.conventions.errors import InputError
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.pdf import write_pdf
-from orishell.io.settings import Settings
 from orishell.workshop import Workshop
 
 MM = 72 / 25.4

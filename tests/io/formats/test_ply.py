@@ -9,8 +9,8 @@ import pytest
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.ply import write_ply
-from orishell.io.settings import Settings
 
 DEMO = demo_document()
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from documents import FAMILIES, demo_document, flat_only, folded_only
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.rhino import write_rhino
-from orishell.io.settings import Settings
 from orishell.motion.mesh import build_mesh
 
 DEMO = demo_document()

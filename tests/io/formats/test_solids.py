@@ -11,12 +11,12 @@ import pytest
 from cad_tools import closed_volume
 from documents import thick_document
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.gltf import write_gltf
 from orishell.io.formats.obj import write_obj
 from orishell.io.formats.ply import write_ply
 from orishell.io.formats.rhino import write_rhino
 from orishell.io.formats.stl import HEADER_LENGTH, write_stl
-from orishell.io.settings import Settings
 
 CONSTRUCTIONS = ("sandwich", "bevel")
 FACET = np.dtype([("normal", "<f4", (3,)), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])

@@ -13,9 +13,9 @@ from documents import demo_document, thick_document
 from orishell.conventions.errors import InputError
 from orishell.design import Construction
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats import step
 from orishell.io.formats.step import write_step
-from orishell.io.settings import Settings
 
 CUBIC_MILLIMETRES = 1e9  # in a cubic metre, the unit of these documents
 

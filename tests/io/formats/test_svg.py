@@ -10,10 +10,10 @@ from svgelements import Path as SvgPath
 
 from documents import FAMILIES, demo_document
 from orishell.conventions.errors import InputError
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats.svg import write_svg
-from orishell.io.settings import Settings
 from orishell.motion.quads import signed_areas
 from orishell.workshop import DEFAULT, Workshop
 from orishell.workshop.palettes import load_palette

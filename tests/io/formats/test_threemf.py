@@ -15,9 +15,9 @@ from documents import FAMILIES, demo_document, thick_document
 from orishell.conventions.errors import InputError
 from orishell.design import Construction
 from orishell.document import Document
+from orishell.io.format import Settings
 from orishell.io.formats import threemf
 from orishell.io.formats.threemf import write_3mf
-from orishell.io.settings import Settings
 from orishell.workshop import Workshop
 
 SCALE = 0.05

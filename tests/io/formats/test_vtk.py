@@ -11,8 +11,8 @@ import pytest
 from documents import FAMILIES, demo_document, flat_only, folded_only, loaded_document
 from orishell.conventions.errors import InputError
 from orishell.document import Document, DocumentState
+from orishell.io.format import Settings
 from orishell.io.formats.vtk import write_vtk
-from orishell.io.settings import Settings
 
 DEMO = demo_document()
 

@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
-from orishell.conventions.units import MILLIMETRES
-from orishell.curves.candidates import name_parts
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.curves.dxf.entities import CURVE_TYPES, FLAT, Drawn, draw_entity, layer_of, name_of
-from orishell.curves.files import read_source
+from orishell.curves.files import name_parts, read_source
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Piece
 

@@ -10,7 +10,7 @@ import numpy as np
 from orishell.conventions.errors import CurveError, InputError
 from orishell.curves.joining import Chain, require_pieces
 from orishell.curves.pieces import MAX_PIECES, Arc, Bezier, Piece, bezier
-from orishell.curves.svg.values import VALUE
+from orishell.curves.svg.tree import VALUE
 from orishell.numerics.arrays import Array
 
 _COMMAND = re.compile(r"\s*([MmZzLlHhVvCcSsQqTtAa])")

@@ -9,21 +9,23 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
-from orishell.conventions.units import conversion
-from orishell.curves.candidates import name_parts
+from orishell.conventions.quantities import conversion
+from orishell.curves.files import name_parts
 from orishell.curves.joining import Chain, join_pieces
 from orishell.curves.pieces import MAX_PIECES, Affine, Piece
 from orishell.curves.svg.shapes import SHAPES, draw_shape, length_of
-from orishell.curves.svg.tree import MAX_ELEMENTS, Element, read_tree
-from orishell.curves.svg.values import (
+from orishell.curves.svg.tree import (
     IDENTITY,
+    MAX_ELEMENTS,
     MILLIMETRES,
     PIXEL_MM,
+    Element,
     View,
     fit_view_box,
     parse_length,
     parse_transform,
     parse_view_box,
+    read_tree,
 )
 from orishell.numerics.arrays import Array
 

@@ -10,8 +10,7 @@ import numpy as np
 from orishell.conventions.errors import InputError
 from orishell.curves.pieces import MAX_PIECES, Arc, Piece, polyline
 from orishell.curves.svg.path_data import parse_path
-from orishell.curves.svg.tree import Element
-from orishell.curves.svg.values import View, parse_length, parse_numbers
+from orishell.curves.svg.tree import Element, View, parse_length, parse_numbers
 
 
 def draw_shape(element: Element, view: View) -> list[Piece]:

@@ -1,4 +1,4 @@
-"""The elements of an SVG file, read so that no file can do harm.
+"""The elements of an SVG file, read so that no file can do harm, and its lengths and transforms.
 
 Entities are refused and nothing outside the file is fetched; size, number and depth of the elements
 are bounded.
@@ -6,11 +6,178 @@ are bounded.
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Final
+
+import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.curves.files import read_source
+from orishell.curves.pieces import Affine
+
+NUMBER: Final = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+PIXELS: Final = {
+    "": 1.0,
+    "px": 1.0,
+    "in": 96.0,
+    "cm": 96 / 2.54,
+    "mm": 96 / 25.4,
+    "q": 96 / 101.6,
+    "pt": 96 / 72,
+    "pc": 16.0,
+}
+"""User units in each unit of length: CSS has 96 pixels in an inch."""
+PIXEL_MM: Final = 25.4 / 96
+MILLIMETRES: Final = {
+    "": PIXEL_MM,
+    "px": PIXEL_MM,
+    "in": 25.4,
+    "cm": 10.0,
+    "mm": 1.0,
+    "q": 0.25,
+    "pt": 25.4 / 72,
+    "pc": 25.4 / 6,
+}
+
+IDENTITY: Final = Affine(np.eye(2), np.zeros(2))
+
+# No two repetitions that match the same stand side by side, so that each takes linear time.
+VALUE: Final = re.compile(rf"\s*(?:,\s*)?({NUMBER})")
+_LENGTH = re.compile(rf"({NUMBER})\s*([A-Za-z]+|%)?")
+_TRANSFORM = re.compile(r"\s*(?:,\s*)?([A-Za-z]+)\s*\(([^()]*)\)")
+_COUNTS = {
+    "matrix": (6,),
+    "translate": (1, 2),
+    "scale": (1, 2),
+    "rotate": (1, 3),
+    "skewX": (1,),
+    "skewY": (1,),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What percentages refer to: the size of the viewport, in user units."""
+
+    width: float
+    height: float
+
+    def along(self, axis: str) -> float:
+        """The length that 100 % stands for, along "x", "y", or neither."""
+        if axis == "x":
+            return self.width
+        if axis == "y":
+            return self.height
+        return float(np.hypot(self.width, self.height) / np.sqrt(2))
+
+
+def parse_length(text: str, hundred: float, scales: Mapping[str, float] = PIXELS) -> float:
+    """A length in user units (or what ``scales`` leads to); 100 % is ``hundred``."""
+    found = _LENGTH.fullmatch(text.strip())
+    unit = (found[2] or "").lower() if found else ""
+    if found is None or (unit != "%" and unit not in scales):
+        raise InputError(
+            "this is no length",
+            got=repr(text[:40]),
+            expected="a number, with one of " + ", ".join(filter(None, scales)) + " or without",
+        )
+    value = float(found[1])
+    return value * hundred / 100 if unit == "%" else value * scales[unit]
+
+
+def parse_numbers(text: str) -> list[float]:
+    """Numbers that are separated by commas or blanks."""
+    text = text.rstrip()
+    numbers, at = [], 0
+    while at < len(text):
+        found = VALUE.match(text, at)
+        if found is None:
+            raise InputError(
+                "this is no list of numbers", where=f"character {at + 1}", got=repr(text[at:][:40])
+            )
+        numbers.append(float(found[1]))
+        at = found.end()
+    return numbers
+
+
+def parse_transform(text: str) -> Affine:
+    """The map that an attribute ``transform`` asks for."""
+    text = text.rstrip()
+    result, at = IDENTITY, 0
+    while at < len(text):
+        found = _TRANSFORM.match(text, at)
+        numbers = parse_numbers(found[2]) if found else []
+        if found is None or len(numbers) not in _COUNTS.get(found[1], ()):
+            raise InputError(
+                "this is no transform",
+                got=repr(text[at : at + 60]),
+                expected="matrix, translate, scale, rotate, skewX or skewY, with their numbers",
+            )
+        result = result.after(_step(found[1], numbers))
+        at = found.end()
+    return result
+
+
+def _step(name: str, numbers: list[float]) -> Affine:
+    match name, numbers:
+        case "matrix", [a, b, c, d, e, f]:
+            return Affine.of(a, b, c, d, e, f)
+        case "translate", [x, *rest]:
+            return Affine.of(1, 0, 0, 1, x, rest[0] if rest else 0.0)
+        case "scale", [x, *rest]:
+            return Affine.of(x, 0, 0, rest[0] if rest else x, 0, 0)
+        case "rotate", [degrees, *centre]:
+            cos, sin = _cos_sin(degrees)
+            x, y = centre or (0.0, 0.0)
+            return Affine.of(cos, sin, -sin, cos, x - cos * x + sin * y, y - sin * x - cos * y)
+        case "skewX", [degrees]:
+            return Affine.of(1, 0, float(np.tan(np.deg2rad(degrees))), 1, 0, 0)
+        case _:
+            return Affine.of(1, float(np.tan(np.deg2rad(numbers[0]))), 0, 1, 0, 0)
+
+
+def _cos_sin(degrees: float) -> tuple[float, float]:
+    """Cosine and sine, exact for quarter turns."""
+    if degrees % 90 == 0:
+        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(degrees / 90 % 4)]
+    return float(np.cos(np.deg2rad(degrees))), float(np.sin(np.deg2rad(degrees)))
+
+
+def parse_view_box(text: str) -> tuple[float, float, float, float] | None:
+    """The attribute ``viewBox``; None if it is absent."""
+    if not text.strip():
+        return None
+    numbers = parse_numbers(text)
+    if len(numbers) != 4 or not (numbers[2] > 0 and numbers[3] > 0):
+        raise InputError(
+            "this is no viewBox",
+            got=repr(text[:60]),
+            expected="x, y, and a width and a height above 0",
+        )
+    x, y, width, height = numbers
+    return x, y, width, height
+
+
+def fit_view_box(
+    box: tuple[float, float, float, float], width: float, height: float, fit: str
+) -> Affine:
+    """The map from a viewBox to a viewport of a size, as ``preserveAspectRatio`` says."""
+    x, y, box_width, box_height = box
+    words = fit.split() or ["xMidYMid"]
+    wide, high = width / box_width, height / box_height
+    if words[0] == "none":
+        return Affine.of(wide, 0, 0, high, -x * wide, -y * high)
+    scale = max(wide, high) if words[1:] == ["slice"] else min(wide, high)
+    shares = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
+    if re.fullmatch("x(Min|Mid|Max)Y(Min|Mid|Max)", words[0]) is None:
+        raise InputError("this is no preserveAspectRatio", got=repr(fit[:40]))
+    e = shares[words[0][1:4]] * (width - box_width * scale) - x * scale
+    f = shares[words[0][5:8]] * (height - box_height * scale) - y * scale
+    return Affine.of(scale, 0, 0, scale, e, f)
+
 
 MAX_ELEMENTS = 200_000
 MAX_DEPTH = 200

@@ -6,19 +6,19 @@ Derived in docs/theory/longitudinal-linear-repeating.md.
 from orishell.families.longitudinal_linear_repeating.design import (
     design_longitudinal_linear_repeating,
 )
-from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
+    Sectors,
     Solution,
     find_solutions,
-)
-from orishell.families.longitudinal_linear_repeating.listing import (
-    SEARCHED,
-    describe_solutions,
 )
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
+from orishell.families.longitudinal_linear_repeating.variants import (
+    SEARCHED,
+    describe_solutions,
+)
 
 __all__ = [
     "SEARCHED",

@@ -23,8 +23,7 @@ from orishell.families.longitudinal_linear_repeating.equation.choice import (
     choose_auto,
     choose_solution,
 )
-from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
-from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
@@ -52,7 +51,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
-from orishell.families.parameters import Auto, ColumnCount, Length, Limits, RowCount, in_radians
+from orishell.families.pattern import Auto, ColumnCount, Length, Limits, RowCount, in_radians
 from orishell.families.shared.candidates import fewer, sizes
 from orishell.motion import require_resolution
 from orishell.numerics.bisection import bisect

@@ -16,15 +16,14 @@ from orishell.families.longitudinal_linear_repeating.design import (
     design_longitudinal_linear_repeating,
     require_entries,
 )
-from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
 from orishell.families.longitudinal_linear_repeating.variants import (
     distance_from_f,
     open_sectors,
     open_stages,
 )
-from orishell.families.parameters import Auto, Length
-from orishell.families.pattern import Family, Pattern, Tolerance, Variants
+from orishell.families.pattern import Auto, Family, Length, Pattern, Tolerance, Variants
 from orishell.families.shared.candidates import forgiving
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]

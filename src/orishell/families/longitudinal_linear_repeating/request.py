@@ -12,8 +12,7 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.record import record
 from orishell.design import Parameter
-from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
-from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
@@ -25,7 +24,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     continue_columns,
     repeat_columns,
 )
-from orishell.families.parameters import Auto
+from orishell.families.pattern import Auto
 from orishell.numerics.arrays import Array
 
 Periodic = Literal["periodic"]

@@ -29,7 +29,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import with_border
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
-from orishell.families.parameters import Auto
+from orishell.families.pattern import Auto
 from orishell.families.shared.candidates import fewer, values
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below

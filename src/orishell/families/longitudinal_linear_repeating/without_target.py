@@ -16,8 +16,7 @@ from orishell.families.longitudinal_linear_repeating.equation.choice import (
     choose_auto,
     choose_solution,
 )
-from orishell.families.longitudinal_linear_repeating.equation.sectors import Sectors
-from orishell.families.longitudinal_linear_repeating.equation.solutions import Solution
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.measures import (
     describe_radii,
     measure_departures,
@@ -46,7 +45,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.lengths import
     end_limits,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
-from orishell.families.parameters import Auto
+from orishell.families.pattern import Auto
 from orishell.families.shared.candidates import fewer
 from orishell.motion import require_resolution
 from orishell.motion.grid import UNFOLDED

@@ -15,18 +15,29 @@ from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide, warn_of_no_lock
-from orishell.families.orthodiagonal.flap_cuts import cut_flaps, depth_below_feet
 from orishell.families.orthodiagonal.headings import (
     HeadingConditions,
     SideChoice,
     describe_heading,
 )
 from orishell.families.orthodiagonal.mechanism import Orthodiagonal
-from orishell.families.orthodiagonal.profile import End, require_zigzags, trim_ends
+from orishell.families.orthodiagonal.profile import (
+    End,
+    approach,
+    require_zigzags,
+    sweep,
+    tilted,
+    trim_ends,
+)
 from orishell.families.orthodiagonal.refusal import refuse
-from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind
-from orishell.families.orthodiagonal.target import approach, sweep, tilted
-from orishell.families.parameters import (
+from orishell.families.orthodiagonal.row import (
+    Row,
+    RowKind,
+    cut_flaps,
+    depth_below_feet,
+    require_one_kind,
+)
+from orishell.families.pattern import (
     Auto,
     ColumnCount,
     Length,

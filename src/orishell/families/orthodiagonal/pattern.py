@@ -15,16 +15,20 @@ from orishell.design import Design, FlapSide
 from orishell.families.orthodiagonal.design import HEADING, ROW_ANGLE, design_orthodiagonal
 from orishell.families.orthodiagonal.profile import zigzag_distance
 from orishell.families.orthodiagonal.row import Row, RowKind, require_one_kind
-from orishell.families.parameters import (
+from orishell.families.pattern import (
     FLAP_SIDE,
     PLACEMENT,
     ROWS,
     SPACING,
     Auto,
+    Family,
     Length,
     OddRowCount,
+    Pattern,
+    Tolerance,
+    Variants,
+    placement_variants,
 )
-from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
 from orishell.families.shared.candidates import forgiving
 from orishell.polylines import Placement, Spacing
 

@@ -14,15 +14,21 @@ from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, trace_curve
 from orishell.design import Design, FlapSide, Parameter, warn_of_no_lock
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
-from orishell.families.parallel_repeating.profile import F, approach, fit_profile, sweep
-from orishell.families.parallel_repeating.row import Planes, Row
+from orishell.families.parallel_repeating.profile import (
+    F,
+    Planes,
+    Row,
+    approach,
+    fit_profile,
+    sweep,
+)
 from orishell.families.parallel_repeating.sheet import (
     require_flat_sheet,
     require_resolution,
     require_row_edges,
     warn_of_stretched_columns,
 )
-from orishell.families.parameters import (
+from orishell.families.pattern import (
     Auto,
     ColumnCount,
     FlapSides,

@@ -21,10 +21,20 @@ from orishell.families.parallel_repeating.design import (
     design_parallel_repeating,
     require_square,
 )
-from orishell.families.parallel_repeating.profile import fit_profile, widest_xi
-from orishell.families.parallel_repeating.row import Planes
-from orishell.families.parameters import FLAP_SIDE, PLACEMENT, ROWS, SPACING, Auto, OddRowCount
-from orishell.families.pattern import Family, Pattern, Tolerance, Variants, placement_variants
+from orishell.families.parallel_repeating.profile import Planes, fit_profile, widest_xi
+from orishell.families.pattern import (
+    FLAP_SIDE,
+    PLACEMENT,
+    ROWS,
+    SPACING,
+    Auto,
+    Family,
+    OddRowCount,
+    Pattern,
+    Tolerance,
+    Variants,
+    placement_variants,
+)
 from orishell.families.shared.candidates import forgiving
 from orishell.polylines import Placement, Spacing, measure_chords, place_chords
 

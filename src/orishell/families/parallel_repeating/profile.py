@@ -1,20 +1,32 @@
-"""The swept curve f: its rotation, its staircase, and the surfaces that it sweeps."""
+"""The curves f and g: the swept profile, the middle row and the planes of the columns."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+from typing import Literal
+
 import numpy as np
 
-from orishell.conventions.errors import Remedy
+from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.design import Approached, Path, Surface, Turning
-from orishell.families.parameters import Auto
+from orishell.families.pattern import Auto
+from orishell.families.shared.candidates import angles
 from orishell.families.shared.staircases import Followed
+from orishell.numerics.arrays import Array
+from orishell.numerics.bisection import bisect_integers
 from orishell.polylines import (
+    Chords,
     Closeness,
+    Placement,
+    Spacing,
     Staircase,
     choose_theta,
     measure_closeness,
+    place_chords,
     widest_angle,
 )
 
@@ -124,3 +136,146 @@ def approach(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Approach
 
 def _origin(staircase: Staircase) -> np.ndarray:
     return np.asarray(staircase.vertices[len(staircase.vertices) // 2])
+
+
+Planes = Literal["tangent", "bisector"]
+"""What the planes of columns 2 ... n-1 follow: g's tangent, or the angle of its polyline."""
+
+MORE_COLUMNS = (1.25, 1.6, 2.5)
+"""Shares of the fewest columns that are enough, where these are not."""
+
+
+@record
+class Row:
+    """The middle row on g's polyline.
+
+    Parameters
+    ----------
+    chords
+        g's polyline.
+    heading
+        Directions (n,) that the planes follow at the vertices (radians): g's own, or those that
+        bisect the angles of its polyline, but for its ends.
+    plane
+        Angle from f's plane to these (radians).
+    planes
+        Which of the two.
+    off
+        The largest angle between these and g's own (radians).
+    """
+
+    chords: Chords
+    heading: Array
+    plane: float
+    planes: Planes
+    off: float
+
+    @property
+    def parameters(self) -> Array:
+        """Parameters (n,) on g of the vertices."""
+        return self.chords.parameters
+
+    @property
+    def vertices(self) -> Array:
+        """Vertices (n, 2) of g's polyline."""
+        return self.chords.vertices
+
+    @classmethod
+    def on(
+        cls,
+        trace: Trace,
+        columns: int,
+        plane: float,
+        planes: Planes,
+        *,
+        spacing: Spacing,
+        placement: Placement,
+    ) -> Row:
+        """Place the vertices along g."""
+        chords = place_chords(trace, columns, spacing, placement)
+        heading = trace.heading_at(chords.parameters)
+        off = np.zeros(len(heading))
+        if planes == "bisector":
+            off[1:-1] = _wrapped(_bisecting(chords.vertices) - heading[1:-1])
+        return cls(chords, heading + off, plane, planes, float(np.abs(off).max()))
+
+    def turns(self) -> Array:
+        """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
+        chord = np.diff(self.vertices, axis=0)
+        direction = np.arctan2(chord[:, 1], chord[:, 0])
+        return _wrapped(direction - np.stack([self.heading[:-1], self.heading[1:]]))
+
+    def require_crossing(self, trace: Trace, spacing: Spacing, placement: Placement) -> None:
+        """Refuse chords that do not run from one column plane to the next (0 < delta < pi)."""
+        delta = self.turns() + self.plane
+        outside = np.maximum(-delta, delta - np.pi)
+        worst = np.unravel_index(int(outside.argmax()), outside.shape)
+        if outside[worst] < 0:
+            return
+        column = int(worst[1]) + 1
+        low, high = float((-self.turns()).max()), float(np.pi - self.turns().max())
+        turnable = self.planes == "tangent" and low < high
+        limits = (
+            f"; plane_deg must lie between {in_degrees(low)} and {in_degrees(high)}"
+            if turnable
+            else "; no plane_deg fits all columns"
+        )
+        raise DesignError(
+            "f's plane does not cross the chord of g",
+            place=f"between columns {column} and {column + 1}",
+            size=f"the angle between them is {in_degrees(delta[worst])} degrees, and must lie "
+            "between 0 and 180" + (limits if self.planes == "tangent" else ""),
+            candidates=angles("plane_deg", low, high, self.plane)
+            if turnable
+            else self._enough_columns(trace, spacing, placement),
+            excess=outside[worst] / np.pi,
+        )
+
+    def _enough_columns(
+        self, trace: Trace, spacing: Spacing, placement: Placement
+    ) -> Iterator[Remedy]:
+        def works(columns: int, spacing: Spacing = spacing) -> bool:
+            row = Row.on(
+                trace, columns, self.plane, self.planes, spacing=spacing, placement=placement
+            )
+            delta = row.turns() + self.plane
+            return bool((delta > 0).all() and (delta < np.pi).all())
+
+        # Powers of two, so that refusals of one g try the same numbers and find them remembered.
+        columns = 2 ** len(self.vertices).bit_length()
+        for _ in range(8):
+            if works(columns):
+                fewest = bisect_integers(works, columns, columns // 2)
+                if fewest > len(self.vertices):
+                    # More columns than are just enough leave more room for the panels.
+                    yield from (
+                        Remedy({"pattern.columns": count})
+                        for count in (fewest, *(math.ceil(more * fewest) for more in MORE_COLUMNS))
+                    )
+                    return
+            columns *= 2
+        columns //= 2
+        for more in (len(self.vertices), columns):
+            if spacing == "equal" and works(more, "curvature"):
+                yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
+        if self.planes == "bisector":
+            return
+        turns = Row.on(
+            trace, columns, self.plane, self.planes, spacing=spacing, placement=placement
+        ).turns()
+        least, most = float((-turns).max()), float(np.pi - turns.max())
+        if least < most:
+            plane = rounded(tidy_degrees(0.5 * (least + most)), 6)
+            yield Remedy({"pattern.plane_deg": plane, "pattern.columns": columns})
+
+
+def _bisecting(vertices: Array) -> Array:
+    """Directions (n-2,) that bisect those of the edges before and after a vertex (of n, 2)."""
+    edge = np.diff(vertices @ np.array([1, 1j]))
+    turn = np.angle(edge[1:] * edge[:-1].conj())
+    return np.asarray(np.angle(edge[:-1]) + turn / 2)
+
+
+def _wrapped(angle: Array) -> Array:
+    """The same angles in [-pi, pi)."""
+    return np.asarray(np.mod(angle + np.pi, 2 * np.pi) - np.pi)

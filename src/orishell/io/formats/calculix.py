@@ -14,12 +14,11 @@ from pathlib import Path
 import numpy as np
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.conventions.units import conversion
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Integers
 
 MODES = 6

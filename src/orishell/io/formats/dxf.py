@@ -15,12 +15,19 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
-from orishell.workshop.drawing import LAYERS, ORDER, Circle, Drawing, Line, Text
-from orishell.workshop.palettes import Palette, load_palette
+from orishell.io.format import Format, Settings
+from orishell.workshop.palettes import (
+    LAYERS,
+    ORDER,
+    Circle,
+    Drawing,
+    Line,
+    Palette,
+    Text,
+    load_palette,
+)
 from orishell.workshop.sheets import draw_sheet_files
 
 if TYPE_CHECKING:

@@ -9,12 +9,11 @@ from typing import Any, Final
 import numpy as np
 
 from orishell.conventions.colours import MEANINGS, linear_rgb
-from orishell.conventions.units import conversion
+from orishell.conventions.quantities import conversion
 from orishell.document import Document
-from orishell.io.format import Format
+from orishell.io.format import Format, Settings
 from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, singles
-from orishell.io.panels import TRIANGLES, find_frames, find_splits, quaternions
-from orishell.io.settings import Settings
+from orishell.io.solids import TRIANGLES, find_frames, find_splits, quaternions
 from orishell.motion.quads import longer_diagonals
 from orishell.numerics.arrays import Array, Booleans, Integers
 

@@ -6,9 +6,8 @@ import base64
 from pathlib import Path
 
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.program_page import BUILD_PAGES, place_of, program_page, read_program
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
+from orishell.io.html_pages import BUILD_PAGES, place_of, program_page, read_program
 from orishell.io.view import dump_view
 
 VIEWER = place_of("viewer.js")

@@ -15,8 +15,7 @@ from typing import Final
 import numpy as np
 
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 
 STROKES: Final[dict[str, str]] = {
     "B": "#000000",

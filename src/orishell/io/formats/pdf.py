@@ -13,10 +13,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Booleans
-from orishell.workshop.drawing import Layer, Text
+from orishell.workshop.palettes import Layer, Text
 from orishell.workshop.paper_model import PaperModel, make_board_models, make_paper_model
 from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
 

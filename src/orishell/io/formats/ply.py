@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.io.solids import mesh_of, solids_in
 from orishell.numerics.arrays import Array, Integers
 

@@ -14,12 +14,11 @@ import numpy as np
 
 from orishell.conventions.colours import rgb
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.io.solids import SolidMesh, mesh_of, solids_in
 from orishell.motion.quads import reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.clipped import with_clipped
+from orishell.workshop.assembly import with_clipped
 from orishell.workshop.cut_parts import find_outlines
 
 VERSION: Final = 6

@@ -7,10 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.panels import split_panels
-from orishell.io.settings import Settings
-from orishell.io.solids import mesh_of, solids_in
+from orishell.io.format import Format, Settings
+from orishell.io.solids import mesh_of, solids_in, split_panels
 from orishell.numerics.arrays import Array
 
 HEADER_LENGTH = 80

@@ -8,12 +8,19 @@ from html import escape
 from pathlib import Path
 from typing import Final
 
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
-from orishell.workshop.drawing import ORDER, Circle, Drawing, Layer, Line, Text
-from orishell.workshop.palettes import Palette, load_palette
+from orishell.io.format import Format, Settings
+from orishell.workshop.palettes import (
+    ORDER,
+    Circle,
+    Drawing,
+    Layer,
+    Line,
+    Palette,
+    Text,
+    load_palette,
+)
 from orishell.workshop.sheets import draw_sheet_files
 
 EXACT_MM = 1e-6

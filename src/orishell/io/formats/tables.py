@@ -1,22 +1,55 @@
-"""Bill of quantities: a table of panels and a table of creases (CSV)."""
+"""Tables of comma-separated values, as a spreadsheet may open them."""
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from math import isnan
 from pathlib import Path
 
 import numpy as np
 
-from orishell.conventions.units import conversion
+from orishell.conventions.quantities import conversion
 from orishell.document import Document
-from orishell.io.csv_file import write_csv
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.motion.boards import SIDES
 from orishell.workshop import Workshop
-from orishell.workshop.board_parts import board_parts, nest_boards
-from orishell.workshop.clipped import with_clipped
+from orishell.workshop.assembly import with_clipped
+from orishell.workshop.board_sheets import board_parts, nest_boards
+
+FORMULA = ("=", "+", "-", "@", "\t", "\n")
+"""A spreadsheet takes a cell that begins with one of these for a formula, and computes it."""
+
+
+def write_csv(path: Path, heads: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """Write a table: a line of names, and a line for each row.
+
+    A text that a spreadsheet would compute has a quote (``'``) in front; texts that are numbers
+    have none. A carriage return becomes a blank.
+
+    Parameters
+    ----------
+    heads, rows
+        Names of the columns.
+    """
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerows([_safe(cell) for cell in row] for row in chain([heads], rows))
+
+
+def _safe(cell: object) -> object:
+    if not isinstance(cell, str):
+        return cell
+    cell = cell.replace("\r", " ")  # which the csv module may leave without quotes
+    if not cell.startswith(FORMULA):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell
+
 
 PANELS = "panels"
 """Stem of the table of panels, beside which the other is called ``creases.csv``."""

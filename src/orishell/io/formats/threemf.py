@@ -10,10 +10,9 @@ from uuid import UUID
 
 import numpy as np
 
-from orishell.conventions.units import conversion
+from orishell.conventions.quantities import conversion
 from orishell.document import FLAT, Document
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.io.solids import mesh_of, solids_in, solids_lying
 from orishell.numerics.arrays import Array, Integers
 

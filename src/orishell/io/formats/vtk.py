@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from orishell.conventions.units import MILLIMETRES
+from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document, DocumentState
 from orishell.document.loaded import LoadedShell
-from orishell.io.format import Format
-from orishell.io.settings import Settings
+from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Integers
 
 SERIES = ".pvd"

@@ -10,9 +10,10 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
-from orishell.families.longitudinal_linear_repeating.equation.sectors import NAMES, Sectors
 from orishell.families.longitudinal_linear_repeating.equation.solutions import (
+    NAMES,
     ROUNDING,
+    Sectors,
     Solution,
     find_solutions,
     is_free,

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.families.longitudinal_linear_repeating.motion.acceleration import Sheet, bound_edges
+from orishell.families.longitudinal_linear_repeating.motion.rates import Sheet, bound_edges
 from orishell.families.longitudinal_linear_repeating.motion.rotations import (
     Rotations,
     running_products,

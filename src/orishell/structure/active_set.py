@@ -1,4 +1,4 @@
-"""Which one-sided conditions act under a load.
+"""Which ties, flaps and feet act under loads, and what moves where nothing holds a shell.
 
 With S^1/2 = W, H = 1 - W C W, gaps h = W g and forces l = W^-1 lambda,
 
@@ -14,12 +14,17 @@ whose corners are on the circle of radius mu l_n.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.held import GIVE, Held
+from orishell.structure.model import Model
+from orishell.structure.results import FreeMotion, Hold
+from orishell.structure.settings import Support
 
 DRIVEN = 1e-6
 """Loads drive a motion if more than this share of them works on it."""
@@ -180,3 +185,64 @@ def _exact(held: Held, loads: Array, acting: Booleans) -> tuple[Response, bool]:
     wrong = one_sided & ((acting & (forces < -least)) | (~acting & (gaps > open_)))
     right = bool(unbalanced <= BALANCED * total and not wrong.any())
     return Response(None, found, acting, forces, taken, motions), right
+
+
+STEP = 1e-5
+"""Step of the drive by which the folding motion is measured (radians)."""
+SHARE = 0.1
+"""A motion that takes this share of its vertices' displacements from folding is a folding one."""
+
+
+def describe_motion(model: Model, shape: Array, forces: Array, *, soft: bool = False) -> FreeMotion:
+    """Say of a free motion what it is, and what would hold the shell: that has been tried.
+
+    Parameters
+    ----------
+    shape
+        Displacements (N, 3) of nodes.
+    forces
+        Forces (N, 3) on them.
+    soft
+        Whether something resists it, but too little.
+
+    Raises
+    ------
+    VerificationError
+        If no set of ties, flaps and feet fits the loads: a fault of the program.
+    """
+    drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
+    near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))
+    folding = (near[1] - near[0]).reshape(-1)
+    away = points - points.mean(axis=0)
+    whole = np.concatenate(
+        [np.tile(np.eye(3), (len(points), 1, 1)), np.cross(away[:, None], np.eye(3))], axis=1
+    )
+    rigid = np.linalg.qr(whole.transpose(0, 2, 1).reshape(-1, 6))[0]
+    folding -= rigid @ (rigid.T @ folding)
+    folding /= np.linalg.norm(folding)
+    found = shape[: len(points)].reshape(-1)
+    part = float(folding @ found)
+    folds = abs(part) > SHARE * float(np.linalg.norm(found))
+    holds = _holds(model, forces)
+    return FreeMotion(shape, folds, part < 0 if folds else None, holds, soft)
+
+
+def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
+    """What would hold a shell of those things that it lacks."""
+    structure, frame = model.structure, model.frame
+    pinned = tuple(Support(at=each.at, kind="pinned") for each in structure.supports)
+    tried: dict[Hold, Model] = {
+        "pinned": replace(model, structure=structure.having(supports=pinned))
+    }
+    if frame.feet is not None and not frame.ties:
+        inner = model.sheet.inner_columns
+        columns = np.arange(model.grid.columns)[inner] + model.before
+        first, last = frame.feet
+        ties = tuple(((first, column), (last, column)) for column in columns.tolist())
+        tried = {"ties": replace(model, frame=replace(frame, ties=ties)), **tried}
+    return tuple(name for name, other in tried.items() if _stands(other, forces))
+
+
+def _stands(model: Model, forces: Array) -> bool:
+    response = respond(model.held, model.free_loads(forces))
+    return response.moves is None and model.furthest(response.displacements) <= model.size

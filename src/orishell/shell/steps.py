@@ -1,11 +1,27 @@
-"""Parts of what is found out of a shell that may be left out, where nobody asks for them."""
+"""The steps of the work: what may be left out, and the time each takes."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Collection, Mapping
 from typing import Literal, get_args
 
 from orishell.conventions.errors import InputError
+
+
+class Clock:
+    """A clock that takes the time of every step of the work."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._last = time.perf_counter()
+
+    def lap(self, step: str) -> None:
+        """Note the time since the last step was done."""
+        now = time.perf_counter()
+        self.seconds[step] = now - self._last
+        self._last = now
+
 
 Part = Literal["remedies", "verification", "deviation", "pack", "weight", "stock", "structure"]
 """What would mend a design that is refused, or that packs badly; whether panels stay rigid; the
