@@ -20,12 +20,8 @@ from orishell.io.registry import ALL, MODULES
 def say(text: str, *, err: bool = False) -> None:
     """Print lines, with all control characters but line breaks escaped.
 
-    Parameters
-    ----------
-    text
-        The lines.
-    err
-        Whether on standard error.
+    text: The lines.
+    err: Whether on standard error.
     """
     typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
 
@@ -76,10 +72,7 @@ STATE_HELP = (
 def directory(text: str) -> Path:
     """The path of the output directory, which must have a name.
 
-    Raises
-    ------
-    InputError
-        If the name is empty, which would be where the command was given.
+    Raises InputError if the name is empty, which would be where the command was given.
     """
     if not text:
         raise InputError("the name is empty", where="--out", expected="the name of a directory")
@@ -89,10 +82,7 @@ def directory(text: str) -> Path:
 def state_named(text: str | None) -> int | str | None:
     """The state that ``--state`` asks for: a name or a number; None if it asks for none.
 
-    Raises
-    ------
-    InputError
-        If it is neither.
+    Raises InputError if it is neither.
     """
     if text is None or text in STATES:
         return text

@@ -24,15 +24,9 @@ PROBES, ROUNDS = 31, 13
 def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
     """Position, first and second derivative, (N, 2) each, at parameters (N,).
 
-    Parameters
-    ----------
-    t
-        Parameters (N,).
+    t: Parameters (N,).
 
-    Raises
-    ------
-    CurveError
-        If the position or the first derivative is not finite.
+    Raises CurveError if the position or the first derivative is not finite.
     """
     position, first, second = curve.jet(t)
     for what, array in (
@@ -55,17 +49,10 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
 def require_length(position: Array, arc: Array) -> None:
     """Refuse a curve that is lost in the rounding of its coordinates.
 
-    Parameters
-    ----------
-    position
-        Points (N, 2) of the curve.
-    arc
-        Arc lengths (N,) there.
+    position: Points (N, 2) of the curve.
+    arc: Arc lengths (N,) there.
 
-    Raises
-    ------
-    CurveError
-        If it is a single point, or too short.
+    Raises CurveError if it is a single point, or too short.
     """
     length, largest = float(arc[-1]), float(np.abs(position).max())
     if not length > max(SHORTEST * largest, 1 / LARGEST):
@@ -83,19 +70,11 @@ def require_length(position: Array, arc: Array) -> None:
 def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
     """Refuse a zero tangent, also between the samples.
 
-    Parameters
-    ----------
-    t
-        Parameters (N,) of its samples.
-    first
-        First derivatives (N, 2) there.
-    length
-        Its arc length.
+    t: Parameters (N,) of its samples.
+    first: First derivatives (N, 2) there.
+    length: Its arc length.
 
-    Raises
-    ------
-    CurveError
-        If its tangent is zero, with the place.
+    Raises CurveError if its tangent is zero, with the place.
     """
     speed = np.hypot(*first.T)
     padded = np.concatenate([[np.inf], speed, [np.inf]])
@@ -120,12 +99,8 @@ def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
 def least_within(function: Callable[[Array], Array], lo: Array, hi: Array) -> tuple[Array, Array]:
     """Place and value (K,) of the minimum in each interval, narrowed around the least of samples.
 
-    Parameters
-    ----------
-    function
-        What is to be least, of places (..., K); not a number where it has no value.
-    lo, hi
-        The intervals (K,).
+    function: What is to be least, of places (..., K); not a number where it has no value.
+    lo, hi: The intervals (K,).
     """
     share = np.arange(1, PROBES + 1)[:, None] / (PROBES + 1)
     each = np.arange(len(lo))

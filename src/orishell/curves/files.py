@@ -30,17 +30,11 @@ def name_parts(
 ) -> CurveError:
     """Say in an error which part of the drawing is what, and by which choice one makes a curve.
 
-    Parameters
-    ----------
-    error
-        Why all that is drawn makes no curve.
-    parts
-        What is drawn: names of elements, and the pieces of each.
-    choices
-        What may be written in the design file, and the pieces that it leaves; they are tried, and
-        of those that leave the same the first is named.
-    otherwise
-        What to do if none of them leaves a curve.
+    error: Why all that is drawn makes no curve.
+    parts: What is drawn: names of elements, and the pieces of each.
+    choices: What may be written in the design file, and the pieces that it leaves; they are tried,
+        and of those that leave the same the first is named.
+    otherwise: What to do if none of them leaves a curve.
     """
     if len(parts) < 2:
         return error.located(parts[0][0]) if parts else error
@@ -90,17 +84,10 @@ _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
 def read_source(path: str | Path, kind: str) -> bytes:
     """Read the bytes of a file, unless it is too large.
 
-    Parameters
-    ----------
-    path
-        The file.
-    kind
-        What messages call it, as in "SVG file".
+    path: The file.
+    kind: What messages call it, as in "SVG file".
 
-    Raises
-    ------
-    InputError
-        If it is missing, no file, too large, or cannot be read; without its name.
+    Raises InputError if it is missing, no file, too large, or cannot be read; without its name.
     """
     try:
         path = Path(path)

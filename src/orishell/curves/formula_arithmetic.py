@@ -27,16 +27,10 @@ Operator: TypeAlias = type[ast.operator]
 class Rules(Generic[J]):
     """The operations of formulas on one kind of value.
 
-    Parameters
-    ----------
-    constant
-        A number, beside the variable.
-    operators
-        The operators + - * /, by their nodes in a syntax tree.
-    power
-        A power with a number as exponent.
-    functions
-        The functions, by their names.
+    constant: A number, beside the variable.
+    operators: The operators + - * /, by their nodes in a syntax tree.
+    power: A power with a number as exponent.
+    functions: The functions, by their names.
     """
 
     constant: Callable[[float, J], J]

@@ -112,10 +112,8 @@ def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
     than that, and pieces that are drawn twice, are dropped. The curve begins at the end with the
     smaller x, or if they have the same, the smaller y.
 
-    Raises
-    ------
-    CurveError
-        If nothing is drawn, or the pieces branch, close, or leave a gap; with the place.
+    Raises CurveError if nothing is drawn, or the pieces branch, close, or leave a gap; with the
+    place.
     """
     require_pieces(pieces)
     arrays = PieceArrays.of(pieces)
@@ -153,10 +151,7 @@ def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
 def require_pieces(pieces: Sequence[Piece]) -> None:
     """Refuse a drawing of no pieces, or too many, or some that are not finite.
 
-    Raises
-    ------
-    CurveError
-        With what is wrong.
+    Raises CurveError: With what is wrong.
     """
     if not pieces:
         raise CurveError(

@@ -23,12 +23,8 @@ there the second derivative is infinite in the end itself."""
 class Rationals:
     """Rational Bezier curves of one degree, as powers of s.
 
-    Parameters
-    ----------
-    powers
-        Coefficients (N, degree + 1, 3) of weight times x, weight times y, and weight.
-    slow
-        -1 or 1 where the control point next to the beginning or the end is retracted into it.
+    powers: Coefficients (N, degree + 1, 3) of weight times x, weight times y, and weight.
+    slow: -1 or 1 where the control point next to the beginning or the end is retracted into it.
     """
 
     powers: Array
@@ -138,11 +134,8 @@ def powers_of(control: Array) -> Array:
 def even_out(control: Array) -> tuple[Array, Booleans, Integers]:
     """Put control points (N, d+1, 3) near an end into it; return which curves stand still there.
 
-    Returns
-    -------
-    tuple
-        The control points, those near an end put into it; whether a curve is a straight line
-        because all lie in its ends; -1 or 1 where one lies in its beginning or end.
+    Returns tuple: The control points, those near an end put into it; whether a curve is a straight
+        line because all lie in its ends; -1 or 1 where one lies in its beginning or end.
     """
     points = control[:, :, :2] / control[:, :, 2:]
     steps = np.diff(points, axis=1)
@@ -220,16 +213,10 @@ def _by_share(
 ) -> Enclosure:
     """A coordinate by the share of its piece, from what it is by the root of the share.
 
-    Parameters
-    ----------
-    by_root
-        By the root between ``begin`` and ``end`` (P,), or where ``side`` is 0 by the share.
-    powers
-        Coefficients (P, d+1, 2) of powers of the root: the coordinate and the weight.
-    side
-        -1, 0 or 1 (P,), as in :class:`Rationals`.
-    begin, end
-        The range of the root (P,).
+    by_root: By the root between ``begin`` and ``end`` (P,), or where ``side`` is 0 by the share.
+    powers: Coefficients (P, d+1, 2) of powers of the root: the coordinate and the weight.
+    side: -1, 0 or 1 (P,), as in :class:`Rationals`.
+    begin, end: The range of the root (P,).
     """
     with np.errstate(all="ignore"):
         pace = Interval(0.5 / end, 0.5 / begin)

@@ -143,21 +143,12 @@ def nurbs(
 ) -> list[Piece]:
     """A NURBS as rational Bezier curves, one for every span between its knots.
 
-    Parameters
-    ----------
-    degree
-        The degree p, at least 1.
-    knots
-        Knots (n + p + 1,), not decreasing.
-    points
-        Control points (n, 2).
-    weights
-        Positive weights (n,); all 1 if None.
+    degree: The degree p, at least 1.
+    knots: Knots (n + p + 1,), not decreasing.
+    points: Control points (n, 2).
+    weights: Positive weights (n,); all 1 if None.
 
-    Raises
-    ------
-    CurveError
-        If these do not make a curve.
+    Raises CurveError if these do not make a curve.
     """
     t = np.asarray(knots, dtype=np.float64)
     plane = np.asarray(points, dtype=np.float64).reshape(-1, 2)

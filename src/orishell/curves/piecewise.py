@@ -33,12 +33,8 @@ class _Group(Protocol):
 class PieceArrays:
     """Pieces, grouped by kind.
 
-    Parameters
-    ----------
-    groups
-        Pieces of one kind each.
-    group, row
-        Which group each piece (N,) is in, and where in it.
+    groups: Pieces of one kind each.
+    group, row: Which group each piece (N,) is in, and where in it.
     """
 
     groups: tuple[_Group, ...]
@@ -130,18 +126,11 @@ class PieceArrays:
 def curve_from_pieces(arrays: PieceArrays, joints: Array) -> Curve:
     """One curve from pieces in their order.
 
-    Parameters
-    ----------
-    arrays
-        The pieces (N,), each from one joint to the next.
-    joints
-        Where they meet (N+1, 2): what little their ends are off is spread along each piece.
+    arrays: The pieces (N,), each from one joint to the next.
+    joints: Where they meet (N+1, 2): what little their ends are off is spread along each piece.
 
-    Returns
-    -------
-    Curve
-        Its parameter is about the arc length. Every joint is one of its ``breaks``: what is no
-        corner there does no harm, and samples then stand where the curvature jumps.
+    Returns Curve: Its parameter is about the arc length. Every joint is one of its ``breaks``: what
+        is no corner there does no harm, and samples then stand where the curvature jumps.
     """
     lengths = arrays.lengths
     knots = np.concatenate([[0.0], np.cumsum(lengths)])

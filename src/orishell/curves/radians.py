@@ -29,17 +29,10 @@ Jet = Callable[[Array], tuple[Array, Array, Array]]
 def require_radians(jet: Jet, start: float, stop: float) -> None:
     """Refuse a curve from formulas whose range is in degrees.
 
-    Parameters
-    ----------
-    jet
-        Its points and derivatives at values of the variable of its formulas.
-    start, stop
-        Range of the variable.
+    jet: Its points and derivatives at values of the variable of its formulas.
+    start, stop: Range of the variable.
 
-    Raises
-    ------
-    CurveError
-        If its range looks like degrees, and the curve runs along itself in radians.
+    Raises CurveError if its range looks like degrees, and the curve runs along itself in radians.
     """
     if not look_like_degrees(start, stop):
         return
@@ -60,10 +53,7 @@ def require_radians(jet: Jet, start: float, stop: float) -> None:
 def look_like_degrees(start: float, stop: float) -> bool:
     """Whether the ends of a range are whole numbers far apart, as an architect writes degrees.
 
-    Parameters
-    ----------
-    start, stop
-        The ends.
+    start, stop: The ends.
     """
     whole = not start % 1 and not stop % 1
     return whole and stop - start >= SPAN and max(-start, stop) <= LARGEST

@@ -37,14 +37,9 @@ Boxes = tuple[Enclosure, Enclosure]
 class Samples:
     """Samples of a curve and the cells between them.
 
-    Parameters
-    ----------
-    t
-        Parameters (N,), increasing.
-    points
-        Points (N, 2).
-    leaving, arriving
-        Tangents at the beginning and the end of each cell, (N-1, 2) each.
+    t: Parameters (N,), increasing.
+    points: Points (N, 2).
+    leaving, arriving: Tangents at the beginning and the end of each cell, (N-1, 2) each.
     """
 
     t: Array
@@ -127,24 +122,14 @@ class _Parts:
 def missing_samples(curve: Curve, samples: Samples, turn: float, smallest: float) -> Array:
     """Parameters at which samples are missing, because the curve leaves the chords there.
 
-    Parameters
-    ----------
-    samples
-        Its samples.
-    turn
-        Largest turn of the tangent from sample to sample (radians).
-    smallest
-        Cells up to twice as wide as this may turn by more.
+    samples: Its samples.
+    turn: Largest turn of the tangent from sample to sample (radians).
+    smallest: Cells up to twice as wide as this may turn by more.
 
-    Returns
-    -------
-    Array
-        Parameters (K,), increasing; none if nothing is missed.
+    Returns Array: Parameters (K,), increasing; none if nothing is missed.
 
-    Raises
-    ------
-    CurveError
-        If the curve cannot be bounded somewhere, or swings there faster than can be followed.
+    Raises CurveError if the curve cannot be bounded somewhere, or swings there faster than can be
+    followed.
     """
     t = samples.t
     reach = NEAR * float(np.hypot(*np.diff(samples.points, axis=0).T).sum())

@@ -137,10 +137,7 @@ def with_joined_keys(raw: dict[str, Any]) -> dict[str, Any]:
 
     TOML takes them for tables within each other.
 
-    Parameters
-    ----------
-    raw
-        The tables.
+    raw: The tables.
     """
     search = raw.get("search")
     if not isinstance(search, dict):

@@ -44,17 +44,12 @@ def value_at(tables: Any, key: str) -> Any:
 def with_values(tables: Any, values: Mapping[str, Any]) -> Any:
     """Tables of a design file with other values at some keys; what they name need not exist.
 
-    Parameters
-    ----------
-    tables
-        The tables.
-    values
-        Values by dotted key; in lists a number, from 0, is the key. None for a key that is removed.
+    tables: The tables.
+    values: Values by dotted key; in lists a number, from 0, is the key. None for a key that is
+        removed.
 
-    Raises
-    ------
-    LookupError
-        If a key names an entry that a list does not have, or stands in what is no table.
+    Raises LookupError if a key names an entry that a list does not have, or stands in what is no
+    table.
     """
     for key, value in values.items():
         tables = _with_value(tables, key.split("."), value)
@@ -105,17 +100,10 @@ def structure_of(
 ) -> Structure | None:
     """The structure that a design file asks for; None without the table.
 
-    Parameters
-    ----------
-    cases
-        Its load cases; none for its own weight.
-    panel
-        What the table [panel] says.
+    cases: Its load cases; none for its own weight.
+    panel: What the table [panel] says.
 
-    Raises
-    ------
-    InputError
-        If load cases or the thickness of panels do not fit.
+    Raises InputError if load cases or the thickness of panels do not fit.
     """
     if table is None:
         if cases:
@@ -223,10 +211,7 @@ class FileTable(Table):
 def keys_of(pattern: type[BaseModel]) -> Callable[[Location], list[str]]:
     """The keys that may stand beside the last one of a location.
 
-    Parameters
-    ----------
-    pattern
-        The table [pattern] of the family.
+    pattern: The table [pattern] of the family.
     """
 
     def keys(location: Location) -> list[str]:

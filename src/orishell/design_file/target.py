@@ -101,17 +101,10 @@ class Target(Table):
     def curve(self, directory: Path | None, unit: str) -> Curve:
         """The curve that the table describes, in a unit of length.
 
-        Parameters
-        ----------
-        directory
-            What paths are relative to; None if no file may be read.
-        unit
-            Unit of the result: formulas are in it, files are converted.
+        directory: What paths are relative to; None if no file may be read.
+        unit: Unit of the result: formulas are in it, files are converted.
 
-        Raises
-        ------
-        InputError
-            If its formula or its file gives no curve.
+        Raises InputError if its formula or its file gives no curve.
         """
         if self.svg is None and self.dxf is None and not isinstance(self.points, str):
             return _curve_of(self.model_dump_json(exclude_unset=True), unit)
@@ -120,12 +113,8 @@ class Target(Table):
     def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
         """The table with what its file draws in place of the file's name.
 
-        Parameters
-        ----------
-        directory
-            What paths are relative to.
-        unit
-            Unit of the design.
+        directory: What paths are relative to.
+        unit: Unit of the design.
         """
         table = self.model_dump(exclude_unset=True)
         if isinstance(self.points, str):

@@ -34,20 +34,13 @@ def document_of_motion(
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
-    Parameters
-    ----------
-    unit
-        Unit of length of the coordinates.
-    title
-        One line that says what it is.
-    curves
-        Polylines (k, 3) that the shell follows, by name.
-    origin
-        Where the motion's frame stands in the world (3,); None for the world's origin.
-    clipped
-        The sheet with flaps that are clipped on at the target, if there are any.
-    panel, boards, flaps
-        What panels are made of, and the boards of both sheets; None if they have no thickness.
+    unit: Unit of length of the coordinates.
+    title: One line that says what it is.
+    curves: Polylines (k, 3) that the shell follows, by name.
+    origin: Where the motion's frame stands in the world (3,); None for the world's origin.
+    clipped: The sheet with flaps that are clipped on at the target, if there are any.
+    panel, boards, flaps: What panels are made of, and the boards of both sheets; None if they have
+        no thickness.
     """
     grid = motion.mechanism.grid
     states = states_of(motion)
@@ -72,12 +65,8 @@ def document_of_motion(
 def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) -> Document:
     """The document of a design as a family's design function returns it.
 
-    Parameters
-    ----------
-    unit
-        Unit of length of the coordinates; "unit" if none is known.
-    frames
-        Number of states from flat to the target.
+    unit: Unit of length of the coordinates; "unit" if none is known.
+    frames: Number of states from flat to the target.
     """
     motion = FoldingMotion(design.mechanism, frames)
     return document_of_motion(motion, unit, curves=design.targets, clipped=design.clipped)
@@ -133,10 +122,7 @@ def _of_column(boards: Boards, column: int, columns: int) -> Boards:
 def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str = "") -> States:
     """The states of a motion, made as they are taken.
 
-    Parameters
-    ----------
-    what
-        What they are taken for.
+    what: What they are taken for.
     """
     return States(motion, find_assignment(motion.mechanism).on_edges() != 0, progress, what)
 
@@ -145,14 +131,9 @@ def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str
 class States(Sequence[DocumentState]):
     """The states of a motion, made one by one.
 
-    Parameters
-    ----------
-    motion
-        The motion.
-    folds
-        Which edges (E,) fold: the others have an angle of exactly 0.
-    progress, what
-        Is told the share that is done when all are taken, and what for.
+    motion: The motion.
+    folds: Which edges (E,) fold: the others have an angle of exactly 0.
+    progress, what: Is told the share that is done when all are taken, and what for.
     """
 
     motion: FoldingMotion

@@ -19,23 +19,13 @@ def number_table(
 ) -> NDArray[Any]:
     """A list of lists of numbers, all of one length, as array (rows, width).
 
-    Parameters
-    ----------
-    value
-        The list.
-    where
-        Frame and key, for messages.
-    row
-        What one row is ("vertex", "panel").
-    widths
-        Lengths that a row may have.
-    whole
-        Whether the numbers are whole.
+    value: The list.
+    where: Frame and key, for messages.
+    row: What one row is ("vertex", "panel").
+    widths: Lengths that a row may have.
+    whole: Whether the numbers are whole.
 
-    Raises
-    ------
-    InputError
-        Naming the first row that does not fit.
+    Raises InputError: Naming the first row that does not fit.
     """
     if not isinstance(value, list):
         raise InputError(
@@ -56,10 +46,7 @@ def number_table(
 def number_list(value: list[Any], where: str, entry: str) -> Array:
     """A list of numbers as array, NaN where it has null.
 
-    Raises
-    ------
-    InputError
-        Naming the first entry that is no number.
+    Raises InputError: Naming the first entry that is no number.
     """
     for index, number in enumerate(value):
         if not _is_number(number, whole=False) and number is not None:
@@ -121,12 +108,8 @@ MAX_BYTES = 5_000_000_000
 class Frames:
     """The frames of a file, and which frame each inherited value comes from.
 
-    Parameters
-    ----------
-    raw
-        Every frame's keys and values; the key frame is number 0.
-    sources
-        For every frame the number of the frame that each inheritable key comes from.
+    raw: Every frame's keys and values; the key frame is number 0.
+    sources: For every frame the number of the frame that each inheritable key comes from.
     """
 
     raw: tuple[dict[str, Any], ...]
@@ -159,10 +142,8 @@ class Frames:
 def read_frames(path: Path) -> Frames:
     """Read a file and find out what its frames inherit.
 
-    Raises
-    ------
-    InputError
-        If it is no FOLD file, or a frame's parent does not exist or is its own descendant.
+    Raises InputError if it is no FOLD file, or a frame's parent does not exist or is its own
+    descendant.
     """
     content = _read_json(path)
     frames = content.pop("file_frames", [])

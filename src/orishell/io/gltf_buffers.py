@@ -82,12 +82,8 @@ class Buffers:
     def add_solids(self, triangles: Array, present: Booleans) -> Integers:
         """Store solids with flat faces; return the accessors (K, 2) of corners and normals.
 
-        Parameters
-        ----------
-        triangles
-            Corners (K, T, 3, 3) of their triangles.
-        present
-            Which triangles (K, T) are there.
+        triangles: Corners (K, T, 3, 3) of their triangles.
+        present: Which triangles (K, T) are there.
         """
         counts = present.sum(axis=1)
         accessors = np.empty((len(triangles), 2), np.int64)

@@ -51,10 +51,7 @@ def place_of(program: str) -> Traversable:
 def read_program(place: Traversable, missing: str) -> str:
     """A page's program, one JavaScript module without imports.
 
-    Raises
-    ------
-    InputError
-        With the message ``missing``, if it has not been built.
+    Raises InputError: With the message ``missing``, if it has not been built.
     """
     if not place.is_file():
         raise InputError(missing, remedy=BUILD_PAGES)
@@ -150,12 +147,8 @@ _STATIC_PAGE = """\
 def static_page(title: str, parts: Iterable[str]) -> str:
     """A whole page, which is also well-formed XML.
 
-    Parameters
-    ----------
-    title
-        Its title, not escaped yet.
-    parts
-        What stands in it, made by the functions beside this one.
+    title: Its title, not escaped yet.
+    parts: What stands in it, made by the functions beside this one.
     """
     body = "\n".join(part for part in parts if part)
     policy = (
@@ -168,10 +161,7 @@ def static_page(title: str, parts: Iterable[str]) -> str:
 def content_digest(text: str) -> str:
     """The hash by which a content security policy allows a script or a style.
 
-    Parameters
-    ----------
-    text
-        What stands between its tags.
+    text: What stands between its tags.
     """
     digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
     return f"sha256-{digest.decode('ascii')}"
@@ -196,12 +186,8 @@ def bullets(texts: Iterable[str], kind: str = "") -> str:
 def picture(png: bytes, text: str) -> str:
     """A picture inside the page, and what it shows.
 
-    Parameters
-    ----------
-    png
-        The picture's file.
-    text
-        What it shows.
+    png: The picture's file.
+    text: What it shows.
     """
     source = base64.b64encode(png).decode("ascii")
     image = f'<img src="data:image/png;base64,{source}" alt="{escape(text)}"/>'
@@ -218,18 +204,11 @@ def table(
 ) -> str:
     """A table; nothing where there are no rows.
 
-    Parameters
-    ----------
-    head
-        Headings of its columns; none for a list of names and values.
-    rows
-        Its cells, the first of each row its name.
-    caption
-        What it is.
-    numbers
-        So many of the last columns are numbers, set to the right.
-    totals
-        So many of the last rows are totals.
+    head: Headings of its columns; none for a list of names and values.
+    rows: Its cells, the first of each row its name.
+    caption: What it is.
+    numbers: So many of the last columns are numbers, set to the right.
+    totals: So many of the last rows are totals.
     """
     lines = list(rows)
     if not lines:

@@ -36,12 +36,8 @@ _HASH = re.compile("[0-9a-f]{64}")
 class Manifest:
     """Which files of a directory are this program's.
 
-    Parameters
-    ----------
-    files
-        Hash of every file of the last run, by name.
-    earlier
-        Possible hashes of the files of runs before, by name, as long as the last one moves its
+    files: Hash of every file of the last run, by name.
+    earlier: Possible hashes of the files of runs before, by name, as long as the last one moves its
         files; None when all is done.
     """
 
@@ -105,15 +101,9 @@ def _entries(content: Any, key: str) -> dict[str, list[str]] | None:
 def require_one_run(path: Path) -> None:
     """Refuse a file that lies among those of two runs, because one was broken off.
 
-    Parameters
-    ----------
-    path
-        The file, whether it is there or not.
+    path: The file, whether it is there or not.
 
-    Raises
-    ------
-    InputError
-        If the last run that wrote it did not finish moving its files.
+    Raises InputError if the last run that wrote it did not finish moving its files.
     """
     manifest = read_manifest(path.parent)
     if manifest is None or manifest.earlier is None or path.name not in manifest.known:

@@ -38,21 +38,13 @@ def split_panels(corners: Array) -> Array:
 def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
     """Origin and axes of a frame fixed in every panel, as it moves.
 
-    Parameters
-    ----------
-    corners
-        Corners (F, 4, 3) of the panels.
-    along
-        The corner (F,) at which the diagonal begins that the x axis follows, the same in all
+    corners: Corners (F, 4, 3) of the panels.
+    along: The corner (F,) at which the diagonal begins that the x axis follows, the same in all
         states: see :func:`~orishell.motion.quads.longer_diagonals`.
 
-    Returns
-    -------
-    origins
-        Means (F, 3) of the corners.
-    axes
-        Rotations (F, 3, 3) with the unit axes x, y, z as columns; z is the panel's normal. A
-        panel without an area has any z square to its x axis.
+    Returns origins: Means (F, 3) of the corners.
+    Returns axes: Rotations (F, 3, 3) with the unit axes x, y, z as columns; z is the panel's
+        normal. A panel without an area has any z square to its x axis.
     """
     panels = np.arange(len(corners))
     x = _normalised(corners[panels, along + 2] - corners[panels, along], 0)
@@ -95,39 +87,23 @@ def _normalised(vectors: Array, otherwise: Integers | int) -> Array:
 
 @record
 class Solids:
-    """Boards of the sheet, or of one strip of flaps that is clipped on, where they are.
+    """Boards of the sheet, or of one strip of flaps that is clipped on, where they are."""
 
-    Parameters
-    ----------
-    names
-        What they are called, as in "3,12 top".
-    boards
-        The boards (B).
-    corners
-        Corners (B, H, K, 3) of their outlines, in the document's frame and unit.
-    """
-
-    names: tuple[str, ...]
-    boards: Boards
-    corners: Array
+    names: tuple[str, ...]  # What they are called, as in "3,12 top"
+    boards: Boards  # The boards (B)
+    corners: Array  # Corners (B, H, K, 3) of their outlines, in the document's frame and unit
 
 
 @record
 class SolidMesh:
     """Boards as one mesh of triangles, closed around each of them, in a document's frame and unit.
 
-    Parameters
-    ----------
-    names
-        What the boards are called, as in "3,12 top".
-    sides
-        The face (B,) that each lies on: 1 top, -1 bottom, 0 for a panel in one piece.
-    vertices
-        Vertices (N, 3), those of a board one after the other.
-    triangles
-        Numbers (T, 3) of their corners, counter-clockwise seen from outside.
-    first_vertex, first_triangle
-        Numbers (B + 1,) with which the boards begin, and the last one ends.
+    names: What the boards are called, as in "3,12 top".
+    sides: The face (B,) that each lies on: 1 top, -1 bottom, 0 for a panel in one piece.
+    vertices: Vertices (N, 3), those of a board one after the other.
+    triangles: Numbers (T, 3) of their corners, counter-clockwise seen from outside.
+    first_vertex, first_triangle: Numbers (B + 1,) with which the boards begin, and the last one
+        ends.
     """
 
     names: tuple[str, ...]
@@ -152,15 +128,9 @@ class SolidMesh:
 def solids_in(document: Document, which: int | str) -> tuple[Solids, ...]:
     """The boards in a state; at the target, those that are clipped on come after the sheet's.
 
-    Parameters
-    ----------
-    which
-        The state's number or name.
+    which: The state's number or name.
 
-    Raises
-    ------
-    InputError
-        If panels have no thickness, or there is no such state.
+    Raises InputError if panels have no thickness, or there is no such state.
     """
     clipped = (_solids(flap, flap.shell) for flap in document.clipped_at(which))
     return (_solids(document, document.state(which)), *clipped)
@@ -169,10 +139,7 @@ def solids_in(document: Document, which: int | str) -> tuple[Solids, ...]:
 def solids_lying(document: Document) -> tuple[Solids, ...]:
     """The boards as they are cut: the flat sheet, z up, and what is clipped on lies beside it.
 
-    Raises
-    ------
-    InputError
-        If panels have no thickness.
+    Raises InputError if panels have no thickness.
     """
     sheet = _solids(document, _lying(document.require_flat()))
     beside = zip(document.clipped, lying_beside(document), strict=True)

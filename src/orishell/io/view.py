@@ -93,13 +93,9 @@ class Header(TypedDict):
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
     """The view of a document.
 
-    Parameters
-    ----------
-    document
-        The sheet. Of its states at most so many are taken that :data:`MOST` coordinates are kept,
-        the first, the last and those with a name among them.
-    curves
-        f and g as they are drawn, if the header is to have them.
+    document: The sheet. Of its states at most so many are taken that :data:`MOST` coordinates are
+        kept, the first, the last and those with a name among them.
+    curves: f and g as they are drawn, if the header is to have them.
     """
     shell = document.shell.positions if len(document.states) else np.zeros((0, 3))
     origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)

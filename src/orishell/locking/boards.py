@@ -52,20 +52,12 @@ Found = TypeVar("Found", bound=Looked)
 class Corners:
     """Boards that are opposite each other at vertices, and where they are compared.
 
-    Parameters
-    ----------
-    mechanism
-        The sheet that carries them, with its flaps or without.
-    columns
-        The columns of its vertices at which corners may be cut off: those of the sheet.
-    opposite, vertices
-        Panels (P,) opposite each other, and the vertex (P,) that they share.
-    drives
-        States in which their boards are compared (radians).
-    flat
-        The flat sheet (rows, columns, 3) in which boards are described.
-    boards
-        All boards on it.
+    mechanism: The sheet that carries them, with its flaps or without.
+    columns: The columns of its vertices at which corners may be cut off: those of the sheet.
+    opposite, vertices: Panels (P,) opposite each other, and the vertex (P,) that they share.
+    drives: States in which their boards are compared (radians).
+    flat: The flat sheet (rows, columns, 3) in which boards are described.
+    boards: All boards on it.
     """
 
     mechanism: Mechanism
@@ -89,17 +81,10 @@ def prove_boards(
 
     Flaps that are clipped on are looked at later (:mod:`~orishell.locking.clipped`).
 
-    Parameters
-    ----------
-    end
-        The drive up to which boards are set back and the path is examined (radians).
-    tolerance
-        Distance at which boards touch (length).
+    end: The drive up to which boards are set back and the path is examined (radians).
+    tolerance: Distance at which boards touch (length).
 
-    Raises
-    ------
-    DesignError
-        If nothing is left of a panel.
+    Raises DesignError if nothing is left of a panel.
     """
     mechanism, flat = design.mechanism.still, design.mechanism.positions(0.0)
     built = build_panels(design, end)
@@ -134,17 +119,11 @@ def cut_corners(
 ) -> tuple[BuiltPanels, Found]:
     """Return boards with as little of their corners cut off as helps, and what is found of them.
 
-    Parameters
-    ----------
-    built
-        The boards to begin with.
-    tolerance
-        Distance at which boards touch (length).
-    look
-        Where boards meet.
-    corners
-        What is compared to see how far corners must be cut off, if boards opposite each other at a
-        vertex meet at a drive (radians).
+    built: The boards to begin with.
+    tolerance: Distance at which boards touch (length).
+    look: Where boards meet.
+    corners: What is compared to see how far corners must be cut off, if boards opposite each other
+        at a vertex meet at a drive (radians).
     """
     result = look(built)
     for attempt in range(TRIES):

@@ -31,10 +31,7 @@ def require_uncrossed(design: Design) -> None:
     Columns are affine images of f's staircase, so one of them shows it. It is seen here at once,
     where looking for the first contact on the way takes long: all over the sheet panels meet.
 
-    Raises
-    ------
-    DesignError
-        If a column crosses itself.
+    Raises DesignError if a column crosses itself.
     """
     import shapely
 
@@ -66,12 +63,9 @@ SIDES = ("start", "end")
 def find_crossing(sheet: Sheet, tolerance: float) -> Contact | None:
     """Return the panels, one of a flap, that pass farthest through each other at the target.
 
-    Parameters
-    ----------
-    sheet
-        The sheet with its flaps.
-    tolerance
-        By so much panels may reach into each other, as they may come near each other (length).
+    sheet: The sheet with its flaps.
+    tolerance: By so much panels may reach into each other, as they may come near each other
+        (length).
     """
     faces, points = sheet.mechanism.grid.faces_vertices(), sheet.points_at_target()
     pairs = find_contacts(points, faces, tolerance)
@@ -90,14 +84,9 @@ def clip_boards(
 ) -> tuple[BuiltPanels, Contact | None]:
     """Return boards, their corners cut off so that those of flaps are apart, and what still meets.
 
-    Parameters
-    ----------
-    sheet
-        The sheet with its flaps.
-    built
-        Its boards, those of the sheet proved to be apart: smaller ones are, too.
-    tolerance
-        Distance at which boards touch (length).
+    sheet: The sheet with its flaps.
+    built: Its boards, those of the sheet proved to be apart: smaller ones are, too.
+    tolerance: Distance at which boards touch (length).
     """
     mechanism, grid = sheet.mechanism, sheet.mechanism.grid
     settled = settled_vertices(mechanism.fold_angles(sheet.target))
@@ -143,10 +132,7 @@ class _Met:
 def refuse_clipped(design: Design, contact: Contact) -> ClashError:
     """Return the error for clipped flaps that have no room at the target.
 
-    Parameters
-    ----------
-    contact
-        What one of them reaches into.
+    contact: What one of them reaches into.
     """
     width = flap_width(design)
     assert contact.overlap is not None

@@ -15,15 +15,10 @@ def bisect(
 ) -> float:
     """Return the working value nearest to one that does not work.
 
-    Parameters
-    ----------
-    works
-        Whether a value works.
-    good, bad
-        A value that works, and one that does not, on either side.
-    relative, absolute
-        Their distance is halved until it is no more than this share of the working value and
-        this, in its unit, together. One of the two must be positive.
+    works: Whether a value works.
+    good, bad: A value that works, and one that does not, on either side.
+    relative, absolute: Their distance is halved until it is no more than this share of the working
+        value and this, in its unit, together. One of the two must be positive.
     """
     while abs(bad - good) > relative * abs(good) + absolute:
         middle = 0.5 * (good + bad)
@@ -34,12 +29,8 @@ def bisect(
 def bisect_integers(works: Callable[[int], bool], good: int, bad: int) -> int:
     """Return the working whole number nearest to one that does not work.
 
-    Parameters
-    ----------
-    works
-        Whether a number works.
-    good, bad
-        A number that works, and one that does not, on either side.
+    works: Whether a number works.
+    good, bad: A number that works, and one that does not, on either side.
     """
     while abs(bad - good) > 1:
         middle = (good + bad) // 2
@@ -52,16 +43,10 @@ def largest_below(
 ) -> float | None:
     """Return the largest working value below one that does not work, or None if there is none.
 
-    Parameters
-    ----------
-    works
-        Whether a value works.
-    bad
-        A value that does not; not negative.
-    smallest
-        The smallest share of it that is tried.
-    relative
-        How near to the largest to come, relative to the value.
+    works: Whether a value works.
+    bad: A value that does not; not negative.
+    smallest: The smallest share of it that is tried.
+    relative: How near to the largest to come, relative to the value.
     """
     least, good = smallest * bad, 0.5 * bad
     while not works(good):

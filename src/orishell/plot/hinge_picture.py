@@ -35,14 +35,9 @@ def section_height(section: HingeSection) -> float:
 def draw_hinge_section(figure: Figure, section: HingeSection, unit: str) -> None:
     """Draw the section in its states, at the bottom of a picture, all to one scale.
 
-    Parameters
-    ----------
-    figure
-        A picture with room for it at the bottom.
-    section
-        What to draw.
-    unit
-        Unit of length.
+    figure: A picture with room for it at the bottom.
+    section: What to draw.
+    unit: Unit of length.
     """
     low, high = _window(section)
     width = WIDTH / ABREAST

@@ -147,12 +147,8 @@ def find_hinge_section(
 def _cut(outlines: Array, start: Array, way: Array) -> Array | None:
     """Outline (2 H, 2) of a board's section from a point along a unit vector; None if it is missed.
 
-    Parameters
-    ----------
-    outlines
-        Corners (H, K, 3) of the board's outlines.
-    start, way
-        Point (2,) and direction (2,) in the flat sheet.
+    outlines: Corners (H, K, 3) of the board's outlines.
+    start, way: Point (2,) and direction (2,) in the flat sheet.
     """
     flat = outlines[..., :2]
     along = np.roll(flat, -1, axis=1) - flat
@@ -173,14 +169,9 @@ def folded(points: Array, fold: float, *, right: bool) -> Array:
 
     The crease is in the origin, the bisecting plane upright through it.
 
-    Parameters
-    ----------
-    points
-        Distances from the crease and heights over the hinge plane (..., 2).
-    fold
-        The fold angle, valley positive (radians).
-    right
-        Whether the panel lies on the right.
+    points: Distances from the crease and heights over the hinge plane (..., 2).
+    fold: The fold angle, valley positive (radians).
+    right: Whether the panel lies on the right.
     """
     away, height = points[..., 0], points[..., 1]
     cosine, sine = np.cos(fold / 2), np.sin(fold / 2)

@@ -22,20 +22,12 @@ def quad_triangles(values: Array) -> Array:
 class ShadedPanels(Artist):
     """Panels, each its triangles and then its outline, so that a nearer one covers a farther one.
 
-    Parameters
-    ----------
-    triangles
-        Corners (T, 3, 2) of the triangles of all panels.
-    colours
-        Colours (T, 3, 4) at these corners.
-    ends
-        Where the triangles of each panel (P,) end.
-    outlines
-        Outlines of the panels, from the farthest to the nearest.
-    edge
-        Colour of the outlines.
-    width
-        Their width (points).
+    triangles: Corners (T, 3, 2) of the triangles of all panels.
+    colours: Colours (T, 3, 4) at these corners.
+    ends: Where the triangles of each panel (P,) end.
+    outlines: Outlines of the panels, from the farthest to the nearest.
+    edge: Colour of the outlines.
+    width: Their width (points).
     """
 
     def __init__(

@@ -117,12 +117,8 @@ def exaggeration(points: Array, displacements: Array) -> float:
     1, 2 or 5 times a power of ten: the largest displacement is drawn as at most :data:`DRAWN` of
     the diagonal of the shell's box. ``frontend/src/shared/loaded.ts`` has the same rule.
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3).
-    displacements
-        Their displacements (N, 3).
+    points: Nodes (N, 3).
+    displacements: Their displacements (N, 3).
     """
     largest = float(np.linalg.norm(displacements, axis=-1).max(initial=0.0))
     if not largest:
@@ -134,30 +130,14 @@ def exaggeration(points: Array, displacements: Array) -> float:
 
 @record
 class _Panels:
-    """The panels of a loaded shell: how many, their triangles and their outlines.
+    """The panels of a loaded shell: how many, their triangles and their outlines."""
 
-    Parameters
-    ----------
-    count
-        Number of panels (P).
-    panel
-        The panel (T,) of every triangle.
-    triangles
-        Nodes (T, 3).
-    rims
-        Ends (R, 2) of the lines round every panel, panel after panel.
-    ends
-        Where those of each panel (P,) end.
-    border
-        Ends (B, 2) of the lines round the whole sheet.
-    """
-
-    count: int
-    panel: Integers
-    triangles: Integers
-    rims: Integers
-    ends: Integers
-    border: Integers
+    count: int  # Number of panels (P)
+    panel: Integers  # The panel (T,) of every triangle
+    triangles: Integers  # Nodes (T, 3)
+    rims: Integers  # Ends (R, 2) of the lines round every panel, panel after panel
+    ends: Integers  # Where those of each panel (P,) end
+    border: Integers  # Ends (B, 2) of the lines round the whole sheet
 
     @classmethod
     def of(cls, shell: LoadedShell) -> _Panels:

@@ -91,17 +91,11 @@ def plot_front(
 ) -> None:
     """Write the picture as PNG.
 
-    Parameters
-    ----------
-    path
-        The file.
-    front, beaten, begun_with
-        Designs that no other beats, feasible ones that others beat, and that with which the search
-        began, if it can be made: (designs, objectives) each.
-    knee
-        Which of the front is its knee.
-    labels
-        The objectives.
+    path: The file.
+    front, beaten, begun_with: Designs that no other beats, feasible ones that others beat, and that
+        with which the search began, if it can be made: (designs, objectives) each.
+    knee: Which of the front is its knee.
+    labels: The objectives.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure

@@ -186,10 +186,7 @@ def _correction(trace: Trace, t: Array, uneven: Array) -> Array:
 def _admissible(trace: Trace, t: Array, offsets: Array, kept: Array) -> Array:
     """The offsets (n,), limited to a share of the pieces beside them, zero at ends and where kept.
 
-    Parameters
-    ----------
-    kept
-        Parameters (K,) of corners, whose vertices stay.
+    kept: Parameters (K,) of corners, whose vertices stay.
     """
     pieces = np.diff(np.interp(t, trace.t, trace.arc))
     limit = np.zeros(len(t))

@@ -25,16 +25,11 @@ less: those at the far end are the next vertex's."""
 class EdgeErrors:
     """Errors of a polyline of n vertices, each belonging to a point of the curve.
 
-    Parameters
-    ----------
-    largest
-        Largest distance (n-1,) between each edge and its piece of the curve.
-    half_range
-        Half of the way (n-1,) from the largest error of each edge on one side to that on the other,
-        those at its far ends left out.
-    bias
-        Errors (n,) around each vertex: the largest to the left plus the largest to the right of the
-        curve (negative). Zero where they balance.
+    largest: Largest distance (n-1,) between each edge and its piece of the curve.
+    half_range: Half of the way (n-1,) from the largest error of each edge on one side to that on
+        the other, those at its far ends left out.
+    bias: Errors (n,) around each vertex: the largest to the left plus the largest to the right of
+        the curve (negative). Zero where they balance.
     """
 
     largest: Array
@@ -45,14 +40,9 @@ class EdgeErrors:
 def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> EdgeErrors:
     """Return how far every edge of a polyline leaves its piece of the curve.
 
-    Parameters
-    ----------
-    t
-        Parameters (n,) to which the vertices belong, increasing, from end to end.
-    vertices
-        Vertices (n, 2).
-    offsets
-        Their distances (n,) from the curve, positive to its left.
+    t: Parameters (n,) to which the vertices belong, increasing, from end to end.
+    vertices: Vertices (n, 2).
+    offsets: Their distances (n,) from the curve, positive to its left.
     """
     part = np.arange(1, CURVE_SAMPLES) / CURVE_SAMPLES
     between = trace.curve.position(t[:-1, None] * (1 - part) + t[1:, None] * part)

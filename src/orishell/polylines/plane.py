@@ -10,10 +10,7 @@ from orishell.numerics.arrays import Array
 def is_simple_polygon(corners: Array) -> bool:
     """Whether the closed polygon (K, 2) neither crosses nor touches itself.
 
-    Parameters
-    ----------
-    corners
-        Its corners (K, 2) in order.
+    corners: Its corners (K, 2) in order.
     """
     import shapely
 
@@ -23,10 +20,7 @@ def is_simple_polygon(corners: Array) -> bool:
 def extent_across(points: Array) -> float:
     """Extent of points (P, 2) across their longest direction: zero if they are on a line.
 
-    Parameters
-    ----------
-    points
-        The points (P, 2).
+    points: The points (P, 2).
     """
     centred = points - points.mean(axis=0)
     across = np.linalg.svd(centred, full_matrices=False)[2][1]

@@ -60,18 +60,11 @@ class Outcome:
 class Job:
     """What a process needs to make variants of a design.
 
-    Parameters
-    ----------
-    path
-        The design file; curves from files are found beside it.
-    tables
-        Its tables.
-    figures
-        Names of what is to be read off the report.
-    files
-        Whether curves may come from files.
-    require
-        Raises InputError for a variant that is not to be made; None if all are.
+    path: The design file; curves from files are found beside it.
+    tables: Its tables.
+    figures: Names of what is to be read off the report.
+    files: Whether curves may come from files.
+    require: Raises InputError for a variant that is not to be made; None if all are.
     """
 
     path: Path
@@ -89,12 +82,8 @@ def job_of(problem: Problem, *, files: bool = True, require: Require | None = No
 def evaluate(job: Job, variants: Sequence[Values]) -> list[Outcome]:
     """Make variants of a design, one after the other.
 
-    Parameters
-    ----------
-    job
-        The design.
-    variants
-        What keys of each have.
+    job: The design.
+    variants: What keys of each have.
     """
     with warnings.catch_warnings():
         # Numbers beyond all measure are refused by what they lead to.
@@ -110,17 +99,10 @@ def died(values: Values) -> Outcome:
 def report_of(job: Job, values: Values) -> Report:
     """The report of a variant, without what no figure asks for.
 
-    Parameters
-    ----------
-    job
-        The design.
-    values
-        What its keys have.
+    job: The design.
+    values: What its keys have.
 
-    Raises
-    ------
-    InputError, DesignError
-        If it cannot be made.
+    Raises InputError, DesignError if it cannot be made.
     """
     needed = {figure(name).part for name in job.figures}
     left_out = [part for part in PARTS if part not in needed]
@@ -130,21 +112,12 @@ def report_of(job: Job, values: Values) -> Report:
 def shell_of(job: Job, values: Values, states: int, leave_out: Collection[Part]) -> Shell:
     """The shell of a variant.
 
-    Parameters
-    ----------
-    job
-        The design.
-    values
-        What its keys have.
-    states
-        States of its motion.
-    leave_out
-        What is not found out of it.
+    job: The design.
+    values: What its keys have.
+    states: States of its motion.
+    leave_out: What is not found out of it.
 
-    Raises
-    ------
-    InputError, DesignError
-        If it cannot be made.
+    Raises InputError, DesignError if it cannot be made.
     """
     file = check_design(with_values(job.tables, values), job.path, files=job.files)
     if job.require is not None:
@@ -199,12 +172,8 @@ def violation(problem: Problem, outcome: Outcome) -> float:
     Up to 1 if it can be made, its figures relative to their limits; up to 2 if a refusal says by
     how much it fails, and 3 where nothing is known.
 
-    Parameters
-    ----------
-    problem
-        The limits.
-    outcome
-        What became of the variant.
+    problem: The limits.
+    outcome: What became of the variant.
     """
     if outcome.reason:
         return 3.0 if outcome.excess is None else 1.0 + _squeezed(outcome.excess)
@@ -215,12 +184,8 @@ def violation(problem: Problem, outcome: Outcome) -> float:
 def reasons(problem: Problem, outcomes: Sequence[Outcome]) -> list[tuple[str, int]]:
     """Why designs are not feasible, the commonest first, and how many it applies to.
 
-    Parameters
-    ----------
-    problem
-        The limits.
-    outcomes
-        The designs.
+    problem: The limits.
+    outcomes: The designs.
     """
     counted: Counter[str] = Counter()
     for each in outcomes:
@@ -234,10 +199,7 @@ def reasons(problem: Problem, outcomes: Sequence[Outcome]) -> list[tuple[str, in
 def asked_of_loads(problem: Problem) -> str:
     """What designs that keep all limits do under loads: no more than was looked at.
 
-    Parameters
-    ----------
-    problem
-        The limits.
+    problem: The limits.
     """
     limit = next((limit for figure, limit in problem.limits if figure.name == "utilisation"), None)
     if limit is None:

@@ -50,16 +50,10 @@ class Figure:
 def figure(name: str) -> Figure:
     """A figure by its name, or by its key in the report.
 
-    Parameters
-    ----------
-    name
-        One of :data:`NAMES`, of a load case with its name behind a dot; or keys from the outermost
-        table of the report, joined by dots.
+    name: One of :data:`NAMES`, of a load case with its name behind a dot; or keys from the
+        outermost table of the report, joined by dots.
 
-    Raises
-    ------
-    InputError
-        If the report has no such number.
+    Raises InputError if the report has no such number.
     """
     if name in _OF_SHELL:
         return Figure(name, *_OF_SHELL[name])

@@ -56,12 +56,8 @@ class Front:
 def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
     """The front of designs that were made; None if none keeps all limits.
 
-    Parameters
-    ----------
-    problem
-        Objectives and limits.
-    outcomes
-        The designs.
+    problem: Objectives and limits.
+    outcomes: The designs.
     """
     feasible = [each for each in outcomes if violation(problem, each) == 0.0]
     if not feasible:
@@ -74,14 +70,9 @@ def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
 def beaten(problem: Problem, outcomes: Sequence[Outcome], front: Front) -> list[Outcome]:
     """The designs that keep all limits and are not on the front.
 
-    Parameters
-    ----------
-    problem
-        The limits.
-    outcomes
-        The designs.
-    front
-        The front.
+    problem: The limits.
+    outcomes: The designs.
+    front: The front.
     """
     kept = {key_of(each.values) for each in front.members}
     return [
@@ -99,10 +90,7 @@ def scores(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
 def unbeaten(points: Array) -> list[int]:
     """Which points no other is at least as good as; of equal ones the first.
 
-    Parameters
-    ----------
-    points
-        Objectives, (count, objectives), in lexicographic order: none is beaten by a later one.
+    points: Objectives, (count, objectives), in lexicographic order: none is beaten by a later one.
     """
     kept: list[int] = []
     for k, point in enumerate(points):
@@ -120,12 +108,8 @@ def _knee(points: Array) -> int:
 def costs(problem: Problem, before: Outcome, after: Outcome) -> str:
     """What a step from one design to another gains, then what it costs, in words.
 
-    Parameters
-    ----------
-    problem
-        The objectives.
-    before, after
-        The designs.
+    problem: The objectives.
+    before, after: The designs.
     """
     gained: list[str] = []
     paid: list[str] = []

@@ -137,10 +137,7 @@ class FrontPage(TypedDict):
 def require_page() -> None:
     """Refuse to begin what would end for want of the page.
 
-    Raises
-    ------
-    InputError
-        If it has not been built.
+    Raises InputError if it has not been built.
     """
     read_program(PROGRAM, NOT_BUILT)
 
@@ -156,25 +153,14 @@ def write_page(
 ) -> None:
     """Write ``front.html``: one file that needs no network and no other file.
 
-    Parameters
-    ----------
-    path
-        The file.
-    problem
-        What was searched.
-    found
-        What was found.
-    crew
-        Who makes the shells.
-    progress
-        Is told the share of them that is made.
-    stop
-        Set where no further ones are to be drawn.
+    path: The file.
+    problem: What was searched.
+    found: What was found.
+    crew: Who makes the shells.
+    progress: Is told the share of them that is made.
+    stop: Set where no further ones are to be drawn.
 
-    Raises
-    ------
-    InputError
-        If the page has not been built.
+    Raises InputError if the page has not been built.
     """
     program = read_program(PROGRAM, NOT_BUILT)
     shown = _page(problem, found, _draw(problem, found, crew, progress, stop or threading.Event()))
@@ -191,12 +177,8 @@ def write_page(
 def draw_shells(job: Job, numbered: Sequence[tuple[int, Values]]) -> list[Drawn]:
     """The views of shells, as they were when they were evaluated.
 
-    Parameters
-    ----------
-    job
-        The design.
-    numbered
-        Numbers of members, and what keys of each have.
+    job: The design.
+    numbered: Numbers of members, and what keys of each have.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)

@@ -121,21 +121,12 @@ def read_problem(path: str | Path) -> Problem:
 def pose(raw: dict[str, Any], path: Path, *, text: str = "", files: bool = True) -> Problem:
     """Check the tables of a design file with a table [search].
 
-    Parameters
-    ----------
-    raw
-        The tables.
-    path
-        Where they were read from.
-    text
-        What stands there.
-    files
-        Whether curves may come from files.
+    raw: The tables.
+    path: Where they were read from.
+    text: What stands there.
+    files: Whether curves may come from files.
 
-    Raises
-    ------
-    InputError
-        As :func:`read_problem` does.
+    Raises InputError: As :func:`read_problem` does.
     """
     design = check_design(raw, path, files=files)
     search = design.search
@@ -287,12 +278,8 @@ def _require_grid(search: Search, space: Space, path: Path) -> None:
 def files_named(tables: Any, directory: Path) -> dict[str, str]:
     """The files that tables name, by key; what else is called as a file is, is none.
 
-    Parameters
-    ----------
-    tables
-        Those of a design file.
-    directory
-        Where the files are found.
+    tables: Those of a design file.
+    directory: Where the files are found.
     """
     names = {key: value_at(tables, key) for key in FILE_KEYS}
     return {

@@ -149,12 +149,8 @@ class Space:
 def stepped(range_: Range, *, whole: bool) -> Interval | Choices:
     """What a key may be whose values are a range.
 
-    Parameters
-    ----------
-    range_
-        The range.
-    whole
-        Whether only whole numbers fit.
+    range_: The range.
+    whole: Whether only whole numbers fit.
     """
     step = 1.0 if whole and range_.step is None else range_.step
     if step is None:

@@ -30,14 +30,9 @@ from orishell.search.run import Found
 def variant_text(problem: Problem, values: Values, directory: Path) -> str:
     """The design file of a variant, without the table [search].
 
-    Parameters
-    ----------
-    problem
-        The design.
-    values
-        What keys of the variant have.
-    directory
-        Where the file will be: from there it names the files of curves.
+    problem: The design.
+    values: What keys of the variant have.
+    directory: Where the file will be: from there it names the files of curves.
     """
     import tomlkit
 
@@ -81,10 +76,7 @@ MANIFEST = ".orishell-search.json"
 def require_installed() -> None:
     """Refuse to begin what would end for want of a library or of the page.
 
-    Raises
-    ------
-    InputError
-        If a library is not installed, or the page has not been built.
+    Raises InputError if a library is not installed, or the page has not been built.
     """
     missing = [name for name in ("pymoo", "tomlkit") if find_spec(name) is None]
     if missing:
@@ -98,18 +90,11 @@ def require_installed() -> None:
 def require_apart(problem: Problem, directory: Path) -> None:
     """Refuse to search where files that are not of a search would be written over.
 
-    Parameters
-    ----------
-    problem
-        The design.
-    directory
-        Where files are to be written.
+    problem: The design.
+    directory: Where files are to be written.
 
-    Raises
-    ------
-    InputError
-        If the design or its curves, or a file that no earlier search left as it is, is in the
-        directory and is called as a file of a search is.
+    Raises InputError if the design or its curves, or a file that no earlier search left as it is,
+    is in the directory and is called as a file of a search is.
     """
     own = OutputDirectory(directory, MANIFEST).of_earlier_run()
     files = {path.resolve() for path in (problem.path, *problem.files())}
@@ -133,24 +118,14 @@ def write_found(
 ) -> list[Path]:
     """Write ``front.csv``, the design files of its members, ``front.png`` and ``front.html``.
 
-    Parameters
-    ----------
-    problem
-        What was searched.
-    found
-        What was found.
-    directory
-        Where to; made if needed. Files of an earlier run that this one does not write are removed,
-        unless somebody changed them; all others stay.
-    crew
-        Who makes the shells of the page.
-    stop
-        Set where the page is to be written with what it has.
+    problem: What was searched.
+    found: What was found.
+    directory: Where to; made if needed. Files of an earlier run that this one does not write are
+        removed, unless somebody changed them; all others stay.
+    crew: Who makes the shells of the page.
+    stop: Set where the page is to be written with what it has.
 
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to, or the page has not been built.
+    Raises InputError if the directory cannot be written to, or the page has not been built.
     """
     with OutputDirectory(directory, MANIFEST).replacing() as draft:
         _write_table(draft / "front.csv", problem, found.front)
@@ -187,14 +162,9 @@ def _cell(value: Any) -> Any:
 def draw_front(path: Path, problem: Problem, found: Found) -> None:
     """Write the picture of the front: each pair of objectives.
 
-    Parameters
-    ----------
-    path
-        The PNG file.
-    problem
-        What was searched.
-    found
-        What was found.
+    path: The PNG file.
+    problem: What was searched.
+    found: What was found.
     """
 
     def points(outcomes: list[Outcome]) -> np.ndarray:

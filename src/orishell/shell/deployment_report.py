@@ -166,15 +166,9 @@ def describe_deployment(
 ) -> DeploymentReport:
     """How a shell is deployed, and what holds it at its target.
 
-    Parameters
-    ----------
-    leave_out
-        What is not asked for: of pack and own weight.
+    leave_out: What is not asked for: of pack and own weight.
 
-    Raises
-    ------
-    InputError
-        If ties do not fit the sheet.
+    Raises InputError if ties do not fit the sheet.
     """
     mechanism = design.mechanism
     clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
@@ -204,10 +198,7 @@ def describe_deployment(
 def pairs_of_ties(design: Design, deployment: Deployment, feet: Feet | None) -> list[VertexPair]:
     """Ends of the ties that are asked for, rows and columns of the folding sheet.
 
-    Raises
-    ------
-    InputError
-        If there are no feet to tie.
+    Raises InputError if there are no feet to tie.
     """
     if isinstance(deployment.ties, tuple):
         return list(deployment.ties)

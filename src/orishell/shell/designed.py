@@ -33,11 +33,8 @@ UP = 5e-4
 def designed(file: DesignFile) -> Design:
     """The design that a file asks for, whose rows and columns are known.
 
-    Raises
-    ------
-    DesignError
-        If the family cannot make it, or hinges or boards do not close as far as its target
-        asks, also where flaps with boards stop short of folding flat.
+    Raises DesignError if the family cannot make it, or hinges or boards do not close as far as its
+    target asks, also where flaps with boards stop short of folding flat.
     """
     opening = file.deployment.start == "pack"
     design = (
@@ -61,17 +58,10 @@ def ended(
 ) -> tuple[Design, Lock]:
     """A file's design as it can be folded, and how its motion ends: see :func:`end_motion`.
 
-    Parameters
-    ----------
-    design
-        What :func:`designed` made of it.
-    allow_clash
-        Return the design even if panels meet before its target state.
+    design: What :func:`designed` made of it.
+    allow_clash: Return the design even if panels meet before its target state.
 
-    Raises
-    ------
-    ClashError
-        If panels of the flat sheet touch, or panels meet before the target state.
+    Raises ClashError if panels of the flat sheet touch, or panels meet before the target state.
     """
 
     def narrower(width: float) -> Design:

@@ -32,10 +32,7 @@ def warn_of_deployment(
 ) -> list[str]:
     """Warnings of a pack that is no bundle, and of what nothing holds.
 
-    Parameters
-    ----------
-    leave_out
-        What is not asked for: of changes that would mend them.
+    leave_out: What is not asked for: of changes that would mend them.
     """
     mended = "remedies" not in leave_out
     return [

@@ -59,12 +59,8 @@ def with_remedies(
 ) -> DesignError:
     """Return the refusal with changes that were tried and work, or with why none does.
 
-    Parameters
-    ----------
-    file
-        The refused design.
-    make
-        Makes the shell of a changed file.
+    file: The refused design.
+    make: Makes the shell of a changed file.
     """
     search = _Search(file, make, progress)
     refusal.remedies = search.run(refusal)

@@ -56,10 +56,7 @@ def choose(
 ) -> tuple[V, Choice]:
     """Find the variant and the size with the fewest panels that meet a tolerance.
 
-    Raises
-    ------
-    DesignError
-        If no sheet meets the tolerance; says what can be met.
+    Raises DesignError if no sheet meets the tolerance; says what can be met.
     """
     return SizeSearch(Trials(sizes, tolerance, progress)).run()
 
@@ -75,16 +72,10 @@ def size_ladder(most: int) -> tuple[list[int], list[int]]:
 class SizeSearch(Generic[V]):
     """Looks for a sheet that does, then for all with fewer panels that may.
 
-    Parameters
-    ----------
-    trials
-        Makes the sheets.
-    known
-        What was found out of numbers of rows and columns with all variants.
-    impossible
-        Numbers of rows of which no sheet could be made.
-    least
-        The smallest factor by which a sheet of the ladders is off.
+    trials: Makes the sheets.
+    known: What was found out of numbers of rows and columns with all variants.
+    impossible: Numbers of rows of which no sheet could be made.
+    least: The smallest factor by which a sheet of the ladders is off.
     """
 
     trials: Trials[V]

@@ -110,23 +110,16 @@ V = TypeVar("V")
 class Sizes(Generic[V]):
     """The sheets that a tolerance is to be met with: variants with numbers of rows and columns.
 
-    Parameters
-    ----------
-    variants
-        The variants for a number of rows.
-    distance_from_f
-        A distance at which column 1 of a variant is from f at least.
-    distance_from_g
-        A distance at which the middle row of so many columns is from g at least.
-    measure
-        Makes a variant with so many columns, and measures it, carefully or quickly.
-    oversize
-        How much larger than the boards the largest panel of it is: 1 or less if all fit.
-    most, step
-        The largest number of rows and of columns; the step from one number of rows to the next.
-    ripple, orderly
-        By which factor a shell may be farther from its surface than one with fewer columns; whether
-        that holds for rows as well, and no shell is nearer whose column 1 is farther from f.
+    variants: The variants for a number of rows.
+    distance_from_f: A distance at which column 1 of a variant is from f at least.
+    distance_from_g: A distance at which the middle row of so many columns is from g at least.
+    measure: Makes a variant with so many columns, and measures it, carefully or quickly.
+    oversize: How much larger than the boards the largest panel of it is: 1 or less if all fit.
+    most, step: The largest number of rows and of columns; the step from one number of rows to the
+        next.
+    ripple, orderly: By which factor a shell may be farther from its surface than one with fewer
+        columns; whether that holds for rows as well, and no shell is nearer whose column 1 is
+        farther from f.
     """
 
     variants: Callable[[int], Variants[V]]
@@ -158,26 +151,16 @@ class Tried(Generic[V]):
 class Trials(Generic[V]):
     """Makes sheets of one size after another.
 
-    Parameters
-    ----------
-    sizes, tolerance, progress
-        What there is to choose from, what is to be met, and who is told.
-    made
-        All that could be made.
-    large
-        Those whose panels do not fit the boards.
-    found
-        Those that meet the tolerance.
-    refusal
-        Why the first was refused, if any was.
-    bounded
-        Whether sheets that f or g rule out are left out.
-    careful
-        Whether those that do are measured carefully at once.
-    reached
-        Numbers of columns, and whether g allows them.
-    refused, possible
-        How often each variant was refused, by its place among all; those that were made.
+    sizes, tolerance, progress: What there is to choose from, what is to be met, and who is told.
+    made: All that could be made.
+    large: Those whose panels do not fit the boards.
+    found: Those that meet the tolerance.
+    refusal: Why the first was refused, if any was.
+    bounded: Whether sheets that f or g rule out are left out.
+    careful: Whether those that do are measured carefully at once.
+    reached: Numbers of columns, and whether g allows them.
+    refused, possible: How often each variant was refused, by its place among all; those that were
+        made.
     """
 
     sizes: Sizes[V]

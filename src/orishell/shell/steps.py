@@ -50,10 +50,7 @@ _NOT_CHECKED: dict[Question, str] = {
 def require_parts(leave_out: Collection[str]) -> None:
     """Refuse a part that there is not, which would be found out all the same.
 
-    Raises
-    ------
-    InputError
-        If there is one.
+    Raises InputError if there is one.
     """
     unknown = [leave_out] if isinstance(leave_out, str) else sorted({*leave_out} - {*PARTS})
     if unknown:
@@ -68,9 +65,6 @@ def require_parts(leave_out: Collection[str]) -> None:
 def not_checked(found_out: Mapping[Question, bool]) -> tuple[str, ...]:
     """What nobody has looked at, in words.
 
-    Parameters
-    ----------
-    found_out
-        Whether a part was found out, or is not asked for by the file.
+    found_out: Whether a part was found out, or is not asked for by the file.
     """
     return tuple(words for part, words in _NOT_CHECKED.items() if not found_out[part])

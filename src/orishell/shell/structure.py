@@ -99,10 +99,7 @@ def load_shell(
 ) -> Loaded:
     """Analyse a design as a structure, and say what was found.
 
-    Raises
-    ------
-    InputError
-        As :func:`analyse_structure` does.
+    Raises InputError: As :func:`analyse_structure` does.
     """
     analysis = analyse(design, structure, _frame(file, design, lock), progress)
     report = describe_structure(structure, analysis, design.panel)

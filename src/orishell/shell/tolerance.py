@@ -38,17 +38,10 @@ def meet_tolerance(
 ) -> tuple[FamilyPattern, Choice]:
     """Choose rows, columns and what else a design file leaves open.
 
-    Returns
-    -------
-    tuple
-        The pattern, and what it was chosen from.
+    Returns tuple: The pattern, and what it was chosen from.
 
-    Raises
-    ------
-    DesignError
-        If no pattern meets the tolerance; says what can be met.
-    InputError
-        If the pattern would be too large for its frames.
+    Raises DesignError if no pattern meets the tolerance; says what can be met.
+    Raises InputError if the pattern would be too large for its frames.
     """
     sheets = _Sheets(file, tolerance)
     try:

@@ -55,15 +55,10 @@ def find_tradeoff(file: DesignFile, progress: Progress = no_progress) -> Tradeof
     The sizes are those of the search that meets a tolerance, each number of rows with each number
     of columns, and the pattern's own.
 
-    Parameters
-    ----------
-    file
-        The design; of its tolerance only the limits of edges count.
+    file: The design; of its tolerance only the limits of edges count.
 
-    Raises
-    ------
-    DesignError
-        If the family refuses all sizes, or no sheet has edges as long as they may be.
+    Raises DesignError if the family refuses all sizes, or no sheet has edges as long as they may
+    be.
     """
     limits = file.tolerance or Tolerance.model_construct(surface=math.inf)
     free = limits.having(surface=math.inf)

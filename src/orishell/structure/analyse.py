@@ -215,10 +215,7 @@ def _reactions(
 ) -> tuple[Array, Balance]:
     """Forces (S, 3) on supported vertices, and how loads and reactions balance.
 
-    Parameters
-    ----------
-    residual
-        What is missing (D,) at supported freedoms.
+    residual: What is missing (D,) at supported freedoms.
     """
     mesh, held, points = model.mesh, model.held, model.mesh.facets.points
     supported = model.supports.freedoms(mesh)

@@ -42,16 +42,10 @@ PAGES = Path(__file__).parent / "static"
 class Limits:
     """The largest request that the studio accepts, and how long one may take.
 
-    Parameters
-    ----------
-    bytes
-        Size of a request.
-    quick, slow, search
-        Seconds that a design, that a proof or a file, and that a search may take.
-    receiving
-        Seconds in which a request must have come in.
-    processes
-        Processes for each of the three.
+    bytes: Size of a request.
+    quick, slow, search: Seconds that a design, that a proof or a file, and that a search may take.
+    receiving: Seconds in which a request must have come in.
+    processes: Processes for each of the three.
     """
 
     bytes: int = 5_000_000
@@ -78,16 +72,10 @@ def make_app(
 ) -> Guard:
     """The web server of the studio, as an ASGI application.
 
-    Parameters
-    ----------
-    key
-        What lets requests in.
-    hosts
-        Host headers that are taken; None takes all.
-    limits
-        The largest request, and how long one may take.
-    start
-        Name and tables of the design to begin with.
+    key: What lets requests in.
+    hosts: Host headers that are taken; None takes all.
+    limits: The largest request, and how long one may take.
+    start: Name and tables of the design to begin with.
     """
     quick = Pool(answer, limits.processes, limits.quick)
     slow = Pool(answer, limits.processes, limits.slow)

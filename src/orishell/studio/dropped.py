@@ -36,12 +36,8 @@ DRAWN = 200
 def sampled(curve: Curve, name: str) -> Drawn:
     """Points of a curve to be drawn; empty if it cannot be used.
 
-    Parameters
-    ----------
-    curve
-        The curve.
-    name
-        Which of both it is: "f" or "g".
+    curve: The curve.
+    name: Which of both it is: "f" or "g".
     """
     try:
         trace = trace_curve(curve, name)
@@ -69,19 +65,11 @@ def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
     What is drawn stays what it is: lines, arcs and Bezier curves of a path, wherever SVG has such.
     Points that were measured close to each other become a spline through few.
 
-    Parameters
-    ----------
-    name
-        The file's name; its ending says what it is.
-    content
-        Its bytes in base64.
-    unit
-        Unit of length of the table.
+    name: The file's name; its ending says what it is.
+    content: Its bytes in base64.
+    unit: Unit of length of the table.
 
-    Raises
-    ------
-    InputError
-        If it holds no curve.
+    Raises InputError if it holds no curve.
     """
     try:
         data = base64.b64decode(content, validate=True)
@@ -155,10 +143,7 @@ def _read_drawing(path: Path, ending: str, name: str, unit: str) -> DroppedCurve
 def _longest_curve(path: Path, ending: str, unit: str) -> tuple[Chain, str]:
     """The longest curve of a drawing, and the name of the path or layer that it is from.
 
-    Raises
-    ------
-    InputError
-        If neither the drawing nor one of its parts is a curve.
+    Raises InputError if neither the drawing nor one of its parts is a curve.
     """
     drawn = path.read_text("utf-8", "replace")
     kind, names = ("path", IDS) if ending == ".svg" else ("layer", LAYERS)

@@ -44,12 +44,8 @@ PAGE = """\
 class Key:
     """What lets one in, as an address and as a cookie.
 
-    Parameters
-    ----------
-    port
-        Where the studio listens; browsers keep the cookies of all ports of a machine together.
-    word
-        The key itself, made by chance if it is not given.
+    port: Where the studio listens; browsers keep the cookies of all ports of a machine together.
+    word: The key itself, made by chance if it is not given.
     """
 
     port: int
@@ -94,10 +90,7 @@ def open_page(address: str) -> Iterator[None]:
     Until the end of the context there is a file that leads there, in a folder that only this user
     can read.
 
-    Parameters
-    ----------
-    address
-        The address, with its key.
+    address: The address, with its key.
     """
     folder = _private_folder()
     with cleaning_up(lambda: shutil.rmtree(folder, ignore_errors=True)):
@@ -152,19 +145,12 @@ HEADERS = (
 class Guard:
     """Refuses requests that do not come from the studio's own pages, or are too large.
 
-    Parameters
-    ----------
-    app
-        What answers them.
-    key
-        What a request must have, in its address or in a cookie. The address ``/`` with the key
+    app: What answers them.
+    key: What a request must have, in its address or in a cookie. The address ``/`` with the key
         gives the cookie.
-    hosts
-        Host headers that are taken, with their ports; None takes all.
-    most
-        Bytes of a body, at most.
-    seconds
-        Time that a body may take to come in.
+    hosts: Host headers that are taken, with their ports; None takes all.
+    most: Bytes of a body, at most.
+    seconds: Time that a body may take to come in.
     """
 
     def __init__(

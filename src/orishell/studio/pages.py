@@ -40,10 +40,7 @@ ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 def zipped(files: Mapping[str, Path]) -> bytes:
     """A zip archive of files, the same bytes at any time.
 
-    Parameters
-    ----------
-    files
-        The files, by their names in the archive.
+    files: The files, by their names in the archive.
     """
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:

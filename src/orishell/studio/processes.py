@@ -32,10 +32,7 @@ MAX_VERTICES = 60_000
 def require_small(file: DesignFile) -> None:
     """Refuse a sheet that is too large for the studio.
 
-    Raises
-    ------
-    InputError
-        If it has more vertices than :data:`MAX_VERTICES`.
+    Raises InputError if it has more vertices than :data:`MAX_VERTICES`.
     """
     vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
     if vertices > MAX_VERTICES:
@@ -100,10 +97,7 @@ def prepared_copies() -> Iterator[None]:
 def start_worker(work: Work) -> Worker:
     """Start a process that does some ``work``.
 
-    Raises
-    ------
-    OSError
-        If there is no room for one.
+    Raises OSError if there is no room for one.
     """
     context = context_of(WARM)
     ours, theirs = context.Pipe()

@@ -32,10 +32,7 @@ def few_points(points: Array) -> tuple[Array, bool, float]:
     few straight lines do what no spline of few points does, there are corners; where neither does,
     a spline goes through all points.
 
-    Parameters
-    ----------
-    points
-        Points (N, 2) in the order of the curve.
+    points: Points (N, 2) in the order of the curve.
     """
     import shapely
 
@@ -91,14 +88,9 @@ ENDS = 0.005
 def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[str, Range]:
     """Ranges of all numeric parameters of a design that has no tolerance.
 
-    Parameters
-    ----------
-    file
-        The design file.
-    advanced
-        Called with the share that is done.
-    seconds
-        What one design takes, about.
+    file: The design file.
+    advanced: Called with the share that is done.
+    seconds: What one design takes, about.
     """
     pattern = file.pattern
     knobs = {key: knob for key, knob in pattern.knobs().items() if knob.kind == "number"}

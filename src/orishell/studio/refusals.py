@@ -20,12 +20,8 @@ class RefusalError(OrishellError):
 def make_refusal(kind: FaultKind, what: str, **more: Any) -> Refusal:
     """The answer to a request that failed.
 
-    Parameters
-    ----------
-    kind, what
-        What is wrong.
-    more
-        Further fields; those that are not given are empty.
+    kind, what: What is wrong.
+    more: Further fields; those that are not given are empty.
     """
     names = ("where", "got", "expected", "remedy", "detail", "place", "size", "limit")
     said = {"kind": kind, "message": what, "what": what, "keys": [], "remedies": [], **more}

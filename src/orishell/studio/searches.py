@@ -46,23 +46,13 @@ def describe_search() -> SearchInfo:
 def search_variants(tables: Tables, path: Path, progress: Progress, send: Send) -> SearchState:
     """Search the variants of a design, and tell what is found as it is.
 
-    Parameters
-    ----------
-    tables
-        The design with its table [search].
-    path
-        Of what its messages speak.
-    progress
-        Is told the share that is done.
-    send
-        Is told how far the search has come, now and then.
+    tables: The design with its table [search].
+    path: Of what its messages speak.
+    progress: Is told the share that is done.
+    send: Is told how far the search has come, now and then.
 
-    Raises
-    ------
-    InputError
-        If there is nothing to search for, or what it needs is not installed.
-    DesignError
-        If no design keeps all limits.
+    Raises InputError if there is nothing to search for, or what it needs is not installed.
+    Raises DesignError if no design keeps all limits.
     """
     install = describe_search()["install"]
     if install:

@@ -29,19 +29,11 @@ picture of the drawings is small."""
 def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
     """The drawings of a design's flat sheet, and what they come to.
 
-    Parameters
-    ----------
-    name
-        What its files are called.
-    progress
-        Is told of the proof, where the sheet depends on what it finds.
+    name: What its files are called.
+    progress: Is told of the proof, where the sheet depends on what it finds.
 
-    Raises
-    ------
-    InputError
-        If a setting does not fit the sheet.
-    DesignError
-        If the family cannot reach the target.
+    Raises InputError if a setting does not fit the sheet.
+    Raises DesignError if the family cannot reach the target.
     """
     # The proof may make flaps narrower, and cut boards off.
     proved = file.pattern.flap == "auto" or file.panel is not None

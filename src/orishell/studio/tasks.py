@@ -50,14 +50,9 @@ FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
 class Task:
     """A request of a page; each method computes the answer to one kind.
 
-    Parameters
-    ----------
-    payload
-        What the page sent: the tables of a design under "design", and what the answer takes.
-    progress
-        Is told the share that is done, and of what.
-    send
-        Is told what was found so far.
+    payload: What the page sent: the tables of a design under "design", and what the answer takes.
+    progress: Is told the share that is done, and of what.
+    send: Is told what was found so far.
     """
 
     payload: dict[str, Any]
@@ -75,12 +70,9 @@ class Task:
     def make_view(self) -> bytes:
         """The view of a design, before rigidity, contact and distances are examined.
 
-        Raises
-        ------
-        InputError
-            If there is no design in the payload, or the number of states is not a whole number.
-        RefusalError
-            If the design cannot be made; holds its curves.
+        Raises InputError if there is no design in the payload, or the number of states is not a
+        whole number.
+        Raises RefusalError if the design cannot be made; holds its curves.
         """
         file = self._design(tolerated=True)
         curves: Curves = {"f": sampled(file.f, "f"), "g": sampled(file.g, "g")}
@@ -139,10 +131,7 @@ class Task:
     def parse(self) -> Parsed:
         """The tables of a design file, from its text, which is checked.
 
-        Raises
-        ------
-        InputError
-            If it is not TOML, or no design.
+        Raises InputError if it is not TOML, or no design.
         """
         tables = parse_toml(str(self.payload.get("text", "")))
         replace(self, payload={**self.payload, "design": tables})._design(searched=True)
@@ -151,10 +140,7 @@ class Task:
     def format(self) -> Written:
         """The text of a design file, from its tables.
 
-        Raises
-        ------
-        InputError
-            If there is no design.
+        Raises InputError if there is no design.
         """
         import tomli_w
 
@@ -164,10 +150,7 @@ class Task:
     def read_curve(self) -> DroppedCurve:
         """The table of a curve in a CSV, SVG or DXF file that was dropped onto the page.
 
-        Raises
-        ------
-        InputError
-            If there is no such unit, or no curve in the file.
+        Raises InputError if there is no such unit, or no curve in the file.
         """
         name, content, unit = (
             str(self.payload.get(key, "")) for key in ("name", "content", "unit")
@@ -179,12 +162,8 @@ class Task:
     def find_tradeoff(self) -> Tradeoff:
         """How near sheets of many sizes come to the surface.
 
-        Raises
-        ------
-        InputError
-            If there is no design.
-        DesignError
-            If the family refuses all sizes.
+        Raises InputError if there is no design.
+        Raises DesignError if the family refuses all sizes.
         """
         file = self._design()
         size = self.payload.get("size")
@@ -198,10 +177,7 @@ class Task:
     def search(self) -> SearchState:
         """What :func:`search_variants` finds, which raises as this does.
 
-        Raises
-        ------
-        InputError, DesignError
-            If nothing is to be searched for, or found.
+        Raises InputError, DesignError if nothing is to be searched for, or found.
         """
         path = self._design(searched=True).path
         return search_variants(self.payload["design"], path, self.progress, self.send)
@@ -209,20 +185,14 @@ class Task:
     def draw_sheets(self) -> Sheets:
         """The drawings that a workshop gets.
 
-        Raises
-        ------
-        InputError
-            If there is no design, or a setting does not fit the sheet.
+        Raises InputError if there is no design, or a setting does not fit the sheet.
         """
         return preview_sheets(self._design(), self._name(), self.progress)
 
     def export(self) -> tuple[str, bytes]:
         """Name and bytes of the design in one format: a file, or a zip archive of several.
 
-        Raises
-        ------
-        InputError
-            If there is no such format, or the design is refused.
+        Raises InputError if there is no such format, or the design is refused.
         """
         name = self.payload.get("format")
         formats = find_formats([str(name)])

@@ -34,24 +34,12 @@ class FaultError(Exception):
 
 @dataclass(slots=True)
 class Pool:
-    """A few processes; a request occupies one, further requests wait in a queue.
+    """A few processes; a request occupies one, further requests wait in a queue."""
 
-    Parameters
-    ----------
-    work
-        What the processes do.
-    size
-        Number of processes.
-    seconds
-        Time that a request may take, without waiting.
-    waiting
-        Requests that may wait for a process.
-    """
-
-    work: Work
-    size: int
-    seconds: float
-    waiting: int = 200
+    work: Work  # What the processes do
+    size: int  # Number of processes
+    seconds: float  # Time that a request may take, without waiting
+    waiting: int = 200  # Requests that may wait for a process
     _idle: asyncio.LifoQueue[Worker | None] = field(init=False)
     _in_line: int = field(init=False, default=0)
     _workers: list[Worker] = field(init=False, default_factory=list)

@@ -35,10 +35,7 @@ def with_clipped(document: Document) -> Document:
     Their vertices, edges, panels and boards come after the sheet's. Each piece lies beside the edge
     that it is clipped on, with a gap. A document with nothing clipped on is returned as it is.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet.
+    Raises InputError if there is no flat sheet.
     """
     if not document.clipped:
         return document

@@ -42,20 +42,12 @@ KEPT = 4
 class BoardPart:
     """A board as it is cut, seen from outside; solid panels are seen from above.
 
-    Parameters
-    ----------
-    number
-        Its number among the boards of the sheet and of what is clipped on.
-    name
-        Its part number.
-    panel
-        The panel that carries it.
-    side
-        1 top, -1 bottom, 0 solid.
-    outline
-        Corners (k, 2) of what is cut, counter-clockwise.
-    lines, texts
-        What is engraved.
+    number: Its number among the boards of the sheet and of what is clipped on.
+    name: Its part number.
+    panel: The panel that carries it.
+    side: 1 top, -1 bottom, 0 solid.
+    outline: Corners (k, 2) of what is cut, counter-clockwise.
+    lines, texts: What is engraved.
     """
 
     number: int
@@ -107,10 +99,7 @@ def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]
 
     The last layouts are kept, as those of the sheet are.
 
-    Raises
-    ------
-    InputError
-        If a board does not fit the stock.
+    Raises InputError if a board does not fit the stock.
     """
     document = with_clipped(document)
     outlines = [
@@ -148,24 +137,12 @@ LAYERS = {1: "top", -1: "bottom", 0: "panels"}
 
 @record
 class BoardLayer:
-    """The boards of one layer, drawn apart so that no cut is made twice.
+    """The boards of one layer, drawn apart so that no cut is made twice."""
 
-    Parameters
-    ----------
-    ending
-        How its file's name ends: "top", "bottom" or "panels".
-    title
-        What it is.
-    content
-        What is drawn.
-    facts
-        What the title block says.
-    """
-
-    ending: str
-    title: str
-    content: Content
-    facts: tuple[str, ...]
+    ending: str  # How its file's name ends: "top", "bottom" or "panels"
+    title: str  # What it is
+    content: Content  # What is drawn
+    facts: tuple[str, ...]  # What the title block says
 
 
 def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, Drawing]]:
@@ -175,10 +152,7 @@ def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, D
     With stock the boards of both layers are nested together: "-boards-1", "-boards-2", ..., or
     "-panels-1", ....
 
-    Raises
-    ------
-    InputError
-        If a board does not fit the stock.
+    Raises InputError if a board does not fit the stock.
     """
     if document.boards is None:
         return
@@ -274,10 +248,7 @@ def draw_plan(document: Document, workshop: Workshop) -> Drawing:
     It is seen from above, and nothing of it is cut. What is clipped on at the target lies beside
     the edge that it is clipped on.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or no unit.
+    Raises InputError if there is no flat sheet or no unit.
     """
     document = with_clipped(document)
     require_drawable(document)

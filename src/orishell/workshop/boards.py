@@ -33,17 +33,11 @@ MIRRORED = np.array([-1.0, 1.0])
 class SeenBoards:
     """The boards of one side as they are seen from there.
 
-    Parameters
-    ----------
-    numbers
-        Their numbers (B,) among all boards.
-    names
-        Their part numbers, as in "3,12T".
-    panels
-        Numbers (B,) of the panels that carry them.
-    outlines
-        Corners (B, K, 2) of what is cut, counter-clockwise; neighbours may coincide. Solid panels
-        are cut on their hinge plane.
+    numbers: Their numbers (B,) among all boards.
+    names: Their part numbers, as in "3,12T".
+    panels: Numbers (B,) of the panels that carry them.
+    outlines: Corners (B, K, 2) of what is cut, counter-clockwise; neighbours may coincide. Solid
+        panels are cut on their hinge plane.
     """
 
     numbers: Integers
@@ -173,24 +167,12 @@ PLACE = 0.2
 
 @record
 class _Chamfers:
-    """Chamfers (C,) and the faces that they leave.
+    """Chamfers (C,) and the faces that they leave."""
 
-    Parameters
-    ----------
-    boards
-        The boards that have them, as places among the solid ones.
-    ends
-        Ends (C, 2, 2) of the edge on the face, the panel to the left.
-    angles_deg
-        How far they lean from square (degrees).
-    sides
-        The face: 1 top, -1 bottom.
-    """
-
-    boards: Integers
-    ends: Array
-    angles_deg: Array
-    sides: Integers
+    boards: Integers  # The boards that have them, as places among the solid ones
+    ends: Array  # Ends (C, 2, 2) of the edge on the face, the panel to the left
+    angles_deg: Array  # How far they lean from square (degrees)
+    sides: Integers  # The face: 1 top, -1 bottom
 
 
 def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]:
@@ -236,10 +218,7 @@ def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]
 def chamfer_angles(boards: Boards) -> Array:
     """How far all chamfers (C,) of solid panels lean from a square cut (degrees).
 
-    Parameters
-    ----------
-    boards
-        The panels; boards of a sandwich are cut square.
+    boards: The panels; boards of a sandwich are cut square.
     """
     levels = boards.outlines[boards.sides == 0]
     if not len(levels):
@@ -251,12 +230,8 @@ def chamfer_angles(boards: Boards) -> Array:
 def _find_chamfers(levels: Array, flush: float) -> _Chamfers:
     """The chamfers of both faces, that at the top before that at the bottom.
 
-    Parameters
-    ----------
-    levels
-        Outlines (S, 3, K, 3) of solid panels.
-    flush
-        Chamfers narrower than this are none.
+    levels: Outlines (S, 3, K, 3) of solid panels.
+    flush: Chamfers narrower than this are none.
     """
     middle = levels[:, 1, :, :2]
     found = []

@@ -53,10 +53,7 @@ def crease_lines(document: Document, part: CutPart, workshop: Workshop) -> tuple
     either end. Perforations have cuts of exactly ``duty * dash``, as many as fit, spread evenly.
     Both are symmetric about the crease's middle. No more than ``duty`` of any crease is cut.
 
-    Raises
-    ------
-    InputError
-        If holes or gaps leave nothing of a crease.
+    Raises InputError if holes or gaps leave nothing of a crease.
     """
     holes = _holed(document, part, workshop)
     creases = _between_rims(document, part, np.where(holes, 0.5 * workshop.relief_hole, 0.0))

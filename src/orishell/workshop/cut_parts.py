@@ -57,10 +57,7 @@ def whole_sheet(document: Document) -> CutPart:
     cuts (C) are none of them: the outlines are those of all panels together, and what is cut
     inside them is drawn once, as lines.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet.
+    Raises InputError if there is no flat sheet.
     """
     flat = document.require_flat()
     mesh = document.mesh
@@ -75,19 +72,12 @@ def whole_sheet(document: Document) -> CutPart:
 def find_outlines(faces: Integers, flat: Array) -> tuple[Integers, ...]:
     """Vertices of every closed outline of some panels of the flat sheet.
 
-    Parameters
-    ----------
-    faces
-        Vertices (P, 4) of the panels, either way round.
-    flat
-        Vertices (V, 2) of the sheet.
+    faces: Vertices (P, 4) of the panels, either way round.
+    flat: Vertices (V, 2) of the sheet.
 
-    Returns
-    -------
-    loops
-        Numbers (k,) of vertices: counter-clockwise around panels, clockwise around holes; the
-        largest area first, each from its lowest vertex on. Where outlines only touch at a
-        vertex they do not cross: each keeps to the panels that hang together there.
+    Returns loops: Numbers (k,) of vertices: counter-clockwise around panels, clockwise around
+        holes; the largest area first, each from its lowest vertex on. Where outlines only touch at
+        a vertex they do not cross: each keeps to the panels that hang together there.
     """
     corners = flat[faces]
     faces = np.where((signed_areas(corners) < 0)[:, None], faces[:, ::-1], faces)
@@ -146,16 +136,10 @@ LETTER_WIDTH = 0.85
 class Joint:
     """A crease that is cut and glued.
 
-    Parameters
-    ----------
-    name
-        Its name, for instance "2-5c": the third joint between parts 2 and 5.
-    edge
-        Number of the crease.
-    parts
-        Numbers of the two parts; the first one has the tab.
-    tabs
-        Corners (4, 2) of what is glued under panels: the tab under a panel of the second part,
+    name: Its name, for instance "2-5c": the third joint between parts 2 and 5.
+    edge: Number of the crease.
+    parts: Numbers of the two parts; the first one has the tab.
+    tabs: Corners (4, 2) of what is glued under panels: the tab under a panel of the second part,
         and, if the joint is a strip, its other half under the first part.
     """
 
@@ -174,20 +158,13 @@ def make_parts(
 ) -> tuple[tuple[CutPart, ...], tuple[CutPart, ...], tuple[Joint, ...]]:
     """Parts with their joints.
 
-    Parameters
-    ----------
-    split
-        Numbers of the panels of every part.
-    kind
-        "tabs" or "strips".
-    width
-        Width of a tab, half the width of a strip, where panels leave room for it.
+    split: Numbers of the panels of every part.
+    kind: "tabs" or "strips".
+    width: Width of a tab, half the width of a strip, where panels leave room for it.
 
-    Returns
-    -------
-    parts, strips, joints
-        Parts, numbered from 1; strips (number 0), one for each joint; joints. Of two panels
-        beside a crease the one with the lower number is on the part with the tab.
+    Returns parts, strips, joints: Parts, numbered from 1; strips (number 0), one for each joint;
+        joints. Of two panels beside a crease the one with the lower number is on the part with the
+        tab.
     """
     mesh = document.mesh
     number = np.zeros(len(mesh.faces), dtype=np.int64)

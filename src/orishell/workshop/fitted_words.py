@@ -81,18 +81,11 @@ def label_middles(
 ) -> Labels:
     """Words in the middle of outlines, along that of two directions in which they are higher.
 
-    Parameters
-    ----------
-    words
-        One for each outline.
-    outlines
-        Corners (N, K, 2), convex and counter-clockwise.
-    directions
-        Unit vectors (N, 2).
-    most
-        Height of words at most.
-    taken
-        Outlines that words must fit, each with the width that is kept free along its sides; none
+    words: One for each outline.
+    outlines: Corners (N, K, 2), convex and counter-clockwise.
+    directions: Unit vectors (N, 2).
+    most: Height of words at most.
+    taken: Outlines that words must fit, each with the width that is kept free along its sides; none
         for those given.
     """
     middles = centroids(outlines)
@@ -124,22 +117,13 @@ def label_edges(
 ) -> Labels:
     """Words along edges, inside outlines.
 
-    Parameters
-    ----------
-    words
-        One for each edge; its height is 0 where there is no room for it.
-    outlines
-        Corners (N, K, 2) of what they must fit, convex and counter-clockwise.
-    ends
-        Ends (N, 2, 2) of the edges.
-    tall
-        Height of what is to fit, in heights of the text.
-    most
-        Height of words at most.
-    share
-        Where they stand on their edge, from its first end.
-    usual
-        As :data:`USUAL`; 100 for words that are each as high as there is room.
+    words: One for each edge; its height is 0 where there is no room for it.
+    outlines: Corners (N, K, 2) of what they must fit, convex and counter-clockwise.
+    ends: Ends (N, 2, 2) of the edges.
+    tall: Height of what is to fit, in heights of the text.
+    most: Height of words at most.
+    share: Where they stand on their edge, from its first end.
+    usual: As :data:`USUAL`; 100 for words that are each as high as there is room.
     """
     along = readable(ends[:, 1] - ends[:, 0])
     middles = (1 - share) * ends[:, 0] + share * ends[:, 1]
@@ -184,20 +168,12 @@ def text_heights(
 ) -> Array:
     """Height (N,) of the highest text that lies within each convex panel.
 
-    Parameters
-    ----------
-    corners
-        Corners (N, K, 2), counter-clockwise.
-    middles, along
-        Points (N, 2) and directions (N, 2) of the text.
-    counts
-        Number of characters (N,).
-    offset
-        How far the text's middle lies above the point, in heights.
-    taken
-        Width of what is kept free along the sides, at most most of the way to the nearest.
-    tall
-        Height of what is to fit, in heights of the text.
+    corners: Corners (N, K, 2), counter-clockwise.
+    middles, along: Points (N, 2) and directions (N, 2) of the text.
+    counts: Number of characters (N,).
+    offset: How far the text's middle lies above the point, in heights.
+    taken: Width of what is kept free along the sides, at most most of the way to the nearest.
+    tall: Height of what is to fit, in heights of the text.
     """
     sides = np.roll(corners, -1, axis=1) - corners
     lengths = np.hypot(sides[..., 0], sides[..., 1])

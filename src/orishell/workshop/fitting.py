@@ -24,18 +24,11 @@ def find_turns(points: Array, width: float, height: float) -> Array:
     Those that lay an edge of their hull level; if none of them fits, those that touch two
     opposite sides of the rectangle. If there is a way to fit the points at all, one of these does.
 
-    Parameters
-    ----------
-    points
-        Points (k, 2).
-    width, height
-        The rectangle.
+    points: Points (k, 2).
+    width, height: The rectangle.
 
-    Returns
-    -------
-    turns
-        Angles (t,) in [0, 2 pi), the smallest bounding box first (radians, counter-clockwise).
-        0, no turn, is first if it fits.
+    Returns turns: Angles (t,) in [0, 2 pi), the smallest bounding box first (radians,
+        counter-clockwise). 0, no turn, is first if it fits.
     """
     import shapely
 
@@ -73,19 +66,12 @@ def _fitting(hull: Array, angles: Array, width: float, height: float) -> Array:
 class CutSheet:
     """The panels, the tabs that they get where they are cut apart, and the size of the stock.
 
-    Parameters
-    ----------
-    corners
-        Corners (F, K, 2) of the panels.
-    areas
-        Their areas (F,).
-    neighbours
-        Panels (F, 4) beyond each panel's creases, -1 for none.
-    tabs
-        Far corners (F, 4, 2, 2) of the tabs that it has where it is cut off from them, NaN for
+    corners: Corners (F, K, 2) of the panels.
+    areas: Their areas (F,).
+    neighbours: Panels (F, 4) beyond each panel's creases, -1 for none.
+    tabs: Far corners (F, 4, 2, 2) of the tabs that it has where it is cut off from them, NaN for
         none.
-    width, height
-        What can be used of the stock.
+    width, height: What can be used of the stock.
     """
 
     corners: Array
@@ -127,12 +113,8 @@ class CutSheet:
     def points(self, panels: Integers, rim: Integers | None = None) -> Array:
         """Corners (k, 2) of panels and of the tabs around them.
 
-        Parameters
-        ----------
-        panels
-            Panels (P,) that hang together.
-        rim
-            Those of them (R,) that lie on the rim, if it is known; no others are looked at.
+        panels: Panels (P,) that hang together.
+        rim: Those of them (R,) that lie on the rim, if it is known; no others are looked at.
         """
         rim = panels if rim is None else rim
         inside = np.zeros(len(self.corners) + 1, dtype=np.bool_)
@@ -165,10 +147,7 @@ class OversizeError(InputError):
 def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     """Refuse a sheet with a panel that is larger than the stock.
 
-    Raises
-    ------
-    OversizeError
-        With a size that every panel fits.
+    Raises OversizeError: With a size that every panel fits.
     """
     import shapely
 

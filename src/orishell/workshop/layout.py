@@ -35,14 +35,9 @@ KEPT = 4
 class Layout:
     """The parts of a sheet, and where they lie on the stock.
 
-    Parameters
-    ----------
-    parts
-        The whole sheet, or its parts and then the strips.
-    placements
-        Where each lies within the margins; None without stock.
-    joints
-        How parts are joined.
+    parts: The whole sheet, or its parts and then the strips.
+    placements: Where each lies within the margins; None without stock.
+    joints: How parts are joined.
     """
 
     parts: tuple[CutPart, ...]
@@ -62,10 +57,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
     stock again, whatever its states are, gets the same one. The numbers of panels and creases are
     those of :func:`~orishell.workshop.assembly.with_clipped`.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet, or a panel does not fit the stock.
+    Raises InputError if there is no flat sheet, or a panel does not fit the stock.
     """
     if workshop.stock is None:
         return Layout((whole_sheet(with_clipped(document)),), None)
@@ -82,10 +74,7 @@ def lay_out(document: Document, workshop: Workshop) -> Layout:
 def require_stock(document: Document, workshop: Workshop) -> None:
     """Refuse stock that a panel does not fit, before any layout is made.
 
-    Raises
-    ------
-    InputError
-        As :func:`lay_out` does.
+    Raises InputError: As :func:`lay_out` does.
     """
     width, height = usable_stock(workshop)
     everything = with_clipped(document)
@@ -108,10 +97,7 @@ def _solid_outlines(document: Document) -> Array:
 def find_oversize(document: Document, workshop: Workshop) -> float:
     """How much larger than the stock, as a factor, a panel is; 1 where all fit, with their tabs.
 
-    Raises
-    ------
-    InputError
-        If the margins leave nothing of the stock.
+    Raises InputError if the margins leave nothing of the stock.
     """
     try:
         require_stock(document, workshop)
@@ -165,10 +151,7 @@ def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
 def usable_stock(workshop: Workshop) -> tuple[float, float]:
     """Width and height of the stock without its margins.
 
-    Raises
-    ------
-    InputError
-        If the margins leave nothing.
+    Raises InputError if the margins leave nothing.
     """
     if workshop.stock is None:
         raise AssertionError("only stock has a margin")

@@ -37,24 +37,13 @@ def nest_parts(
     on into hollows. Of more than :data:`MOST` parts the smaller ones are laid side by side in
     rows, on sheets of their own.
 
-    Parameters
-    ----------
-    outlines
-        Outer outlines (k, 2) of the parts.
-    width, height
-        What can be used of the stock.
-    spacing
-        Least distance between parts.
+    outlines: Outer outlines (k, 2) of the parts.
+    width, height: What can be used of the stock.
+    spacing: Least distance between parts.
 
-    Returns
-    -------
-    placements
-        One for each part, in their order.
+    Returns placements: One for each part, in their order.
 
-    Raises
-    ------
-    InputError
-        If a part does not fit the stock.
+    Raises InputError if a part does not fit the stock.
     """
     import shapely
 

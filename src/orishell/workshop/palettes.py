@@ -181,15 +181,9 @@ def palette_names() -> tuple[str, ...]:
 def load_palette(name: str) -> Palette:
     """A palette by its name, or from a TOML file of one table like those of ``palettes.toml``.
 
-    Parameters
-    ----------
-    name
-        A name (:func:`palette_names`), or the path of a file that ends in ``.toml``.
+    name: A name (:func:`palette_names`), or the path of a file that ends in ``.toml``.
 
-    Raises
-    ------
-    InputError
-        If there is no such palette or file, or the file is not a palette.
+    Raises InputError if there is no such palette or file, or the file is not a palette.
     """
     if name.endswith(".toml"):
         return _read_palette(Path(name))

@@ -30,22 +30,13 @@ BAR_MM = 62.0
 class PaperModel:
     """The sheet to be printed and folded; coordinates in mm on paper.
 
-    Parameters
-    ----------
-    title, unit
-        Of the document.
-    lines, texts
-        The sheet's drawing, from its lower left corner.
-    lows, highs
-        Corners (L, 2) of the boxes around the lines.
-    colours
-        Colour of every layer.
-    size
-        Width and height (2,).
-    tiling
-        Scale and pages.
-    bar, bar_mm
-        Length of the scale bar in the unit, and on paper.
+    title, unit: Of the document.
+    lines, texts: The sheet's drawing, from its lower left corner.
+    lows, highs: Corners (L, 2) of the boxes around the lines.
+    colours: Colour of every layer.
+    size: Width and height (2,).
+    tiling: Scale and pages.
+    bar, bar_mm: Length of the scale bar in the unit, and on paper.
     """
 
     title: str
@@ -74,10 +65,7 @@ class PaperModel:
 def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
     """The paper model of a sheet; ``paper``, ``paper_scale``, palette and labels count.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or unit, or it takes too many pages.
+    Raises InputError if there is no flat sheet or unit, or it takes too many pages.
     """
     workshop = workshop.having(creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
     document = with_clipped(document)
@@ -93,15 +81,9 @@ def make_board_models(
 ) -> Iterator[tuple[str, PaperModel]]:
     """Paper models of the membrane's back and of all layers of boards, and their files' endings.
 
-    Parameters
-    ----------
-    scale
-        That of the sheet's model.
+    scale: That of the sheet's model.
 
-    Raises
-    ------
-    InputError
-        If one takes too many pages.
+    Raises InputError if one takes too many pages.
     """
     if document.boards is None:
         return

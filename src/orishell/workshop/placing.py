@@ -23,21 +23,11 @@ OTHER_WAY: dict[Anchor, Anchor] = {"start": "end", "middle": "middle", "end": "s
 
 @record
 class Placement:
-    """Where a part lies: turned about the origin, then shifted.
+    """Where a part lies: turned about the origin, then shifted."""
 
-    Parameters
-    ----------
-    sheet
-        Number of the sheet of stock, from 0.
-    angle
-        Turn (radians, counter-clockwise).
-    shift
-        Shift (2,).
-    """
-
-    sheet: int
-    angle: float
-    shift: Array
+    sheet: int  # Number of the sheet of stock, from 0
+    angle: float  # Turn (radians, counter-clockwise)
+    shift: Array  # Shift (2,)
 
     def move(self, points: Array) -> Array:
         """Points (k, 2) where the part lies."""

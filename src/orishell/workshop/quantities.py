@@ -93,15 +93,9 @@ def measure_panels(
 ) -> PanelBill | None:
     """The bill of panels with a thickness; None if they have none.
 
-    Parameters
-    ----------
-    nested
-        Whether boards are laid out on their stock.
+    nested: Whether boards are laid out on their stock.
 
-    Raises
-    ------
-    InputError
-        If only folded states are known, or a board is larger than the stock.
+    Raises InputError if only folded states are known, or a board is larger than the stock.
     """
     if document.panel is None:
         return None
@@ -234,15 +228,9 @@ def measure_quantities(
 ) -> Quantities:
     """The totals of a document for a workshop.
 
-    Parameters
-    ----------
-    nested
-        Whether the sheet is laid out on its stock, which takes most of the time.
+    nested: Whether the sheet is laid out on its stock, which takes most of the time.
 
-    Raises
-    ------
-    InputError
-        If only folded states are known, or a panel is larger than the stock.
+    Raises InputError if only folded states are known, or a panel is larger than the stock.
     """
     everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges

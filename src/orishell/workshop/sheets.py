@@ -71,15 +71,9 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
 
     Where panels are solid there is no sheet to be cut, and one drawing: the plan of assembly.
 
-    Parameters
-    ----------
-    workshop
-        The stock, its margin, and how creases and joints are made.
+    workshop: The stock, its margin, and how creases and joints are made.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or no unit, or a panel does not fit the stock.
+    Raises InputError if there is no flat sheet or no unit, or a panel does not fit the stock.
     """
     if not has_sheet(document):
         return (draw_plan(document, workshop),)
@@ -141,10 +135,7 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
 
     Of solid panels, of which no sheet is cut, how much they need.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet, or a panel does not fit the stock.
+    Raises InputError if there is no flat sheet, or a panel does not fit the stock.
     """
     everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges

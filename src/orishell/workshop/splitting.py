@@ -17,17 +17,10 @@ from orishell.workshop.fitting import CutSheet, require_panels_fit
 def bisect_sheet(sheet: CutSheet, pieces: Integers) -> list[Integers]:
     """Connected parts that fit the stock, made few by joining neighbours.
 
-    Parameters
-    ----------
-    sheet
-        The sheet; every panel fits.
-    pieces
-        Number (F,) of the connected piece that a panel belongs to.
+    sheet: The sheet; every panel fits.
+    pieces: Number (F,) of the connected piece that a panel belongs to.
 
-    Returns
-    -------
-    parts
-        Numbers of the panels of every part, ascending.
+    Returns parts: Numbers of the panels of every part, ascending.
     """
     return _join_pieces(sheet, _bisect(sheet, pieces))
 
@@ -113,22 +106,12 @@ def split_sheet(
     fewest parts that this allows, of areas as even as can be. Other sheets are cut in two
     across their longer side until the pieces fit, and pieces that fit together are joined.
 
-    Parameters
-    ----------
-    stock_width, stock_height
-        What can be used of the sheets that are cut.
-    allowance
-        Width of the tabs along cut creases; 0 for none.
+    stock_width, stock_height: What can be used of the sheets that are cut.
+    allowance: Width of the tabs along cut creases; 0 for none.
 
-    Returns
-    -------
-    parts
-        Numbers of the panels of every part, ascending; parts by their first panel.
+    Returns parts: Numbers of the panels of every part, ascending; parts by their first panel.
 
-    Raises
-    ------
-    InputError
-        If a panel does not fit, or if there is no flat sheet.
+    Raises InputError if a panel does not fit, or if there is no flat sheet.
     """
     sheet = CutSheet.of(document, stock_width, stock_height, allowance)
     require_panels_fit(document, sheet)

@@ -41,17 +41,11 @@ def choose_joint_width(document: Document, workshop: Workshop) -> float:
 def tab_shapes(document: Document, width: float) -> Array:
     """Tabs on both sides of every crease, where they lie in the flat sheet.
 
-    Parameters
-    ----------
-    width
-        Their width; less where a panel has no room for it.
+    width: Their width; less where a panel has no room for it.
 
-    Returns
-    -------
-    shapes
-        Corners (E, 2, 4, 2): for every edge, in the panel to its left and to its right as
-        ``edge_faces`` lists them, the two ends of the crease, then the far side, in the order
-        of the panel counter-clockwise. NaN at edges that are no creases.
+    Returns shapes: Corners (E, 2, 4, 2): for every edge, in the panel to its left and to its right
+        as ``edge_faces`` lists them, the two ends of the crease, then the far side, in the order of
+        the panel counter-clockwise. NaN at edges that are no creases.
     """
     flat, mesh = document.require_flat(), document.mesh
     shapes = np.full((len(mesh.edges), 2, 4, 2), np.nan)

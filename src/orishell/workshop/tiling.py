@@ -38,12 +38,8 @@ LARGEST_MM = 1e14
 class Page:
     """One page of the model.
 
-    Parameters
-    ----------
-    row, column
-        Where it lies, from 1, the first row at the top.
-    left, bottom
-        Lower left corner of its frame on the model (mm on paper).
+    row, column: Where it lies, from 1, the first row at the top.
+    left, bottom: Lower left corner of its frame on the model (mm on paper).
     """
 
     row: int
@@ -56,18 +52,11 @@ class Page:
 class Tiling:
     """The model on its pages; lengths in mm on paper, from the lower left corner of the model.
 
-    Parameters
-    ----------
-    scale
-        Size of the model relative to the sheet.
-    page_width, page_height
-        Size of the paper.
-    frame_width, frame_height
-        Part of the page that shows the model.
-    rows, columns
-        Of pages; those that would be empty are left out.
-    pages
-        Pages row by row.
+    scale: Size of the model relative to the sheet.
+    page_width, page_height: Size of the paper.
+    frame_width, frame_height: Part of the page that shows the model.
+    rows, columns: Of pages; those that would be empty are left out.
+    pages: Pages row by row.
     """
 
     scale: float
@@ -106,21 +95,14 @@ class Tiling:
 def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -> Tiling:
     """Choose the scale and spread the model over pages, upright or lying, whichever needs fewer.
 
-    Parameters
-    ----------
-    outlines
-        Closed polylines (k, 2) around the sheet and its holes at its true size (mm), from
-        (0, 0).
-    scale
-        Size of the model relative to the sheet. "auto" takes the largest of 1:1, 1:2, 1:2.5,
+    outlines: Closed polylines (k, 2) around the sheet and its holes at its true size (mm), from (0,
+        0).
+    scale: Size of the model relative to the sheet. "auto" takes the largest of 1:1, 1:2, 1:2.5,
         1:5, 1:10, ... that takes no more than three pages either way.
-    paper
-        Size of the pages.
+    paper: Size of the pages.
 
-    Raises
-    ------
-    InputError
-        If a given scale needs more than 400 pages, or the sheet is larger than all measure.
+    Raises InputError if a given scale needs more than 400 pages, or the sheet is larger than all
+    measure.
     """
     size = np.max([outline.max(axis=0) for outline in outlines], axis=0)
     if max(size) > LARGEST_MM:

@@ -46,16 +46,10 @@ def draw_title_block(
 
     Its cells stand side by side where the sheet is wide enough, otherwise the title above.
 
-    Parameters
-    ----------
-    facts
-        What is said below the title, line by line.
-    palette
-        What the legend explains.
-    drawn
-        The lines and holes, its size and its title.
-    letter
-        Height of letters.
+    facts: What is said below the title, line by line.
+    palette: What the legend explains.
+    drawn: The lines and holes, its size and its title.
+    letter: Height of letters.
     """
     rows = _legend_rows(drawn, palette)
     high = 2 * _PADDING + len(rows) * _ROW - 1.0
@@ -194,10 +188,7 @@ def sheet_facts(
 ) -> tuple[str, ...]:
     """What the title block says of a part of the sheet.
 
-    Parameters
-    ----------
-    size
-        Width and height (2,) of what is drawn.
+    size: Width and height (2,) of what is drawn.
     """
     folding = sum(document.assignment[edge] in "MV" for edge in part.creases.tolist())
     made = {

@@ -31,16 +31,10 @@ SPLINE_FRAME = 16
 class Drawn:
     """The pieces that an entity draws, and at what heights.
 
-    Parameters
-    ----------
-    pieces
-        Its pieces.
-    z
-        Heights of its points (k,).
-    name
-        What messages call it.
-    choices
-        What may be written in the design file to choose it, or all on its layer.
+    pieces: Its pieces.
+    z: Heights of its points (k,).
+    name: What messages call it.
+    choices: What may be written in the design file to choose it, or all on its layer.
     """
 
     pieces: list[Piece]
@@ -57,10 +51,7 @@ class Drawn:
 def draw_entity(entity: DXFEntity) -> Drawn:
     """The pieces of an entity of one of the :data:`CURVE_TYPES`.
 
-    Raises
-    ------
-    InputError
-        If it leaves the planes of constant z, or is no curve.
+    Raises InputError if it leaves the planes of constant z, or is no curve.
     """
     name = name_of(entity)
     kind = entity.dxftype()

@@ -36,10 +36,7 @@ _DECIMAL_COMMA = re.compile(r"\d,\d")
 def parse_path(data: str) -> list[Piece]:
     """The pieces of a path, in user units.
 
-    Raises
-    ------
-    InputError
-        Where the text is no path, with the place.
+    Raises InputError: Where the text is no path, with the place.
     """
     return _Pen(data).draw()
 

@@ -38,27 +38,13 @@ LISTED = 8
 
 @dataclass(frozen=True, slots=True)
 class _Context:
-    """What an element inherits.
+    """What an element inherits."""
 
-    Parameters
-    ----------
-    affine
-        From its user units to those of the result, y still downwards.
-    view
-        What percentages refer to.
-    wanted
-        Whether it is drawn: it is chosen, or in what is chosen, and visible.
-    hidden
-        Whether it is not visible.
-    uses
-        How many elements ``use`` it is inside of.
-    """
-
-    affine: Affine
-    view: View
-    wanted: bool
-    hidden: bool = False
-    uses: int = 0
+    affine: Affine  # From its user units to those of the result, y still downwards
+    view: View  # What percentages refer to
+    wanted: bool  # Whether it is drawn: it is chosen, or in what is chosen, and visible
+    hidden: bool = False  # Whether it is not visible
+    uses: int = 0  # How many elements ``use`` it is inside of
 
 
 def read_svg(path: Path, *, into: str, id: str | None = None, unit: str | None = None) -> Chain:  # noqa: A002 - as the attribute is called

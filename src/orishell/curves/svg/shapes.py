@@ -16,10 +16,7 @@ from orishell.curves.svg.tree import Element, View, parse_length, parse_numbers
 def draw_shape(element: Element, view: View) -> list[Piece]:
     """The pieces of a shape; none for an element that is no shape.
 
-    Raises
-    ------
-    InputError
-        Where one of its attributes cannot be read, naming it.
+    Raises InputError: Where one of its attributes cannot be read, naming it.
     """
     drawing = SHAPES.get(element.tag)
     return [] if drawing is None else drawing(element, view)

@@ -190,14 +190,9 @@ XLINK = "http://www.w3.org/1999/xlink"
 class Element:
     """An element.
 
-    Parameters
-    ----------
-    tag
-        Its name; empty if it is not of SVG's namespace.
-    attributes
-        Attributes without a namespace, and ``xlink:href`` as ``href`` if there is no other.
-    children
-        The elements inside.
+    tag: Its name; empty if it is not of SVG's namespace.
+    attributes: Attributes without a namespace, and ``xlink:href`` as ``href`` if there is no other.
+    children: The elements inside.
     """
 
     tag: str
@@ -216,10 +211,7 @@ class Element:
 def read_tree(path: Path) -> Element:
     """Read an SVG file's outermost element.
 
-    Raises
-    ------
-    InputError
-        If the file is missing, too large, not XML, not SVG, or declares entities.
+    Raises InputError if the file is missing, too large, not XML, not SVG, or declares entities.
     """
     from xml.parsers import expat
 

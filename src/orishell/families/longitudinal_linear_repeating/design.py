@@ -65,15 +65,9 @@ SolutionNumber = Annotated[int, Field(ge=0)]
 def require_entries(asked: Any) -> None:
     """Refuse lists that are not as long as the sheet needs.
 
-    Parameters
-    ----------
-    asked
-        RowCount, columns, couplings and lengths: the table [pattern], or a function's arguments.
+    asked: RowCount, columns, couplings and lengths: the table [pattern], or a function's arguments.
 
-    Raises
-    ------
-    PydanticCustomError
-        Naming the first list that does not fit.
+    Raises PydanticCustomError: Naming the first list that does not fit.
     """
     for key, count in (
         ("row_lengths", asked.columns - 1),

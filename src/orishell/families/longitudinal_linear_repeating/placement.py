@@ -36,12 +36,8 @@ def place(
     The middle vertex of column 1's polygon, seen along g, is on g. In other states the middle
     row's centroid is where it is there, and the middle panel's turn grows with the drive.
 
-    Parameters
-    ----------
-    mechanism, profile, line, state
-        The sheet, f and g, and where column 1 follows f.
-    describe
-        Says what was used and found, of the placed sheet.
+    mechanism, profile, line, state: The sheet, f and g, and where column 1 follows f.
+    describe: Says what was used and found, of the placed sheet.
     """
     forward = np.array([*line.direction, 0.0])
     right = np.array([line.direction[1], -line.direction[0], 0.0])

@@ -34,20 +34,12 @@ Periodic = Literal["periodic"]
 class SheetRequest:
     """What was asked for, apart from the sector angles and the target.
 
-    Parameters
-    ----------
-    rows, columns
-        Inner vertices m and n.
-    first_row
-        Kind of the first row.
-    couplings
-        How columns follow each other.
-    row_lengths, column_lengths
-        Of the middle row (n-1) and of column 1 (m+1), or None for "auto".
-    stage
-        The drive at which the frames end (radians), or None for "auto".
-    flap
-        Length of the row creases at the left and right border.
+    rows, columns: Inner vertices m and n.
+    first_row: Kind of the first row.
+    couplings: How columns follow each other.
+    row_lengths, column_lengths: Of the middle row (n-1) and of column 1 (m+1), or None for "auto".
+    stage: The drive at which the frames end (radians), or None for "auto".
+    flap: Length of the row creases at the left and right border.
     """
 
     rows: int
@@ -62,10 +54,7 @@ class SheetRequest:
     def coupled(self, solution: Solution) -> Columns:
         """The columns that a solution of (4) gives.
 
-        Raises
-        ------
-        DesignError
-            If they end before the sheet does.
+        Raises DesignError if they end before the sheet does.
         """
         if self.couplings == "periodic":
             return repeat_columns(solution, self.columns)
@@ -75,10 +64,7 @@ class SheetRequest:
     def size_blamed(self, columns: Columns) -> Iterator[None]:
         """Where no sheet is found, say first whether any lengths make one of this size.
 
-        Raises
-        ------
-        DesignError
-            If none do, instead of what was raised.
+        Raises DesignError if none do, instead of what was raised.
         """
         try:
             yield

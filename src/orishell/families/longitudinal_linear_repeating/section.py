@@ -29,20 +29,12 @@ from orishell.numerics.arrays import Array
 class Section:
     """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive.
 
-    Parameters
-    ----------
-    axis
-        Unit direction of the line (3,), to the right; the middle panel is not turned.
-    heading
-        Unit direction across the axis (3,) of column 1's first crease.
-    turns
-        Turns (m,) of column 1 at every row, seen along the line, positive to the left (radians).
-    beyond
-        Turns that a further row before the first and after the last would have.
-    across
-        Share of its length (m+1,) that every crease of column 1 has across the line.
-    advance
-        Share of its length (n-1,) that every crease of the middle row advances along the line.
+    axis: Unit direction of the line (3,), to the right; the middle panel is not turned.
+    heading: Unit direction across the axis (3,) of column 1's first crease.
+    turns: Turns (m,) of column 1 at every row, seen along the line, positive to the left (radians).
+    beyond: Turns that a further row before the first and after the last would have.
+    across: Share of its length (m+1,) that every crease of column 1 has across the line.
+    advance: Share of its length (n-1,) that every crease of the middle row advances along the line.
     """
 
     axis: Array

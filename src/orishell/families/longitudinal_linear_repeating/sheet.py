@@ -94,22 +94,13 @@ def with_fitting_border(
 ) -> LongitudinalLinearRepeating:
     """Complete the inner creases by a border whose panels are convex.
 
-    Parameters
-    ----------
-    columns, first_row, side
-        The sheet.
-    inner
-        Lengths of its inner creases.
-    ends
-        Lengths of column 1's first and last crease.
-    flap
-        Length of the row creases at the left and right border; "auto" takes the mean of column 1,
+    columns, first_row, side: The sheet.
+    inner: Lengths of its inner creases.
+    ends: Lengths of column 1's first and last crease.
+    flap: Length of the row creases at the left and right border; "auto" takes the mean of column 1,
         or half of what leaves the panels convex if that is less.
 
-    Raises
-    ------
-    DesignError
-        If the border's panels would not be convex.
+    Raises DesignError if the border's panels would not be convex.
     """
     given = float(np.mean([*inner.column[:, 0], *ends])) if flap == "auto" else flap
     directions = Directions.of(columns, len(inner.row), first_row)

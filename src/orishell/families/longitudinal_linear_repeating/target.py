@@ -32,10 +32,7 @@ class Line:
     def along(cls, trace: Trace) -> Line:
         """The straight line g, from its trace.
 
-        Raises
-        ------
-        DesignError
-            If g is not straight.
+        Raises DesignError if g is not straight.
         """
         chord = trace.points[-1] - trace.points[0]
         length = float(np.hypot(*chord))
@@ -56,27 +53,16 @@ class Line:
 
 @record
 class Profile:
-    """The convex curve f, run through in the direction of its x axis.
+    """The convex curve f, run through in the direction of its x axis."""
 
-    Parameters
-    ----------
-    trace
-        The curve.
-    side
-        +1 if it turns to the right (an arch), -1 if to the left (a trough).
-    """
-
-    trace: Trace
-    side: int
+    trace: Trace  # The curve
+    side: int  # +1 if it turns to the right (an arch), -1 if to the left (a trough)
 
     @classmethod
     def of(cls, trace: Trace) -> Profile:
         """Check that f is convex.
 
-        Raises
-        ------
-        DesignError
-            If f has an inflection, or does not turn at all.
+        Raises DesignError if f has an inflection, or does not turn at all.
         """
         trace = run_along_axis(trace)
         turned = float(trace.heading[-1] - trace.heading[0])
@@ -104,10 +90,7 @@ class Profile:
         Its edges are parallel to tangents of f, moved inwards so that f passes midway between
         edges and vertices; it begins and ends square to f's ends.
 
-        Parameters
-        ----------
-        shares
-            Shares (m+2,) of the turning: half the first and the last are spent beyond the ends.
+        shares: Shares (m+2,) of the turning: half the first and the last are spent beyond the ends.
         """
         trace = self.trace
         before = np.cumsum(np.concatenate([[0.5 * shares[0]], shares[1:-1]]))

@@ -30,27 +30,13 @@ SHORTEST = 1e-6
 
 @record
 class TargetState:
-    """Column 1 where it follows f.
+    """Column 1 where it follows f."""
 
-    Parameters
-    ----------
-    drive
-        The drive (radians).
-    section
-        The sheet's section there.
-    polygon
-        Column 1 seen along the line (m+2, 2), in f's coordinates.
-    lengths
-        Lengths of column 1's creases (m+1,).
-    side
-        Sign of v_1 below row 1 that rolls the sheet to f's side.
-    """
-
-    drive: float
-    section: Section
-    polygon: Array
-    lengths: Array
-    side: int
+    drive: float  # The drive (radians)
+    section: Section  # The sheet's section there
+    polygon: Array  # Column 1 seen along the line (m+2, 2), in f's coordinates
+    lengths: Array  # Lengths of column 1's creases (m+1,)
+    side: int  # Sign of v_1 below row 1 that rolls the sheet to f's side
 
 
 def find_target_state(
@@ -64,21 +50,13 @@ def find_target_state(
 ) -> TargetState:
     """Choose the target state, and column 1's lengths.
 
-    Parameters
-    ----------
-    profile
-        The curve f.
-    columns, rows, first_row
-        The sheet.
-    drive
-        Its drive (radians), or None for the one at which column 1 turns as f does.
-    lengths
-        Ratios of column 1's lengths (m+1,), or None for those that follow f.
+    profile: The curve f.
+    columns, rows, first_row: The sheet.
+    drive: Its drive (radians), or None for the one at which column 1 turns as f does.
+    lengths: Ratios of column 1's lengths (m+1,), or None for those that follow f.
 
-    Raises
-    ------
-    DesignError
-        If the rows do not all turn the same way, or not as much as f, or f is bent too sharply.
+    Raises DesignError if the rows do not all turn the same way, or not as much as f, or f is bent
+    too sharply.
     """
     if drive is None:
         drive = _drive_for(profile, columns, rows, first_row)

@@ -104,12 +104,8 @@ def open_sectors() -> list[list[float]]:
 def open_stages(f: Curve, asked: dict[str, Any]) -> list[float]:
     """Stages to try (degrees); none where column 1 has no stage of its own.
 
-    Parameters
-    ----------
-    f
-        The swept curve.
-    asked
-        Arguments of the function that designs, with sector angles.
+    f: The swept curve.
+    asked: Arguments of the function that designs, with sector angles.
     """
     try:
         own = _column(_profile(f), asked).drive
@@ -121,17 +117,10 @@ def open_stages(f: Curve, asked: dict[str, Any]) -> list[float]:
 def distance_from_f(f: Curve, asked: dict[str, Any]) -> float:
     """Distance of column 1 from f.
 
-    Parameters
-    ----------
-    f
-        The swept curve.
-    asked
-        Arguments of the function that designs, with sector angles.
+    f: The swept curve.
+    asked: Arguments of the function that designs, with sector angles.
 
-    Raises
-    ------
-    DesignError
-        If no column 1 of these angles follows f.
+    Raises DesignError if no column 1 of these angles follows f.
     """
     profile = _profile(f)
     return measure_closeness(profile.trace, _column(profile, asked).polygon).max

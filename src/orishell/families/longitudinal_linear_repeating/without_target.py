@@ -59,19 +59,11 @@ def design_without_target(
 ) -> Design:
     """The sheet of given sector angles and lengths, folded to the stage or as far as it goes.
 
-    Parameters
-    ----------
-    request
-        The sheet.
-    sectors
-        Sector angles of column 1, or "auto".
-    solution
-        Which solution of (4), of either version.
+    request: The sheet.
+    sectors: Sector angles of column 1, or "auto".
+    solution: Which solution of (4), of either version.
 
-    Raises
-    ------
-    DesignError
-        If there is no such sheet.
+    Raises DesignError if there is no such sheet.
     """
 
     def build(solution: Solution) -> LongitudinalLinearRepeating:

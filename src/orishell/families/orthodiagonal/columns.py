@@ -140,16 +140,10 @@ def column_and_spread(
     In complex numbers whose real axis is the middle row's t. The outermost rows continue a
     column's end edges, trimmed.
 
-    Parameters
-    ----------
-    kappa
-        Of every state (...).
-    tangents, turning
-        T = tan(beta/2) and the signs of the turns (m,).
-    lengths
-        Edge lengths of column 1 (m+1,), in the unit of the curves.
-    trims
-        Growth by K of the first and of the last edge of a column.
+    kappa: Of every state (...).
+    tangents, turning: T = tan(beta/2) and the signs of the turns (m,).
+    lengths: Edge lengths of column 1 (m+1,), in the unit of the curves.
+    trims: Growth by K of the first and of the last edge of a column.
     """
     kappa = kappa[..., None]
     middle = len(tangents) // 2
@@ -182,16 +176,10 @@ def squared_distances(
 ) -> Enclosure:
     """Squared distances (S, P) of pairs of vertices, each pair in one column.
 
-    Parameters
-    ----------
-    whole
-        The angle 2 arctan(kappa) (S, 1).
-    tangents, turning
-        T = tan(beta/2) and the signs of the turns (m,).
-    lengths
-        Edge lengths of the columns of the pairs (P, m+1), none negative.
-    rows
-        Rows of the two vertices of every pair (P, 2).
+    whole: The angle 2 arctan(kappa) (S, 1).
+    tangents, turning: T = tan(beta/2) and the signs of the turns (m,).
+    lengths: Edge lengths of the columns of the pairs (P, m+1), none negative.
+    rows: Rows of the two vertices of every pair (P, 2).
     """
     edge = np.arange(lengths.shape[1])
     between = (edge >= rows.min(axis=1)[:, None]) & (edge < rows.max(axis=1)[:, None])
@@ -251,27 +239,15 @@ def bound_edges(
 ) -> tuple[Array, Array]:
     """Bounds of the second derivative of edge vectors by the drive.
 
-    Parameters
-    ----------
-    drives
-        Ends (S,) of ranges of the drive (radians).
-    tangents
-        T = tan(beta/2) of the rows (m,).
-    turning
-        Sign of their turns (m,).
-    trims
-        Growth by K of the first and of the last edge of a column.
-    tilt_rate
-        Angle by which f's plane turns in itself per drive.
-    lengths
-        Lengths (m+1,) of the longest edges between two rows.
-    columns
-        Steps over the panel columns.
+    drives: Ends (S,) of ranges of the drive (radians).
+    tangents: T = tan(beta/2) of the rows (m,).
+    turning: Sign of their turns (m,).
+    trims: Growth by K of the first and of the last edge of a column.
+    tilt_rate: Angle by which f's plane turns in itself per drive.
+    lengths: Lengths (m+1,) of the longest edges between two rows.
+    columns: Steps over the panel columns.
 
-    Returns
-    -------
-    tuple
-        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     start, stop = (ends[..., None] for ends in drives)
     kappa, advance = columns.enclosures(start, stop)

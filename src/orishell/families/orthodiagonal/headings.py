@@ -32,18 +32,11 @@ SideChoice = FlapSide | None
 class HeadingConditions:
     """The conditions that a heading must satisfy.
 
-    Parameters
-    ----------
-    points
-        Vertices (n,) of g's polyline, complex numbers in g's own axes.
-    gain
-        cos(beta_mid/2): K of a column by how far it lies along t.
-    limits
-        Open interval in which K of every column must lie; it holds 0.
-    flap
-        Width of the flaps, 0 if there are none, or None if it follows what room there is.
-    sides
-        To which end of f the left and the right flap fold, or None: where there is more room.
+    points: Vertices (n,) of g's polyline, complex numbers in g's own axes.
+    gain: cos(beta_mid/2): K of a column by how far it lies along t.
+    limits: Open interval in which K of every column must lie; it holds 0.
+    flap: Width of the flaps, 0 if there are none, or None if it follows what room there is.
+    sides: To which end of f the left and the right flap fold, or None: where there is more room.
     """
 
     points: Complex
@@ -162,16 +155,10 @@ def describe_heading(
 ) -> dict[str, Parameter]:
     """What the report says of a heading, and of the paper's alpha_0 (step 3).
 
-    Parameters
-    ----------
-    heading
-        The heading (radians).
-    zigzag, headings
-        The zigzag of f that was taken, and its conditions.
-    demands
-        Those of all zigzags: a heading is admissible where one of them admits it.
-    refitted
-        Whether g's polyline is another one at another heading, so that there is no interval.
+    heading: The heading (radians).
+    zigzag, headings: The zigzag of f that was taken, and its conditions.
+    demands: Those of all zigzags: a heading is admissible where one of them admits it.
+    refitted: Whether g's polyline is another one at another heading, so that there is no interval.
     """
 
     def alpha_0(heading: float) -> float:

@@ -44,12 +44,8 @@ def sweep(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Surfa
 def tilted(g: Array, mechanism: Orthodiagonal) -> str:
     """How g's plane is turned in the target surface, in words; empty where that leaves g as it is.
 
-    Parameters
-    ----------
-    g
-        g in that surface (N, 3).
-    mechanism
-        The sheet.
+    g: g in that surface (N, 3).
+    mechanism: The sheet.
     """
     high = float(np.ptp(g[:, 2]))
     if high <= STRAIGHT * float(np.ptp(g, axis=0).max()):
@@ -142,10 +138,7 @@ def zigzag_distance(trace: Trace, rows: int, depth: float | Auto) -> float:
 
     That of some of f's points from the nearest of them; inner vertices are at ``depth``.
 
-    Raises
-    ------
-    DesignError
-        If there is none.
+    Raises DesignError if there is none.
     """
     zigzags = require_zigzags(trace, rows, depth)
     points = trace.points[:: max(1, len(trace.points) // POINTS)]
@@ -188,22 +181,15 @@ def trim_ends(
 ) -> tuple[list[End], tuple[float, float], list[complex | None]]:
     """The planes in which the locked shell ends, and the growth by K of the end edges.
 
-    Parameters
-    ----------
-    shifts
-        K of the columns that are to end there.
+    shifts: K of the columns that are to end there.
 
-    Returns
-    -------
-    ends
-        For both ends of f: "level" if the shell ends in the horizontal plane through f's end (f
-        must be steeper there than :data:`STEEP`), "square" if in the plane through it that is
-        perpendicular to f's chord from end to end, "untrimmed" if the end edges of all columns are
-        as long as those of column 1: the first of these that keeps them in :data:`TRIM_RANGE`.
-    trims
-        The growth of the end edges' lengths by K.
-    normals
-        Normals of the planes, in complex numbers of f's plane; None where there is none.
+    Returns ends: For both ends of f: "level" if the shell ends in the horizontal plane through f's
+        end (f must be steeper there than :data:`STEEP`), "square" if in the plane through it that
+        is perpendicular to f's chord from end to end, "untrimmed" if the end edges of all columns
+        are as long as those of column 1: the first of these that keeps them in :data:`TRIM_RANGE`.
+    Returns trims: The growth of the end edges' lengths by K.
+    Returns normals: Normals of the planes, in complex numbers of f's plane; None where there is
+        none.
     """
     edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
     lengths = np.abs(edges)

@@ -48,14 +48,10 @@ def refuse(
 ) -> DesignError:
     """The error that names the first condition that fails at a heading, and what would work.
 
-    Parameters
-    ----------
-    zigzags, demands
-        Zigzags of f, that of the widest reach first, and what they ask of a heading.
-    heading
-        The heading that none of them admits (radians).
-    refitted
-        Whether g's polyline is another one at another heading, so that no limits can be named.
+    zigzags, demands: Zigzags of f, that of the widest reach first, and what they ask of a heading.
+    heading: The heading that none of them admits (radians).
+    refitted: Whether g's polyline is another one at another heading, so that no limits can be
+        named.
     """
     zigzag, headings = zigzags[0], demands[0]
     crossing = nearest_interval(headings.crossing_intervals(), heading)

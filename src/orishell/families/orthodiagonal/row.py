@@ -48,10 +48,7 @@ BEYOND = 1e-9
 def cut_flaps(mechanism: Orthodiagonal, planes: Sequence[complex | None]) -> Orthodiagonal | None:
     """The sheet with its flaps cut where its columns end; None if too little of them is left.
 
-    Parameters
-    ----------
-    planes
-        For both ends of f a normal to the plane in which columns end, in complex numbers of f's
+    planes: For both ends of f a normal to the plane in which columns end, in complex numbers of f's
         plane, or None if they end in none.
     """
     kept = np.ones((2, mechanism.grid.rows))
@@ -147,20 +144,12 @@ G = Followed(
 class Row:
     """The middle row at lock.
 
-    Parameters
-    ----------
-    trace
-        g, run through along its x axis.
-    vertices
-        Vertices (n, 2) of g's polyline.
-    closeness
-        The polyline's distance from g.
-    heading
-        Angle from f's plane to g's x axis (radians), or "auto" where the row leaves it open.
-    parameters
-        What the report says of it.
-    warnings
-        Sentences a user should read.
+    trace: g, run through along its x axis.
+    vertices: Vertices (n, 2) of g's polyline.
+    closeness: The polyline's distance from g.
+    heading: Angle from f's plane to g's x axis (radians), or "auto" where the row leaves it open.
+    parameters: What the report says of it.
+    warnings: Sentences a user should read.
     """
 
     trace: Trace
@@ -187,10 +176,7 @@ class Row:
         It is the staircase of g, turned so that the normal of f's plane is the x axis. The heading
         "auto" brings that normal as near to g's chord from end to end as the zigzag allows.
 
-        Raises
-        ------
-        DesignError
-            If g has none.
+        Raises DesignError if g has none.
         """
         if columns < FEWEST:
             raise DesignError(
@@ -241,10 +227,7 @@ def _traced(g: Curve) -> Trace:
 def require_one_kind(angle: str) -> Callable[[Any], None]:
     """The rule that a row has only what its kind has: chords no angle, a zigzag no spacing.
 
-    Parameters
-    ----------
-    angle
-        Name of the zigzag's angle: a key of the table [pattern], or an argument.
+    angle: Name of the zigzag's angle: a key of the table [pattern], or an argument.
     """
 
     def rule(asked: Any) -> None:

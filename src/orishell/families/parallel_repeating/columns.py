@@ -108,18 +108,11 @@ def squared_distances(
 ) -> Enclosure:
     """Squared distances (S, P) of pairs of vertices, each pair in one column.
 
-    Parameters
-    ----------
-    columns
-        Equation (2).
-    edges
-        By how much the edges (m+1,) of all columns rise at the target (length).
-    rows
-        Rows of the two vertices of every pair (P, 2).
-    which
-        The column (P,) of every pair, counted from 0 at column 1.
-    drives
-        Ends (S,) of ranges of the drive (radians).
+    columns: Equation (2).
+    edges: By how much the edges (m+1,) of all columns rise at the target (length).
+    rows: Rows of the two vertices of every pair (P, 2).
+    which: The column (P,) of every pair, counted from 0 at column 1.
+    drives: Ends (S,) of ranges of the drive (radians).
     """
     edge = np.arange(len(edges))
     between = (edge >= rows.min(axis=1)[:, None]) & (edge < rows.max(axis=1)[:, None])
@@ -140,23 +133,13 @@ def bound_edges(
 ) -> tuple[Array, Array]:
     """Bounds of the second derivative of edge vectors by the drive.
 
-    Parameters
-    ----------
-    columns
-        Equation (2).
-    chords
-        Lengths (n-1,) of the middle row's segments.
-    lengths
-        Lengths (n+1,) of the longest crease between two columns, flaps at both ends.
-    reach
-        What column 1's edges (m+1,) take along t, per unit of spread, and upwards at the target.
-    drives
-        Ends (S,) of ranges of the drive (radians).
+    columns: Equation (2).
+    chords: Lengths (n-1,) of the middle row's segments.
+    lengths: Lengths (n+1,) of the longest crease between two columns, flaps at both ends.
+    reach: What column 1's edges (m+1,) take along t, per unit of spread, and upwards at the target.
+    drives: Ends (S,) of ranges of the drive (radians).
 
-    Returns
-    -------
-    tuple
-        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     start, stop = (ends[..., None] for ends in drives)
     size = np.hypot(1.0, columns.rest)

@@ -61,12 +61,8 @@ Plane = Annotated[Number, in_radians(PLANE)]
 def require_square(planes: str, plane: str, right: float) -> Callable[[Any], None]:
     """The rule that planes which bisect the polyline's angles are not oblique as well.
 
-    Parameters
-    ----------
-    planes, plane
-        Names of the two: keys of the table [pattern], or arguments.
-    right
-        The right angle in the unit of ``plane``.
+    planes, plane: Names of the two: keys of the table [pattern], or arguments.
+    right: The right angle in the unit of ``plane``.
     """
 
     def rule(asked: Any) -> None:

@@ -52,36 +52,20 @@ F = Followed(
 
 @record
 class Profile:
-    """f as it is swept, and the staircase that takes its place.
+    """f as it is swept, and the staircase that takes its place."""
 
-    Parameters
-    ----------
-    trace
-        f, rotated and run through along its x axis.
-    theta
-        Its rotation (radians).
-    staircase
-        Column 1 at lock.
-    closeness
-        The staircase's distance from f.
-    """
-
-    trace: Trace
-    theta: float
-    staircase: Staircase
-    closeness: Closeness
+    trace: Trace  # f, rotated and run through along its x axis
+    theta: float  # Its rotation (radians)
+    staircase: Staircase  # Column 1 at lock
+    closeness: Closeness  # The staircase's distance from f
 
 
 @remembered
 def fit_profile(f: Curve, edges: int, xi: float | Auto, theta: float | Auto) -> Profile:
     """Rotate f and fit its staircase.
 
-    Raises
-    ------
-    CurveError
-        If f is not a usable curve.
-    DesignError
-        If it has no staircase of this angle.
+    Raises CurveError if f is not a usable curve.
+    Raises DesignError if it has no staircase of this angle.
     """
     angle = None if xi == "auto" else xi
     trace = run_along_axis(trace_curve(f, "f").in_own_frame(), 0.0 if theta == "auto" else theta)
@@ -149,19 +133,12 @@ MORE_COLUMNS = (1.25, 1.6, 2.5)
 class Row:
     """The middle row on g's polyline.
 
-    Parameters
-    ----------
-    chords
-        g's polyline.
-    heading
-        Directions (n,) that the planes follow at the vertices (radians): g's own, or those that
-        bisect the angles of its polyline, but for its ends.
-    plane
-        Angle from f's plane to these (radians).
-    planes
-        Which of the two.
-    off
-        The largest angle between these and g's own (radians).
+    chords: g's polyline.
+    heading: Directions (n,) that the planes follow at the vertices (radians): g's own, or those
+        that bisect the angles of its polyline, but for its ends.
+    plane: Angle from f's plane to these (radians).
+    planes: Which of the two.
+    off: The largest angle between these and g's own (radians).
     """
 
     chords: Chords

@@ -54,10 +54,7 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
 def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
     """Refuse panels so small that the rounding of coordinates would bend them.
 
-    Parameters
-    ----------
-    flap
-        Width of the flaps; 0 if there are none.
+    flap: Width of the flaps; 0 if there are none.
     """
     rows = (0, len(mechanism.lengths))
     sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
@@ -101,14 +98,9 @@ def require_flat_sheet(
 ) -> None:
     """Refuse a flat sheet that overlaps itself; all panels are convex, so its border decides.
 
-    Parameters
-    ----------
-    flap
-        Width of the flaps; 0 if there are none.
-    parameters
-        Parameters of g's vertices.
-    staircase
-        The staircase of f for another xi.
+    flap: Width of the flaps; 0 if there are none.
+    parameters: Parameters of g's vertices.
+    staircase: The staircase of f for another xi.
     """
     if _is_flat_sheet(mechanism):
         return

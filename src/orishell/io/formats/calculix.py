@@ -74,27 +74,13 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
 
 @record
 class _Deck:
-    """The mesh in quadratic quadrilaterals.
+    """The mesh in quadratic quadrilaterals."""
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3): those of the shell, then the middles of sides.
-    own
-        How many are the shell's.
-    cells
-        Nodes (C, 8): corners, then the middles of the sides after them.
-    sections
-        Thickness, Young's modulus and mass per volume (S, 3), every section once.
-    section
-        The section (C,) of every cell.
-    """
-
-    points: Array
-    own: int
-    cells: Integers
-    sections: Array
-    section: Integers
+    points: Array  # Nodes (N, 3): those of the shell, then the middles of sides
+    own: int  # How many are the shell's
+    cells: Integers  # Nodes (C, 8): corners, then the middles of the sides after them
+    sections: Array  # Thickness, Young's modulus and mass per volume (S, 3), every section once
+    section: Integers  # The section (C,) of every cell
 
 
 def _deck_of(shell: LoadedShell) -> _Deck:

@@ -46,17 +46,10 @@ def choose_auto(
 ) -> tuple[Solution, Made]:
     """The solution whose angles are farthest from 90 degrees while its sheet exists; the sheet.
 
-    Parameters
-    ----------
-    make
-        Makes the sheet of a solution.
-    ratio
-        Its longest inner crease over the shortest.
+    make: Makes the sheet of a solution.
+    ratio: Its longest inner crease over the shortest.
 
-    Raises
-    ------
-    DesignError
-        If none exists even with the angles nearest to 90 degrees.
+    Raises DesignError if none exists even with the angles nearest to 90 degrees.
     """
     failure: DesignError | None = None
     for share in AUTO_SHARES:
@@ -81,10 +74,7 @@ def auto_solution(share: float) -> Solution:
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
     """A solution by its number in :func:`find_solutions`.
 
-    Raises
-    ------
-    DesignError
-        If there is no such solution: with the nearest sector angles that have one.
+    Raises DesignError if there is no such solution: with the nearest sector angles that have one.
     """
     solutions = find_solutions(sectors)
     if not solutions:
@@ -135,10 +125,7 @@ def _with_solution(sectors: Sectors) -> Iterator[Remedy]:
 def nearer_to_90(sectors: Array) -> Iterator[Remedy]:
     """Sector angles nearer to 90 degrees to try, because larger sheets of them exist.
 
-    Parameters
-    ----------
-    sectors
-        Deviations (4,) of the angles from 90 degrees (radians).
+    sectors: Deviations (4,) of the angles from 90 degrees (radians).
     """
     for share in (0.7, 0.5, 0.25, 0.1):
         angles = 90 + share * np.rad2deg(sectors)

@@ -66,10 +66,7 @@ def circle_radius(points: Array) -> float:
 def section_radii(seen: Array) -> list[float]:
     """Radii of the sections of column 1 and of the last column.
 
-    Parameters
-    ----------
-    seen
-        Vertices (m+2, n+2, 2) seen along the line that the sheet rolls about.
+    seen: Vertices (m+2, n+2, 2) seen along the line that the sheet rolls about.
     """
     return [circle_radius(seen[:, j]) for j in (1, -2)]
 

@@ -50,19 +50,12 @@ def fold_rates(
 ) -> tuple[FoldRates, FoldRates]:
     """Fold rates while the drive is in a range, for positive signs s of the mechanism's text.
 
-    Parameters
-    ----------
-    columns
-        Sectors and multipliers of the columns (n).
-    flat_foldable
-        Which rows are F rows (m,).
-    start, stop
-        Ends (S,) of ranges of the drive, in [0, pi] (radians).
+    columns: Sectors and multipliers of the columns (n).
+    flat_foldable: Which rows are F rows (m,).
+    start, stop: Ends (S,) of ranges of the drive, in [0, pi] (radians).
 
-    Returns
-    -------
-    tuple
-        Of column creases (S, 1, n), the same in all rows, and of row creases (S, m, n+1).
+    Returns tuple: Of column creases (S, 1, n), the same in all rows, and of row creases (S, m,
+        n+1).
     """
     drives = start[:, None, None], stop[:, None, None]
     alpha, beta, gamma, delta = columns.sectors.T
@@ -201,17 +194,10 @@ class Sheet:
 def bound_edges(sheet: Sheet, start: Array, stop: Array) -> tuple[Array, Array]:
     """Bounds of the second derivative of edge vectors by the drive.
 
-    Parameters
-    ----------
-    sheet
-        The sheet.
-    start, stop
-        Ends (S,) of ranges of the drive (radians).
+    sheet: The sheet.
+    start, stop: Ends (S,) of ranges of the drive (radians).
 
-    Returns
-    -------
-    tuple
-        Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     rows, columns = (count - 1 for count in sheet.flat.shape)
     along, down = np.empty((len(start), columns)), np.empty((len(start), rows))

@@ -79,17 +79,10 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
     first solution; "parallel" by the degenerate one, which always exists. The paper's Figure 3(a)
     is solve, parallel, solve, parallel; other sequences make other sheets.
 
-    Parameters
-    ----------
-    solution
-        The first solution, which the first "solve" takes if nothing is before it.
-    couplings
-        Couplings of each column with the next (n-1).
+    solution: The first solution, which the first "solve" takes if nothing is before it.
+    couplings: Couplings of each column with the next (n-1).
 
-    Raises
-    ------
-    DesignError
-        Naming the column where (4) has no further solution.
+    Raises DesignError: Naming the column where (4) has no further solution.
     """
     sectors, multipliers = [solution.first], [1.0]
     for number, coupling in enumerate(couplings):
@@ -134,18 +127,10 @@ def sector_table(columns: Columns, rows: int, first_row: RowKind) -> Array:
 
 @record
 class Directions:
-    """Directions of the creases in the flat sheet (radians), the middle row's mean being 0.
+    """Directions of the creases in the flat sheet (radians), the middle row's mean being 0."""
 
-    Parameters
-    ----------
-    row
-        R (m, n+1) of every row crease, from the left border to the right.
-    column
-        D (m+1, n) of every column crease, from the top border to the bottom.
-    """
-
-    row: Array
-    column: Array
+    row: Array  # R (m, n+1) of every row crease, from the left border to the right
+    column: Array  # D (m+1, n) of every column crease, from the top border to the bottom
 
     @classmethod
     def of(cls, columns: Columns, rows: int, first_row: RowKind) -> Directions:

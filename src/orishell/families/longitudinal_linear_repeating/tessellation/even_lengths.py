@@ -39,10 +39,7 @@ PROGRAM_PANELS = 12_000
 class InnerLengths:
     """Lengths of the inner creases of a sheet.
 
-    Parameters
-    ----------
-    row, column
-        Of the row creases (m, n-1) and of the column creases (m-1, n).
+    row, column: Of the row creases (m, n-1) and of the column creases (m-1, n).
     """
 
     row: Array

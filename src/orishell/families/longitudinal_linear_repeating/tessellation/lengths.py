@@ -82,19 +82,11 @@ class PanelFactors:
 def march(directions: Directions, row: Array, column: Array) -> tuple[Array, Array]:
     """Lengths of all inner creases, from those of the middle row and of column 1.
 
-    Parameters
-    ----------
-    directions
-        Directions of the creases.
-    row
-        Lengths (n-1,) of the middle row's inner creases.
-    column
-        Lengths (m-1,) of column 1's inner creases.
+    directions: Directions of the creases.
+    row: Lengths (n-1,) of the middle row's inner creases.
+    column: Lengths (m-1,) of column 1's inner creases.
 
-    Returns
-    -------
-    rows, columns
-        Lengths (m, n-1) and (m-1, n); not positive where no such sheet exists.
+    Returns rows, columns: Lengths (m, n-1) and (m-1, n); not positive where no such sheet exists.
     """
     factors = PanelFactors.of(directions)
     m, n = directions.row.shape[0], directions.column.shape[1]
@@ -130,14 +122,9 @@ def end_limits(directions: Directions, rows: Array, bottom: bool) -> Array:
     beside it; both conditions have one of the two lengths in them. Infinite where column creases
     diverge.
 
-    Parameters
-    ----------
-    directions
-        Directions of the creases.
-    rows
-        Lengths (m, n-1) of the inner row creases.
-    bottom
-        Whether the end is the bottom.
+    directions: Directions of the creases.
+    rows: Lengths (m, n-1) of the inner row creases.
+    bottom: Whether the end is the bottom.
     """
     last = -1 if bottom else 0
     row, column = directions.row[last, 1:-1], directions.column[last]
@@ -158,17 +145,11 @@ def with_border(
 ) -> EdgeLengths:
     """Lengths of all creases, the border's included.
 
-    Parameters
-    ----------
-    directions
-        Directions of the creases.
-    rows, columns
-        Lengths of the inner creases (m, n-1) and (m-1, n).
-    ends
-        Lengths of column 1's first and last crease; those of other columns are to it as their
+    directions: Directions of the creases.
+    rows, columns: Lengths of the inner creases (m, n-1) and (m-1, n).
+    ends: Lengths of column 1's first and last crease; those of other columns are to it as their
         nearest inner creases, or shorter, so that the panels stay convex.
-    flap
-        Length of the row creases at the left and the right border.
+    flap: Length of the row creases at the left and the right border.
     """
     border = []
     for bottom, end in ((False, ends[0]), (True, ends[1])):

@@ -21,17 +21,11 @@ from orishell.numerics.arrays import Array, Integers
 class Wanted:
     """What the lengths must satisfy, up to a common scale.
 
-    Parameters
-    ----------
-    row
-        Ratios of the middle row's lengths (n-1,), or None.
-    column
-        Ratios of column 1's inner lengths (m-1,), or None.
-    ends
-        Column 1's first and last length in the unit of ``column``, which must be given; or None.
+    row: Ratios of the middle row's lengths (n-1,), or None.
+    column: Ratios of column 1's inner lengths (m-1,), or None.
+    ends: Column 1's first and last length in the unit of ``column``, which must be given; or None.
         The sheet must have room for them: their panels must be convex.
-    advance
-        Weights (n-1,) of the middle row's lengths, and their weighted sum in the unit of
+    advance: Weights (n-1,) of the middle row's lengths, and their weighted sum in the unit of
         ``column``, which must be given; or None.
     """
 
@@ -46,12 +40,8 @@ class LengthsProgram:
 
     The scales are those of the wanted row and column.
 
-    Parameters
-    ----------
-    directions
-        Directions of the creases.
-    wanted
-        What the lengths must satisfy.
+    directions: Directions of the creases.
+    wanted: What the lengths must satisfy.
     """
 
     def __init__(self, directions: Directions, wanted: Wanted) -> None:
@@ -118,12 +108,8 @@ class LengthsProgram:
     def advance_limits(self, weights: Array, low: float, high: float) -> tuple[float, float] | None:
         """Least and greatest weighted sum of the middle row, with column 1 as long as wanted.
 
-        Parameters
-        ----------
-        weights
-            Weights (n-1,).
-        low, high
-            Bounds of all lengths.
+        weights: Weights (n-1,).
+        low, high: Bounds of all lengths.
         """
         from scipy import sparse
 
