@@ -18,6 +18,7 @@ def example() -> dict[str, Any]:
     return runpy.run_path(str(EXAMPLE))
 
 
+@thorough
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "order", "tolerances"),

@@ -32,7 +32,7 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
-from samples import examples
+from samples import examples, thorough
 from strategies import (
     Request,
     graph,
@@ -347,6 +347,7 @@ def test_figure_1_is_known_to_a_thousandth_of_its_diagonal() -> None:
         assert abs(getattr(deviation, name) - getattr(finer, name)) < 1e-4 * diagonal
 
 
+@thorough
 def test_a_small_sheet_over_wild_curves_takes_little_memory() -> None:
     # 2,200 bends of f and g: meshes of a million cells and 390,000 samples took 600 MB.
     design = design_parallel_repeating(

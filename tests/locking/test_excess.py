@@ -16,6 +16,7 @@ from orishell.design_file.tables import with_values
 from orishell.locking import Lock, require_pack
 from orishell.motion import largest_fold
 from orishell.shell.designed import designed, ended
+from samples import thorough
 
 LONG, ORTHO = "longitudinal-linear-repeating", "orthodiagonal"
 FIGURE_1 = tables(
@@ -128,6 +129,7 @@ def check(ladder: Ladder, make: Callable[[DesignFile], object], steps: int, near
     assert 0 <= excess(bad) < nearly
 
 
+@thorough
 @pytest.mark.parametrize("ladder", LADDERS.values(), ids=LADDERS)
 def test_more_the_farther_from_the_limit(ladder: Ladder) -> None:
     check(ladder, designed, 16, 2e-3)

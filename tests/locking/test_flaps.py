@@ -15,6 +15,7 @@ from orishell.design_file import DesignFile, check_design
 from orishell.locking import find_lock, reaches_target
 from orishell.shell.designed import designed, ended
 from orishell.shell.make import make_shell
+from samples import thorough
 
 
 def asked_for(f: Tables, g: Tables, flap: Any, **keys: Any) -> DesignFile:
@@ -91,6 +92,7 @@ def test_flaps_of_no_given_width_are_narrowed_until_they_meet_nothing() -> None:
     assert not works(asked.changed({"pattern.flap": 1.01 * width}))
 
 
+@thorough
 @pytest.mark.parametrize(
     ("g", "key"),
     [

@@ -9,7 +9,7 @@ import pytest
 
 from design_tables import Tables, formula, made, mended, refused, tables
 from orishell.conventions.errors import DesignError
-from samples import THOROUGH
+from samples import THOROUGH, thorough
 
 UNIT_ARC = formula(["cos(t)", "sin(t)"], 0.3, 2.8416)
 PARABOLA = formula("-x**2", -1, 1)
@@ -127,6 +127,7 @@ SHARES = 6
 REFUSALS = 50 if THOROUGH else 2
 
 
+@thorough
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(SHARES))
 def test_every_offer_of_random_refusals_works(seed: int) -> None:

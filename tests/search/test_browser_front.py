@@ -13,7 +13,7 @@ from orishell.search import Found, Problem, alone, journal_in_memory, search_des
 from orishell.search import page as pages
 from orishell.search.page import write_page
 from page_checks import MISPLACED, serious_findings
-from samples import led_by
+from samples import led_by, thorough
 from search.problems import small_problem
 from studio_pages import SIZES
 from viewer_pages import (
@@ -134,6 +134,7 @@ def test_points_are_chosen_by_pointer_and_by_keys(
         assert " %, " in page.locator(".steps").inner_text()
 
 
+@thorough
 def test_a_shell_is_folded_and_stays_so_when_another_is_chosen(
     browser: Browser, pair: tuple[Path, Found]
 ) -> None:
@@ -157,6 +158,7 @@ def test_a_shell_is_folded_and_stays_so_when_another_is_chosen(
         assert folds(page) == [1.0]
 
 
+@thorough
 def test_two_are_compared_at_one_scale_with_one_slider(
     browser: Browser, pair: tuple[Path, Found]
 ) -> None:
@@ -232,6 +234,7 @@ def test_the_page_at_every_size(browser: Browser, three: tuple[Path, Found], siz
             page.get_by_role("button", name="Light or dark").click()
 
 
+@thorough
 def test_axes_are_chosen_among_three_objectives(
     browser: Browser, three: tuple[Path, Found]
 ) -> None:

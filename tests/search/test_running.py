@@ -110,6 +110,7 @@ def test_a_search_killed_again_and_again_ends_with_the_same_bytes(
     assert written(out) == whole
 
 
+@thorough
 def test_a_line_that_was_broken_off_is_made_again(
     file: Path, whole: dict[str, bytes], tmp_path: Path
 ) -> None:
@@ -123,6 +124,7 @@ def test_a_line_that_was_broken_off_is_made_again(
     assert lines(out) == journal.count(b"\n") > kept
 
 
+@thorough
 def test_ctrl_c_writes_what_there_is(file: Path, whole: dict[str, bytes], tmp_path: Path) -> None:
     out = tmp_path / "out"
     running = searching(file, out, "--processes", "1")

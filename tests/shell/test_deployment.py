@@ -144,6 +144,7 @@ def test_a_straight_shell_packs_flat(tmp_path: Path) -> None:
     assert max(said["residuals"].values()) < 1e-12
 
 
+@thorough
 def test_the_third_family_goes_on_to_where_it_meets_itself(tmp_path: Path) -> None:
     text = (EXAMPLES / "figure3.toml").read_text(encoding="utf-8")
     done = design(tmp_path, deployed(text, FROM_PACK))

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from command_line import Ran, orishell
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SHELTER = re.sub(
@@ -137,6 +138,7 @@ def test_contact_not_looked_for_or_allowed(tmp_path: Path) -> None:
     assert frames[0] == frames[1]
 
 
+@thorough
 def test_rows_and_columns_are_chosen_for_a_pack_too(tmp_path: Path) -> None:
     """The same table without a pack chooses as many: the surface is that of the target."""
     text = SHELTER.replace("rows = 11\n", "").replace("columns = 13 ", "# ")

@@ -183,6 +183,7 @@ def test_a_motion_that_is_cut_short_keeps_its_panels_and_hinges(tmp_path: Path) 
     assert lock.built is not None
 
 
+@thorough
 @pytest.mark.parametrize("thickness", [1e-9, 1e-13])
 def test_boards_thinner_than_what_counts_as_contact(tmp_path: Path, thickness: float) -> None:
     # Panels touch within 1.3e-8 here: corners are cut off so that boards keep more than that.

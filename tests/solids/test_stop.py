@@ -17,7 +17,7 @@ from orishell.motion import Mechanism
 from orishell.motion.quads import lengths
 from orishell.shell.make import Shell, make_shell
 from orishell.solids import find_stop, find_thickness_limit
-from samples import examples
+from samples import examples, thorough
 from strategies import Request, orthodiagonal_requests, requests
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -177,6 +177,7 @@ def offered(error: DesignError) -> dict[str, Any]:
     return {key: value for each in error.remedies for key, value in each.changes.items()}
 
 
+@thorough
 def test_a_stop_that_is_too_early_for_the_boards_is_refused() -> None:
     """Set-backs would be 0.005/tan(0.05 degrees) = 5.7: the crease of the flap is named."""
     error = refusal(2, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=0.05))

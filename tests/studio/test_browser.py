@@ -164,6 +164,7 @@ def test_panels_that_meet_too_early_are_shown_with_what_helps(page: Page) -> Non
     assert page.get_by_test_id("refusal").is_hidden()
 
 
+@thorough
 def test_a_shell_that_is_opened_from_its_pack(page: Page) -> None:
     choose(page, "parallel-repeating")
     assert page.get_by_test_id("pack").count() == 0
@@ -240,6 +241,7 @@ def test_panels_with_a_thickness(page: Page) -> None:
     assert switch.is_hidden()
 
 
+@thorough
 def test_boards_are_drawn_as_they_are_cut(page: Page) -> None:
     """The proof finds corners of boards that would meet, and its view is drawn, not the first."""
     choose(page, "orthodiagonal")
@@ -254,6 +256,7 @@ def test_boards_are_drawn_as_they_are_cut(page: Page) -> None:
     assert page.evaluate(f"{solids}.attributes.point.count") > whole > 0
 
 
+@thorough
 def test_clipped_flaps_are_drawn_at_the_target(page: Page) -> None:
     choose(page, "parallel-repeating")
     page.locator("label:has([data-testid=deployment-flap_attachment-clipped])").click()
@@ -289,6 +292,7 @@ def test_panels_that_are_too_thick_are_refused_with_what_works(page: Page) -> No
     assert page.locator("label:has([data-testid=thickness])").is_visible()
 
 
+@thorough
 def test_ends_of_a_range_are_numbers_or_formulas_of_constants(page: Page) -> None:
     choose(page, "orthodiagonal")
     for typed, kept in (("5*pi/4", "5*pi/4"), ("3.5", 3.5)):
@@ -304,6 +308,7 @@ def test_ends_of_a_range_are_numbers_or_formulas_of_constants(page: Page) -> Non
     assert page.get_by_test_id("range-g-high").input_value() == "5*pi/4"
 
 
+@thorough
 def test_picture_of_the_studio(browser: Browser, address: str) -> None:
     with opened(browser, address, color_scheme="light") as page:
         choose(page, "orthodiagonal")

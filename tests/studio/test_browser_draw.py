@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from ezdxf.filemanagement import new
 
+from samples import thorough
 from studio_pages import SIZES, choose, drawn, opened
 from viewer_pages import await_frames, keep_picture, require_apart, wait_until
 
@@ -125,6 +126,7 @@ def test_a_curve_drawn_with_keys(page: Page) -> None:
     drawn(page)
 
 
+@thorough
 def test_points_are_caught_by_mirror_images_axes_and_the_grid(page: Page) -> None:
     choose(page, "orthodiagonal")
     table = {"points": [[-2, 0], [-1, 1.3], [0.9, 1.2], [2, 0]], "smooth": True}
@@ -204,6 +206,7 @@ def test_a_dropped_half_circle_stays_an_arc(page: Page, tmp_path: Path) -> None:
     assert page.locator("[data-curve=f] .plot-person").count() == 1
 
 
+@thorough
 def test_a_spline_as_a_path_keeps_its_shape_and_has_tangents(page: Page) -> None:
     choose(page, "orthodiagonal")
     page.locator("label:has([data-testid=mode-f-spline])").click()
@@ -234,6 +237,7 @@ def test_ends_of_a_range_are_not_cut(page: Page) -> None:
         assert box.evaluate("box => box.scrollWidth <= box.clientWidth")
 
 
+@thorough
 def test_tools_of_the_curves_have_room(page: Page) -> None:
     choose(page, "orthodiagonal")
     page.locator("label:has([data-testid=mode-f-path])").click()
@@ -248,6 +252,7 @@ def test_tools_of_the_curves_have_room(page: Page) -> None:
     page.set_viewport_size({"width": 1280, "height": 720})
 
 
+@thorough
 def test_curves_are_drawn_with_a_finger(browser: Browser, address: str) -> None:
     with opened(browser, address, **SIZES["phone"], color_scheme="dark") as page:
         page.get_by_test_id("new").tap()

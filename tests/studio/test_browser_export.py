@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from node_tools import PACKAGES, lacking
-from samples import led_by
+from samples import led_by, thorough
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, keep_picture, wait_until
 
@@ -38,6 +38,7 @@ def await_sheets(page: Page, state: str = "shown") -> None:
     await_frames(page)
 
 
+@thorough
 def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page) -> None:
     choose(page, "longitudinal-linear-repeating")
     settle(page)
@@ -150,6 +151,7 @@ def test_the_workshop_is_set_and_seen_beside_the_files(page: Page, tmp_path: Pat
     assert "workshop" not in design(page)
 
 
+@thorough
 @pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_the_window_lies_within_the_page(browser: Browser, address: str, size: str) -> None:
     axe = PACKAGES / "axe-core" / "axe.min.js"

@@ -114,6 +114,7 @@ def test_panels_and_creases_are_inspected(page: Page) -> None:
     assert page.get_by_test_id("inspect-close").count() == 0
 
 
+@thorough
 def test_distances_follow_the_motion(page: Page) -> None:
     choose(page, "orthodiagonal")
     settle(page)
@@ -140,6 +141,7 @@ def test_distances_follow_the_motion(page: Page) -> None:
     assert page.get_by_test_id("measure").get_attribute("aria-pressed") == "false"
 
 
+@thorough
 def test_the_motion_rests_where_panels_touch(page: Page) -> None:
     choose(page, "parallel-repeating")
     leave(page)
@@ -178,6 +180,7 @@ def test_the_motion_rests_where_panels_touch(page: Page) -> None:
     assert page.evaluate("window.__orishell.fold") == 1
 
 
+@thorough
 def test_what_stands_around_a_shell(page: Page) -> None:
     bring(page, "shelter.toml")
     wait_until(page, "document.querySelector('[data-figure=headroom] .orishell-number') !== null")
@@ -231,6 +234,7 @@ def test_designs_are_compared(page: Page) -> None:
     assert (np.abs(on - pixels(page, "canvas")).max(axis=2) > 0.05).mean() > 1e-3
 
 
+@thorough
 @pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_cards_and_tools_lie_apart(browser: Browser, address: str, size: str) -> None:
     with opened(browser, address, **SIZES[size], color_scheme="dark", bypass_csp=True) as page:

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 from node_tools import lacking
 from orishell.design_file import starter_file
 from orishell.studio.app import PAGES
+from samples import thorough
 from studio_pages import IDLE, choose, drawn, opened, settle
 from studio_server import running_studio
 from viewer_pages import wait_until
@@ -64,6 +65,7 @@ def test_work_comes_back_after_a_reload_until_it_is_saved(
     assert tomllib.loads((tmp_path / "mine.toml").read_text())["pattern"]["columns"] == 17
 
 
+@thorough
 def test_undo_brings_a_design_back_with_its_name(page: Page) -> None:
     choose(page, "orthodiagonal")
     choose(page, "longitudinal-linear-repeating")
@@ -125,6 +127,7 @@ LINK = """async (named) => {
 """The fragment that holds a text, or so many zeros."""
 
 
+@thorough
 def test_links_neither_replace_nor_push_out_what_is_kept(browser: Browser, address: str) -> None:
     with opened(browser, address) as page:
         page.evaluate(KEEP_FULL)
@@ -159,6 +162,7 @@ def test_a_link_that_inflates_without_end_is_refused(browser: Browser, address: 
         assert page.evaluate(DESIGN) == design
 
 
+@thorough
 def test_the_page_outlives_its_server(browser: Browser, tmp_path: Path) -> None:
     if not (PAGES / "index.html").is_file():
         lacking("the studio's pages have not been built: make pages")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from node_tools import PACKAGES, lacking
-from samples import led_by
+from samples import led_by, thorough
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, keep_picture, wait_until
 
@@ -116,6 +116,7 @@ def test_a_search_is_stopped_and_keeps_what_there_is(page: Page) -> None:
     assert page.evaluate("window.__orishell.report.rows") == design(page)["pattern"]["rows"]
 
 
+@thorough
 def test_what_may_change_is_added_turned_and_removed(page: Page) -> None:
     choose(page, "orthodiagonal")
     settle(page)
@@ -158,6 +159,7 @@ def test_what_may_change_is_added_turned_and_removed(page: Page) -> None:
     assert page.evaluate(POINTS) == 1  # one figure: one design is the best
 
 
+@thorough
 def test_axes_are_chosen_among_three_figures(page: Page) -> None:
     choose(page, "parallel-repeating")
     settle(page)
@@ -174,6 +176,7 @@ def test_axes_are_chosen_among_three_figures(page: Page) -> None:
     assert "Cut length (m)" in page.get_by_test_id("search-facts").inner_text()
 
 
+@thorough
 @pytest.mark.parametrize("size", led_by(SIZES, 2))
 def test_the_section_lies_within_the_page(browser: Browser, address: str, size: str) -> None:
     axe = PACKAGES / "axe-core" / "axe.min.js"

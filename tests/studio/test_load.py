@@ -57,6 +57,7 @@ async def drag(studio: Studio, number: int, end: float) -> int:
     return answers
 
 
+@thorough
 @pytest.mark.slow
 @pytest.mark.parametrize(("clients", "seconds"), [(4, 5.0), pytest.param(20, 15.0, marks=thorough)])
 def test_clients_drag(

@@ -26,7 +26,7 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.locking import Lock, find_lock
 from orishell.motion import Mechanism
-from samples import THOROUGH, examples
+from samples import THOROUGH, examples, thorough
 from strategies import (
     Request,
     graph,
@@ -85,6 +85,7 @@ def test_parallel_repeating_designs() -> None:
     assert seen["clash"] > 0 or not THOROUGH  # one in some dozens
 
 
+@thorough
 @pytest.mark.slow
 def test_orthodiagonal_designs() -> None:
     seen: Counter[str | None] = Counter()

@@ -19,6 +19,7 @@ from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.locking import lock_without_clash
 from orishell.motion import FoldingMotion
 from orishell.verification.residuals import measure_residuals
+from samples import thorough
 from strategies import graph, pair
 
 ARC = pair("cos(t)", "sin(t)", 0.3, 2.8416)
@@ -292,6 +293,7 @@ def test_unusable_input() -> None:
         design(row_lengths=[1.0, -1.0] * 4)
 
 
+@thorough
 @pytest.mark.slow
 def test_99_x_99_near_90_degrees() -> None:
     made = design(

@@ -283,6 +283,7 @@ def test_scale_equivariance() -> None:
     )
 
 
+@thorough
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rows", "columns", "g"),

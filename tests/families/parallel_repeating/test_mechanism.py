@@ -263,6 +263,7 @@ def test_scale_equivariance() -> None:
     )
 
 
+@thorough
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("rows", "columns", "g"),

@@ -29,6 +29,7 @@ from orishell.io.format import DEFAULT_SETTINGS
 from orishell.io.formats import html
 from orishell.io.formats.html import write_html
 from orishell.io.view import dump_view
+from samples import thorough
 from viewer_pages import (
     await_frames,
     pixels,
@@ -165,6 +166,7 @@ def test_slider_keys_and_play_move_the_picture(browser: Browser, tmp_path: Path)
         assert page.evaluate("orishell.shell.fold") == stopped
 
 
+@thorough
 def test_a_shell_is_opened_from_its_pack(browser: Browser, tmp_path: Path) -> None:
     document = pack_document()
     write_html(tmp_path / "viewer.html", document, DEFAULT_SETTINGS)
@@ -292,6 +294,7 @@ def parts_of(view: bytes) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     return header, arrays
 
 
+@thorough
 @pytest.mark.parametrize(
     "build",
     [

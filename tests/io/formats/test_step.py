@@ -16,6 +16,7 @@ from orishell.document import Document
 from orishell.io.format import Settings
 from orishell.io.formats import step
 from orishell.io.formats.step import write_step
+from samples import thorough
 
 CUBIC_MILLIMETRES = 1e9  # in a cubic metre, the unit of these documents
 
@@ -36,6 +37,7 @@ def all_boards(document: Document, *, clipped: bool = True) -> list[tuple[str, f
     ]
 
 
+@thorough
 @pytest.mark.parametrize("construction", ["sandwich", "bevel"])
 def test_build123d_reads_every_board(construction: Construction, tmp_path: Path) -> None:
     require_build123d()
