@@ -20,7 +20,6 @@ from orishell.conventions.colours import (
     LIGHT,
     linear_rgb,
     rgb,
-    style_sheet,
 )
 from orishell.io import Settings
 from orishell.io.all_formats import find_formats
@@ -34,6 +33,22 @@ def written(name: str, directory: Path) -> Path:
     (format_,) = find_formats([name])
     format_.write(directory / format_.file, demo_document(), Settings())
     return directory / format_.file
+
+
+def style_sheet() -> str:
+    """The text of ``frontend/src/shared/meanings.css``: the colours for pages."""
+    themes = (
+        (":root,\n:host", LIGHT),
+        (':root[data-theme="dark"],\n:host([data-theme="dark"])', DARK),
+    )
+    blocks = [
+        f"{where} {{\n" + "".join(f"  --{name}: {value};\n" for name, value in each.items())
+        for where, each in themes
+    ]
+    return (
+        "/* Made from src/orishell/conventions/colours.py by tests/conventions/test_colours.py; "
+        "do not edit. */\n" + "}\n".join(blocks) + "}\n"
+    )
 
 
 def test_numbers_of_a_colour() -> None:

@@ -1,9 +1,4 @@
-"""No edge swings faster than its bound says, anywhere on the path.
-
-A second difference over v - h, v, v + h is a mean of the second derivative between v - h and
-v + h. So it is compared with the bound of just that range, and only rounding is allowed for: with
-positions right to some eps times the sheet's size it is ROUNDING eps size / h^2.
-"""
+"""No edge swings faster than its bound says, anywhere on any path, and bounds are not far off."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from accelerations import RANGES, shares_of_bounds
 from orishell.design_file import read_design_file
 from orishell.families.longitudinal_linear_repeating import (
     LongitudinalLinearRepeating,
@@ -35,7 +31,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths i
 from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating
-from orishell.motion import Mechanism, diagonal
+from orishell.motion import Mechanism
 from samples import examples
 from strategies import (
     Request,
@@ -48,8 +44,6 @@ from strategies import (
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PAPER = (85.0, 80.0, 95.0, 100.0)
 STILL, TURNING = Pose(), Pose((1.0, 0.0, 0.0), (0.3, -1.0, 0.5))
-RANGES = 512
-ROUNDING = 100
 Array = np.ndarray
 
 
@@ -75,30 +69,6 @@ def sheet(
     return LongitudinalLinearRepeating(
         bordered.columns, bordered.first_row, bordered.lengths, bordered.side, None, pose
     )
-
-
-def shares_of_bounds(
-    mechanism: Mechanism, count: int = 24, ranges: int = RANGES, end: float | None = None
-) -> tuple[Array, Array]:
-    """True accelerations by their bounds (count,), row edges and column edges summed up.
-
-    Up to the target, or to another end of the path. Fails where one exceeds its bound.
-    """
-    end = mechanism.target_drive if end is None else end
-    h = 0.5 * end / ranges
-    drives = np.linspace(h, end - h, count)
-    bounds = mechanism.edge_accelerations(drives - h, drives + h)
-    before, now, after = (mechanism.positions(drives + step) for step in (-h, 0, h))
-    swing = (before - now) + (after - now)
-    size = diagonal(mechanism.positions(0.0)) + np.abs(now).max()
-    rounding = ROUNDING * np.finfo(float).eps * size / h**2
-    shares = []
-    for bound, axis in zip(bounds, (-2, -3), strict=True):
-        true = np.linalg.norm(np.diff(swing, axis=axis), axis=-1).max(axis=-3 - axis - 1) / h**2
-        assert true.shape == bound.shape
-        assert (true <= bound * (1 + 1e-9) + rounding).all()
-        shares.append(true.sum(axis=-1) / bound.sum(axis=-1))
-    return shares[0], shares[1]
 
 
 def test_cut_flaps_stay_within_the_bounds() -> None:

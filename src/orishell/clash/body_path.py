@@ -19,7 +19,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from orishell.clash.acceleration_bounds import EdgeBounds, NormalBounds
+from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.broad_phase import Pairs, joined
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
@@ -30,7 +30,6 @@ from orishell.clash.ranges import (
     Outcome,
     PathContact,
     PathResult,
-    States,
     search_ranges,
 )
 from orishell.clash.separation import views_along
@@ -42,6 +41,10 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
 """Share of the progress, as of the time, that opposite boards take."""
+TINY = 1e-300
+EARLY, SOONEST = 1.5, 2.0**-6
+"""A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
+this share of the step at least."""
 
 
 def find_first_body_contact(
@@ -58,7 +61,7 @@ def find_first_body_contact(
     Opposite boards are known to be apart about inner vertices (rows-2, columns-2) that are settled.
     """
     search = _BodySearch(mechanism, end, tolerance, bodies)
-    opposite = search.opposite(settled)
+    opposite = OppositeBoards(search, settled)
     found, clear = search_ranges(
         opposite.examine, opposite.everything, stretch(progress, 0.0, OPPOSITE)
     )
@@ -87,14 +90,6 @@ class _BodySearch(PathSearch):
         self.grid, self.bodies = mechanism.grid, bodies
         self.normals = NormalBounds(grid_corners(mechanism.positions(0.0)))
 
-    def opposite(self, settled: Booleans) -> OppositeBoards:
-        """What is left out here: boards of panels that are opposite each other at a vertex."""
-        bounds = self.bounds, self.normals
-        tolerance = self.tolerance + self.rounding
-        return OppositeBoards(
-            self.grid, self.bodies, self.states, bounds, tolerance=tolerance, settled=settled
-        )
-
     def _swung(self, part: PathRange) -> float:
         return 2 * float(self._swings(part).max())
 
@@ -105,24 +100,17 @@ class _BodySearch(PathSearch):
             between = part.bounds.between_panels(first, second)
             return np.asarray(part.step**2 / 8 * (between + swings[first] + swings[second]))
 
-        ends, tolerance = (part.start, part.stop), self.tolerance + self.rounding
-        slabs = self.states.slabs(part.start), self.states.slabs(part.stop)
-        near = near_slabs(slabs, near, tolerance + chord_error(*near))
+        tolerance = self.tolerance + self.rounding
+        start, stop = (self.states.at(tick) for tick in (part.start, part.stop))
+        near = near_slabs((start.slabs, stop.slabs), near, tolerance + chord_error(*near))
         pairs = joined([part.open, self.bodies.pairs_of(near)[0]])
         self.tests += len(pairs[0])
-        states = [self.states.bodies_of(self.bodies, tick) for tick in ends]
         panels = (self.bodies.panels[pairs[0]], self.bodies.panels[pairs[1]])
-        return examine_bodies((states[0], states[1]), pairs, tolerance, chord_error(*panels))
+        return examine_bodies((start.bodies, stop.bodies), pairs, tolerance, chord_error(*panels))
 
     def _swings(self, part: PathRange) -> Array:
         """Bounds (F,) of the accelerations of corners of boards over their panels."""
         return self.bodies.height * self.normals.within(*part.bounds.steps)
-
-
-TINY = 1e-300
-EARLY, SOONEST = 1.5, 2.0**-6
-"""A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
-this share of the step at least."""
 
 
 class OppositeBoards:
@@ -131,22 +119,14 @@ class OppositeBoards:
     Inner vertices (rows-2, columns-2) about which they are known to be apart are settled.
     """
 
-    def __init__(
-        self,
-        grid: Grid,
-        bodies: Bodies,
-        states: States,
-        bounds: tuple[EdgeBounds, NormalBounds],
-        *,
-        tolerance: float,
-        settled: Booleans,
-    ) -> None:
-        self.bodies, self.states, self.tolerance = bodies, states, tolerance
-        self.edges, self.normals = bounds
-        panels, vertex = opposite_panels(grid, settled)
-        self.pairs, which = bodies.pairs_of(panels)
-        self.columns = grid.columns - 1
-        self.parts = [bodies.components(numbers, vertex[which]) for numbers in self.pairs]
+    def __init__(self, search: _BodySearch, settled: Booleans) -> None:
+        self.bodies, self.states = search.bodies, search.states
+        self.tolerance = search.tolerance + search.rounding
+        self.edges, self.normals = search.bounds, search.normals
+        panels, vertex = opposite_panels(search.grid, settled)
+        self.pairs, which = self.bodies.pairs_of(panels)
+        self.columns = search.grid.columns - 1
+        self.parts = [self.bodies.components(numbers, vertex[which]) for numbers in self.pairs]
         self.kept_by = np.zeros(len(which), np.int64)
         self.sleep = np.full(len(which), np.inf)
         self.tests = self.ranges = 0
@@ -163,7 +143,7 @@ class OppositeBoards:
         step = self.states.drive(stop) - self.states.drive(start)
         bounds = self.edges.within(start / TICKS, stop / TICKS)
         swing = self.normals.within(*bounds.steps)
-        ends = [self.states.bodies_of(self.bodies, tick) for tick in (start, stop)]
+        ends = [self.states.at(tick).bodies for tick in (start, stop)]
 
         def errors(which: Integers) -> list[Array]:
             found = []

@@ -129,7 +129,7 @@ class PathSearch:
         self.states = States(mechanism, end, self.tree, bodies)
         self.ranges = self.tests = 0
         self.steps = (np.inf, 0.0)
-        self.rounding = ROUNDING * float(np.abs(self.states.points(0)).max())
+        self.rounding = ROUNDING * float(np.abs(self.states.at(0).points).max())
 
     def run(self, progress: Progress) -> PathResult:
         """Work through the ranges in the order of the drive."""
@@ -172,12 +172,13 @@ class PathSearch:
             tolerance[self.lenient(pairs)] *= LENIENCE
         tolerance += self.rounding
         chord_error = part.step**2 / 8 * part.bounds.between_panels(*pairs)
-        points = (self.states.points(part.start), self.states.points(part.stop))
+        points = (self.states.at(part.start).points, self.states.at(part.stop).points)
         return examine_pairs(points, self.tree.faces, pairs, tolerance, chord_error)
 
     def _broad_phase(self, part: PathRange) -> tuple[list[Pairs], Pairs]:
         """Pairs of nodes that wait for half the range, by level, and pairs of panels to look at."""
         bounds, swung = part.bounds, self._swung(part)
+        start, stop = (self.states.at(tick) for tick in (part.start, part.stop))
         waiting: list[Pairs] = []
         children: Pairs = joined([])
         for level in range(self.tree.depth + 1):
@@ -187,9 +188,7 @@ class PathSearch:
             if not len(pairs[0]):
                 continue
             self.tests += len(pairs[0])
-            gap = gaps(
-                (self.states.extents(part.start), self.states.extents(part.stop)), level, pairs
-            )
+            gap = gaps((start.extents, stop.extents), level, pairs)
             room = gap - self.tolerance - self.rounding
             chord_error = part.step**2 / 8 * (bounds.between_nodes(level, *pairs) + swung)
             near = room <= chord_error

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic, TypeVar
 
 from orishell.clash.bodies import Bodies, BodyState
@@ -140,12 +141,32 @@ def search_ranges(
 KEPT = 16
 
 
-@dataclass(slots=True, eq=False)
-class _State:
+@record
+class State:
+    """One state of a path: vertices (V, 3), and what encloses panels and bodies there."""
+
     points: Array
-    extents: Extents | None = None
-    slabs: Slabs | None = None
-    bodies: BodyState | None = None
+    tree: PanelTree
+    carriers: Bodies | None
+
+    @cached_property
+    def slabs(self) -> Slabs:
+        """Panels as thick as their bodies."""
+        height = 0.0 if self.carriers is None else self.carriers.height
+        return Slabs.of(self.points, self.tree.faces, height)
+
+    @cached_property
+    def extents(self) -> Extents:
+        """What the nodes of the tree span, with the height of bodies."""
+        bodies = self.carriers
+        over = None if bodies is None else bodies.height * self.slabs.normals.T
+        return self.tree.extents(self.points, over)
+
+    @cached_property
+    def bodies(self) -> BodyState:
+        """The bodies as they are carried along."""
+        assert self.carriers is not None
+        return self.carriers.carried(self.points)
 
 
 class States:
@@ -155,47 +176,20 @@ class States:
         self, mechanism: Mechanism, end: float, tree: PanelTree, bodies: Bodies | None
     ) -> None:
         self.mechanism, self.end, self.tree, self.bodies = mechanism, end, tree, bodies
-        self.kept: OrderedDict[int, _State] = OrderedDict()
+        self.kept: OrderedDict[int, State] = OrderedDict()
         self.made = 0
 
     def drive(self, tick: int) -> float:
         """The drive at a tick (radians)."""
         return self.end * (tick / TICKS)
 
-    def points(self, tick: int) -> Array:
-        """Vertices (V, 3) of a state."""
-        return self._at(tick).points
-
-    def extents(self, tick: int) -> Extents:
-        """What the nodes of the tree span in a state, with the height of bodies."""
-        state = self._at(tick)
-        if state.extents is None:
-            over = None
-            if self.bodies is not None:
-                over = self.bodies.height * self.slabs(tick).normals.T
-            state.extents = self.tree.extents(state.points, over)
-        return state.extents
-
-    def slabs(self, tick: int) -> Slabs:
-        """Panels as thick as their bodies in a state."""
-        state = self._at(tick)
-        if state.slabs is None:
-            height = 0.0 if self.bodies is None else self.bodies.height
-            state.slabs = Slabs.of(state.points, self.tree.faces, height)
-        return state.slabs
-
-    def bodies_of(self, bodies: Bodies, tick: int) -> BodyState:
-        """The bodies in a state."""
-        state = self._at(tick)
-        if state.bodies is None:
-            state.bodies = bodies.carried(state.points)
-        return state.bodies
-
-    def _at(self, tick: int) -> _State:
+    def at(self, tick: int) -> State:
+        """The state at a tick."""
         state = self.kept.get(tick)
         if state is None:
             self.made += 1
-            state = _State(self.mechanism.positions(self.drive(tick)).reshape(-1, 3))
+            points = self.mechanism.positions(self.drive(tick)).reshape(-1, 3)
+            state = State(points, self.tree, self.bodies)
             self.kept[tick] = state
             if len(self.kept) > KEPT:
                 self.kept.popitem(last=False)

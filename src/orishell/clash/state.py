@@ -42,10 +42,10 @@ def near_panels(
 
 
 def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Integers:
-    """Return all pairs of panels that touch, cross or overlap.
+    """Return all pairs (P, 2) of panels that touch, cross or overlap, in ascending order.
 
-    Panels that share a crease count when it is folded flat, panels that share one vertex when
-    they cross there.
+    The smaller number is the first. Panels that share a crease count when it is folded flat, panels
+    that share one vertex when they cross there.
 
     Parameters
     ----------
@@ -55,11 +55,6 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
         Corners (F, 4) of planar, convex panels, in order around each.
     tolerance
         Distance at which panels count as touching (length).
-
-    Returns
-    -------
-    Integers
-        Numbers (P, 2) of the panels, the smaller one first, in ascending order.
     """
     first, second = near_panels(positions, faces, tolerance)
     found = []
@@ -77,7 +72,10 @@ def find_contacts(positions: Array, faces: Integers, tolerance: float) -> Intege
 
 
 def overlap_depths(positions: Array, faces: Integers, pairs: Integers) -> Array:
-    """How far panels reach into each other, for pairs (P, 2) of them (length).
+    """How far (P,) panels reach into each other, for pairs (P, 2) of them (length).
+
+    By so much one of the two would have to be moved, at least, for them only to touch: 0 where they
+    touch or lie on each other.
 
     Parameters
     ----------
@@ -85,12 +83,6 @@ def overlap_depths(positions: Array, faces: Integers, pairs: Integers) -> Array:
         Vertices (V, 3), and corners (F, 4) of planar, convex panels, in order around each.
     pairs
         Numbers (P, 2) of panels.
-
-    Returns
-    -------
-    Array
-        By how much (P,) one of the two would have to be moved, at least, for them only to touch:
-        0 where they touch or lie on each other.
     """
 
     def of(first: Integers, second: Integers) -> Array:
@@ -132,8 +124,7 @@ def _folded_flat(
     # Parts of the far corners square to the crease point the same way.
     sides = [far.sum(axis=1) for far in (far_a, far_b)]
     across = [side - along * dots(side, along)[:, None] for side in sides]
-    result: Booleans = (height <= tolerance) & (dots(across[0], across[1]) > 0)
-    return result
+    return np.asarray((height <= tolerance) & (dots(across[0], across[1]) > 0))
 
 
 def _crossing(
@@ -168,17 +159,16 @@ def _crossing(
 
 def _straddle(heights: list[Array], tolerance: float) -> Booleans:
     low, high = np.minimum(*heights), np.maximum(*heights)
-    result: Booleans = (low < -tolerance) & (high > tolerance)
-    return result
+    return np.asarray((low < -tolerance) & (high > tolerance))
 
 
 def _between(arms: tuple[Array, Array], normal: Array, vector: Array) -> Booleans:
     """Whether a vector near the plane of two arms lies in the sector between them."""
     small = 1e-12 * lengths(vector)
-    result: Booleans = (dots(np.cross(_unit(arms[0]), vector), normal) > small) & (
-        dots(np.cross(vector, _unit(arms[1])), normal) > small
+    return np.asarray(
+        (dots(np.cross(_unit(arms[0]), vector), normal) > small)
+        & (dots(np.cross(vector, _unit(arms[1])), normal) > small)
     )
-    return result
 
 
 def _unit(vectors: Array) -> Array:

@@ -1,3 +1,3 @@
-"""What the whole program shares: errors, units, colours, records, tables, texts of numbers."""
+"""What the whole program shares: units, colours, how numbers are written, how a run is stopped."""
 
 __all__: list[str] = []

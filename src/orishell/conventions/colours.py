@@ -96,19 +96,3 @@ def linear_rgb(meaning: str) -> tuple[float, float, float]:
         for each in rgb(meaning)
     )
     return red, green, blue
-
-
-def style_sheet() -> str:
-    """The text of ``frontend/src/shared/meanings.css``: the colours as a style sheet for pages."""
-    themes = (
-        (":root,\n:host", LIGHT),
-        (':root[data-theme="dark"],\n:host([data-theme="dark"])', DARK),
-    )
-    blocks = [
-        f"{where} {{\n" + "".join(f"  --{name}: {value};\n" for name, value in each.items())
-        for where, each in themes
-    ]
-    return (
-        "/* Made from src/orishell/conventions/colours.py by tests/conventions/test_colours.py; "
-        "do not edit. */\n" + "}\n".join(blocks) + "}\n"
-    )

@@ -164,18 +164,15 @@ def measure_distance(shell: Array, surface: Surface, *, samples: int = SAMPLES) 
 def find_excess(design: Design, limit: float, *, samples: int) -> float:
     """Return a distance that shows whether a shell is farther from its surface than a limit.
 
+    It is attained, either way, however coarse the surface's mesh is. If it exceeds the limit, so
+    does the largest one; if not, none was found that does.
+
     Parameters
     ----------
     limit
         The limit (length).
     samples
         Samples each way, about.
-
-    Returns
-    -------
-    float
-        A distance that is attained, either way, however coarse the surface's mesh is. If it exceeds
-        the limit, so does the largest one; if not, none was found that does.
     """
     ways = _both_ways(locked_shell(design), design.surface, samples, least=1)
     attained = [float(way.found.distances.max()) - way.sagitta for way in ways]

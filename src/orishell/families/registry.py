@@ -2,7 +2,7 @@
 
 A further family is a folder here, with a ``pattern`` whose ``design`` returns a
 :class:`~orishell.design.Design` and its :class:`~orishell.motion.Mechanism`, and a line in FOLDERS.
-``tests/families/test_toy_family.py`` is the smallest one.
+``tests/toy_family.py`` is the smallest one.
 """
 
 from __future__ import annotations

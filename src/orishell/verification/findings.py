@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -55,14 +55,24 @@ class Contacts:
     pairs: Integers
 
 
+class Place(NamedTuple):
+    """What a figure belongs to, in words and in the report's fields."""
+
+    words: str
+    facts: dict[str, Any]
+
+    def __str__(self) -> str:
+        return self.words
+
+
 class Worst:
     """The worst figure over all frames, measured against its limit, and where it is.
 
-    ``name`` and ``place`` say what a figure belongs to, by its number: in words, in the report.
+    Figures belong to what is named by a number.
     """
 
-    def __init__(self, name: Callable[[int], str], place: Callable[[int], dict[str, Any]]) -> None:
-        self._name, self._place = name, place
+    def __init__(self, name: Callable[[int], Place]) -> None:
+        self._name = name
         self._figure = self._limit = 0.0
         self._share = -math.inf
         self._frame = self._number = 0
@@ -90,66 +100,52 @@ class Worst:
             return []
         beyond = len(self._beyond)
         others = f"; {beyond} {kind} beyond their limits" if beyond > 1 else ""
+        place = self._name(self._number)
         facts = {
             "worst": self._figure,
             "limit": self._limit,
             "beyond": beyond,
             "frame": self._frame,
-            **self._place(self._number),
+            **place.facts,
         }
         text = (
             f"{says.format(f'{self._figure:.1e}')} (limit {self._limit:.1e}), "
-            f"{self._name(self._number)} in frame {self._frame}{others}"
+            f"{place} in frame {self._frame}{others}"
         )
         # Every figure is within its limit if none is beyond it.
         return [Check(test, not beyond, text, facts)]
 
 
 class Names:
-    """Panels, vertices and edges as a report names them."""
+    """Panels, vertices and edges by their numbers and, on a grid, by row and column."""
 
     def __init__(self, file: FoldFile) -> None:
         self._mesh = file.mesh
         self._shape = file.grid_shape
 
-    def panel(self, number: int) -> str:
-        """A panel by its number and, on a grid, by row and column."""
-        return f"panel {number}{self._bracket(self.panel_place(number))}"
+    def panel(self, number: int) -> Place:
+        """A panel, whose place is that of its first corner."""
+        return self._named("panel", number, int(self._mesh.faces[number].min()))
 
-    def vertex(self, number: int) -> str:
-        """A vertex by its number and, on a grid, by row and column."""
-        return f"vertex {number}{self._bracket(self.vertex_place(number))}"
+    def vertex(self, number: int) -> Place:
+        """A vertex."""
+        return self._named("vertex", number, number)
 
-    def edge(self, number: int) -> str:
+    def edge(self, number: int) -> Place:
         """An edge by its vertices."""
-        first, second = self._mesh.edges[number]
-        return f"edge {first}-{second}"
+        vertices = self._mesh.edges[number].tolist()
+        return Place(f"edge {vertices[0]}-{vertices[1]}", {"edge": number, "vertices": vertices})
 
-    def panel_place(self, number: int) -> dict[str, Any]:
-        """The report's fields for a panel."""
-        return {"panel": number, **self._grid(int(self._mesh.faces[number].min()))}
+    def pair(self, panels: Integers) -> Place:
+        """Two panels."""
+        places = [self.panel(number) for number in panels.tolist()]
+        words = " and ".join(place.words.removeprefix("panel ") for place in places)
+        grid = {"grid": [place.facts["grid"] for place in places]} if self._shape else {}
+        return Place(f"panels {words}", {"panels": panels.tolist(), **grid})
 
-    def vertex_place(self, number: int) -> dict[str, Any]:
-        """The report's fields for a vertex."""
-        return {"vertex": number, **self._grid(number)}
-
-    def edge_place(self, number: int) -> dict[str, Any]:
-        """The report's fields for an edge."""
-        return {"edge": number, "vertices": self._mesh.edges[number].tolist()}
-
-    def pair(self, panels: Integers) -> str:
-        """Two panels by their numbers and, on a grid, by row and column."""
-        first, second = (f"{n}{self._bracket(self.panel_place(n))}" for n in panels.tolist())
-        return f"panels {first} and {second}"
-
-    def pair_place(self, panels: Integers) -> dict[str, Any]:
-        """The report's fields for two panels."""
-        places = [self.panel_place(number) for number in panels.tolist()]
-        grid = {"grid": [place["grid"] for place in places]} if self._shape else {}
-        return {"panels": panels.tolist(), **grid}
-
-    def _grid(self, vertex: int) -> dict[str, Any]:
-        return {"grid": list(divmod(vertex, self._shape[1]))} if self._shape else {}
-
-    def _bracket(self, place: dict[str, Any]) -> str:
-        return f" {place['grid']}" if "grid" in place else ""
+    def _named(self, kind: str, number: int, vertex: int) -> Place:
+        words, facts = f"{kind} {number}", {kind: number}
+        if not self._shape:
+            return Place(words, facts)
+        grid = list(divmod(vertex, self._shape[1]))
+        return Place(f"{words} {grid}", {**facts, "grid": grid})

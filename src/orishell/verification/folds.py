@@ -23,7 +23,7 @@ class FoldAngleTest:
 
     def __init__(self, sheet: Sheet, names: Names, letters: NDArray[np.str_] | None) -> None:
         self._sheet, self._letters = sheet, letters
-        self._worst = Worst(names.edge, names.edge_place)
+        self._worst = Worst(names.edge)
         self._pattern = self._given(sheet.frame.fold_angles) if sheet.flat else None
         self._agreeing = 0
         self._best: tuple[int, Array] | None = None
@@ -126,7 +126,7 @@ class AssignmentTest:
                 )
                 if self._all_against():
                     text += "; all signs are opposite: the sheet is seen from the other side"
-                facts |= names.edge_place(edge)
+                facts |= names.edge(edge).facts
             found.append(Check("assignment", not self._misfits, text, facts))
         if folded:
             text = "no crease is a mountain in one frame and a valley in another"
@@ -137,7 +137,7 @@ class AssignmentTest:
                     f"{len(self._changes)} creases change between mountain and valley, first "
                     f"{names.edge(edge)} in frame {number}"
                 )
-                facts |= {"frame": number, **names.edge_place(edge)}
+                facts |= {"frame": number, **names.edge(edge).facts}
             found.append(Check("constant_sign", not self._changes, text, facts))
         return found
 
@@ -170,7 +170,7 @@ class AssignmentTest:
                 f"{len(wrong)} vertices break Maekawa's condition, first "
                 f"{self._names.vertex(int(wrong[0]))}"
             )
-            facts |= self._names.vertex_place(int(wrong[0]))
+            facts |= self._names.vertex(int(wrong[0])).facts
         return [Check("maekawa", not len(wrong), text, facts)], untested
 
     def _signs(self, angles: Array, *, ends: bool) -> Array:

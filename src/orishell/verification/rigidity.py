@@ -33,7 +33,7 @@ class ConvexTest:
                 "worst_deg": degrees,
                 "limit_deg": 180.0,
                 "frame": sheet.frame.number,
-                **names.panel_place(panel),
+                **names.panel(panel).facts,
             },
         )
 
@@ -42,7 +42,7 @@ class FlatTest:
     """Tests that no crease of the flat sheet is folded."""
 
     def __init__(self, sheet: Sheet, names: Names) -> None:
-        self._worst = Worst(names.edge, names.edge_place)
+        self._worst = Worst(names.edge)
         numbers = np.flatnonzero(sheet.mesh.crease)
         folds = np.abs(sheet.state(sheet.frame).folds)[numbers]
         self._worst.see(folds, sheet.edge_limits[numbers], sheet.frame.number, numbers)
@@ -56,7 +56,7 @@ class DevelopableTest:
     """Tests that the sector angles at every inner vertex add up to 360 degrees in every frame."""
 
     def __init__(self, sheet: Sheet, names: Names) -> None:
-        self._sheet, self._worst = sheet, Worst(names.vertex, names.vertex_place)
+        self._sheet, self._worst = sheet, Worst(names.vertex)
 
     def see(self, state: State) -> None:
         """Measure one frame."""
@@ -75,8 +75,8 @@ class RigidTest:
 
     def __init__(self, sheet: Sheet, names: Names) -> None:
         self._sheet = sheet
-        self._lengths = Worst(names.panel, names.panel_place)
-        self._planarity = Worst(names.panel, names.panel_place)
+        self._lengths = Worst(names.panel)
+        self._planarity = Worst(names.panel)
 
     def see(self, state: State) -> None:
         """Measure one frame."""
@@ -199,7 +199,7 @@ class ClashTest:
             {
                 "frame": contacts.frame,
                 "count": len(contacts.pairs),
-                "pairs": [self._names.pair_place(pair) for pair in contacts.pairs[:LISTED]],
+                "pairs": [self._names.pair(pair).facts for pair in contacts.pairs[:LISTED]],
             }
             for contacts in touching
         ]

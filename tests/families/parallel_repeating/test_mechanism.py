@@ -1,70 +1,26 @@
-"""Invariants of the closed form, on designs of every kind."""
+"""Parallel repeating alone; what every mechanism keeps is in ``tests/motion/test_contract.py``."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
 
+from mechanisms import parallel, parallel_of
 from orishell.curves import trace_curve
-from orishell.design import Design
-from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.motion import (
-    FoldedState,
-    FoldingMotion,
     diagonal,
     find_assignment,
     measure_fold_angles,
 )
 from orishell.polylines import fit_staircase
-from orishell.verification.residuals import measure_residuals
-from samples import examples, thorough
+from samples import examples
 from strategies import Request, graph, requests
-
-
-def mechanism_of(design: Design) -> ParallelRepeating:
-    assert isinstance(design.mechanism, ParallelRepeating)
-    return design.mechanism
-
-
-def demo(rows: int = 9, columns: int = 11, **options: object) -> ParallelRepeating:
-    f, g = graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20)
-    return mechanism_of(
-        design_parallel_repeating(
-            f, g, rows=rows, columns=columns, **{"xi": np.deg2rad(50), **options}
-        )
-    )
-
-
-@settings(max_examples=examples(150))
-@given(requests(), st.floats(0.01, 0.999))
-def test_any_design_is_rigid_and_folds_as_the_closed_form_says(
-    request: Request, share: float
-) -> None:
-    # Every request works, or works with the nearest value that the error names.
-    mechanism = mechanism_of(request.feasible())
-    drives = np.array([share * np.pi, mechanism.target_drive, np.pi])
-    states = [FoldedState.of(mechanism, float(drive)) for drive in drives]
-    residuals, assignment = measure_residuals(states, FoldedState.of(mechanism, 0.0))
-    assert residuals.panel_length < 1e-12
-    assert residuals.planarity < 1e-12
-    assert assignment.constant
-    assert assignment.maekawa
-    # Angles lose what the rounding of coordinates takes from the shortest panel.
-    flat = mechanism.positions(0.0)
-    shortest = min(
-        np.linalg.norm(np.diff(flat, axis=0), axis=-1).min(),
-        np.linalg.norm(np.diff(flat, axis=1), axis=-1).min(),
-    )
-    size = np.abs(np.stack([state.positions for state in states])).max() + diagonal(flat)
-    tolerance = 1e-12 + 50 * np.finfo(float).eps * size / shortest
-    assert residuals.fold_angle_rad < tolerance
-    assert residuals.sector_sum_rad < tolerance
 
 
 @settings(max_examples=examples(60))
 @given(requests())
 def test_locked_state_lies_on_the_polylines(request: Request) -> None:
-    mechanism = mechanism_of(request.feasible())
+    mechanism = parallel_of(request.feasible())
     locked = mechanism.positions(mechanism.target_drive)
     middle = (locked.shape[0] - 1) // 2
     row = locked[middle, mechanism.inner_columns]
@@ -93,7 +49,7 @@ def test_locked_state_lies_on_the_polylines(request: Request) -> None:
 @settings(max_examples=examples(60))
 @given(requests())
 def test_row_lengths_are_those_of_the_flat_sheet(request: Request) -> None:
-    mechanism = mechanism_of(request.feasible())
+    mechanism = parallel_of(request.feasible())
     flat = mechanism.positions(0.0)
     size = diagonal(flat)
     for row in (0, flat.shape[0] - 1):
@@ -111,7 +67,7 @@ def test_column_1_is_the_staircase_of_f() -> None:
         columns=7,
         xi=np.deg2rad(40),
     )
-    mechanism = mechanism_of(design)
+    mechanism = parallel_of(design)
     column = mechanism.positions(np.pi)[:, 1]
     across = (column[:, 0] + 1j * column[:, 1] - mechanism.points[0]) * mechanism.axes[0].conj()
     found = np.stack([across.real, column[:, 2]], axis=-1)
@@ -120,7 +76,7 @@ def test_column_1_is_the_staircase_of_f() -> None:
 
 
 def test_sector_angles_are_equation_2() -> None:
-    mechanism = demo()
+    mechanism = parallel()
     # Equation (2) of the paper, its inputs measured on the locked state and not on the design.
     locked = mechanism.positions(np.pi)
     row = locked[5, 1:-1, :2] @ np.array([1, 1j])
@@ -152,7 +108,7 @@ def test_sector_angles_are_equation_2() -> None:
 
 
 def test_sector_angles_are_those_of_the_flat_sheet() -> None:
-    mechanism = demo(plane=np.deg2rad(70), flap_sides=("start", "end"))
+    mechanism = parallel(plane=np.deg2rad(70), flap_sides=("start", "end"))
     flat = mechanism.positions(0.0)
 
     def angle(u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -172,7 +128,7 @@ def test_sector_angles_are_those_of_the_flat_sheet() -> None:
 def test_fold_angles_satisfy_the_degree_4_vertex_relation() -> None:
     # geometry.md section 2(a), checked at every inner vertex with a = LU, b = LD, c = RD:
     # P = cot(left/2), Q = cot(down/2); independent of the column-straight formulas used.
-    mechanism = demo(plane=np.deg2rad(75))
+    mechanism = parallel(plane=np.deg2rad(75))
     angles = mechanism.fold_angles(1.9)
     alpha = mechanism.sector_angles()
     a, b, c = alpha[:, 1], alpha[:, 2], alpha[:, 3]
@@ -190,39 +146,17 @@ def test_fold_angles_satisfy_the_degree_4_vertex_relation() -> None:
 
 
 def test_inflection_leaves_an_unfolded_column() -> None:
-    signs = find_assignment(demo())
+    signs = find_assignment(parallel())
     # Figure 1's g has its inflection at x = 10, where column 6 of 11 stands.
     assert (signs.column[:, 5] == 0).all()
     assert (np.delete(signs.column, 5, axis=1) != 0).all()
     assert (signs.row != 0).all()
 
 
-def test_flat_sheet_is_the_mechanism_at_drive_0() -> None:
-    flat = demo().positions(0.0)
-    assert (flat[..., 2] == 0).all()
-    assert np.abs(measure_fold_angles(flat).row).max() < 1e-12
-
-
-def test_positions_of_many_drives_are_those_of_each() -> None:
-    mechanism = demo()
-    drives = np.linspace(0, np.pi, 7)
-    together = mechanism.positions(drives)
-    assert together.shape == (7, 11, 13, 3)
-    for drive, state in zip(drives, together, strict=True):
-        np.testing.assert_array_equal(state, mechanism.positions(float(drive)))
-    angles = mechanism.fold_angles(drives)
-    np.testing.assert_array_equal(angles.row[3], mechanism.fold_angles(float(drives[3])).row)
-
-
-def test_motion_is_steady() -> None:
-    # No jump: neighbouring states of a fine motion differ by steps that shrink with the step.
-    mechanism = demo(columns=12)
-    coarse = mechanism.positions(np.linspace(0, np.pi, 101))
+def test_the_middle_row_does_not_drift() -> None:
+    mechanism = parallel(columns=12)
     fine = mechanism.positions(np.linspace(0, np.pi, 401))
-    step = np.linalg.norm(np.diff(coarse, axis=0), axis=-1).max()
-    finer = np.linalg.norm(np.diff(fine, axis=0), axis=-1).max()
-    assert finer == pytest.approx(step / 4, rel=0.05)
-    # No drift: the middle row's centroid, weighted by length, stays.
+    # Its centroid, weighted by length, stays.
     row = fine[:, 5, 1:-1, :2]
     length = np.abs(np.diff(mechanism.points))
     weight = 0.5 * (np.append(length, 0) + np.append(0, length)) / length.sum()
@@ -232,7 +166,7 @@ def test_motion_is_steady() -> None:
 
 def test_flaps_fold_to_the_chosen_side() -> None:
     for sides in (("end", "end"), ("start", "end"), ("end", "start"), ("start", "start")):
-        mechanism = demo(flap_sides=sides)
+        mechanism = parallel(flap_sides=sides)
         locked = mechanism.positions(np.pi)[..., :2] @ np.array([1, 1j])
         for side, outer, inner, axis in (
             (sides[0], locked[5, 0], locked[5, 1], mechanism.axes[0]),
@@ -243,51 +177,8 @@ def test_flaps_fold_to_the_chosen_side() -> None:
 
 
 def test_flap_width_is_measured_square_to_its_column() -> None:
-    flat = demo(flap=0.3).positions(0.0)[..., :2] @ np.array([1, 1j])
+    flat = parallel(flap=0.3).positions(0.0)[..., :2] @ np.array([1, 1j])
     for outer, inner in ((flat[:, 0], flat[:, 1]), (flat[:, -1], flat[:, -2])):
         column = inner[-1] - inner[0]
         distance = ((outer - inner) * (column / abs(column)).conj()).imag
         np.testing.assert_allclose(np.abs(distance), 0.3, atol=1e-13)
-
-
-def test_scale_equivariance() -> None:
-    f, g = graph("-x**2", -1, 1), graph("5*sin(pi*x/10)", 0, 20)
-    small = mechanism_of(design_parallel_repeating(f, g, rows=9, columns=11, xi=0.8, flap=0.3))
-    large = mechanism_of(
-        design_parallel_repeating(
-            f.scaled(1000), g.scaled(1000), rows=9, columns=11, xi=0.8, flap=300.0
-        )
-    )
-    np.testing.assert_allclose(
-        large.positions(1.3), 1000 * small.positions(1.3), rtol=1e-9, atol=1e-6
-    )
-
-
-@thorough
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("rows", "columns", "g"),
-    [
-        (101, 101, "5*sin(pi*x/10)"),
-        pytest.param(999, 999, "5*sin(pi*x/10)", marks=thorough),
-        (999, 999, "3*exp(-(x-7)**2/8) + 0.02*x**2"),
-    ],
-)
-@pytest.mark.parametrize("spacing", ["curvature", "equal"])
-def test_large_sheets_keep_twelve_digits(rows: int, columns: int, g: str, spacing: str) -> None:
-    design = design_parallel_repeating(
-        graph("-x**2", -1, 1).scaled(0.5),
-        graph(g, 0, 20),
-        rows=rows,
-        columns=columns,
-        xi=np.deg2rad(50),
-        spacing="curvature" if spacing == "curvature" else "equal",
-    )
-    motion = FoldingMotion(design.mechanism, 5)
-    residuals, assignment = measure_residuals(motion, motion.flat)
-    assert residuals.panel_length <= 1e-12
-    assert residuals.planarity <= 1e-12
-    assert residuals.fold_angle_rad <= 1e-9
-    assert residuals.sector_sum_rad <= 1e-9
-    assert assignment.constant
-    assert assignment.maekawa

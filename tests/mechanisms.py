@@ -1,0 +1,211 @@
+"""Sheets of every family, and the list of those that keep the contract of a ``Mechanism``.
+
+``tests/motion/test_contract.py`` asks the same of all: a new family joins by a line here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from hypothesis import assume
+from hypothesis import strategies as st
+
+from orishell.design import Design
+from orishell.families.longitudinal_linear_repeating import (
+    LongitudinalLinearRepeating,
+    RowKind,
+    Sectors,
+    find_solutions,
+)
+from orishell.families.longitudinal_linear_repeating.sheet import with_fitting_border
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
+    Directions,
+    repeat_columns,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    InnerLengths,
+    find_even_lengths,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
+from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
+from orishell.motion import Mechanism
+from orishell.motion.grid import Grid
+from strategies import Request, graph, orthodiagonal_requests, requests
+from toy_family import Miura
+
+PARABOLA, WAVE = graph("-x**2", -1, 1), graph("0.25*sin(pi*x/2)", 0, 4)
+LEANING = graph("0.5*x + 0.2*sin(2*x)", 0, 3)
+PAPER = (85.0, 80.0, 95.0, 100.0)
+SINE = (85.0, 80.0, 85.0, 100.0)
+ROTATED = 1e-14, 1e-14
+NEAR = (89.95, 89.9, 90.05, 90.1)
+
+
+def parallel_of(design: Design) -> ParallelRepeating:
+    assert isinstance(design.mechanism, ParallelRepeating)
+    return design.mechanism
+
+
+def orthodiagonal_of(design: Design) -> Orthodiagonal:
+    assert isinstance(design.mechanism, Orthodiagonal)
+    return design.mechanism
+
+
+def parallel(
+    rows: int = 9, columns: int = 11, *, scale: float = 1.0, **options: Any
+) -> ParallelRepeating:
+    """Figure 1 of the paper, by and large."""
+    f, g = PARABOLA.scaled(scale), graph("5*sin(pi*x/10)", 0, 20).scaled(scale)
+    flap = {"flap": 0.3 * scale} if scale != 1 else {}
+    chosen = {"xi": np.deg2rad(50), **flap, **options}
+    return parallel_of(design_parallel_repeating(f, g, rows=rows, columns=columns, **chosen))
+
+
+def upright(
+    rows: int = 9, columns: int = 13, *, scale: float = 1.0, **options: Any
+) -> Orthodiagonal:
+    """A symmetric f: the middle row is level."""
+    f, g = PARABOLA.scaled(scale), WAVE.scaled(scale)
+    chosen = {"depth": 0.12 * scale, "flap": 0.15 * scale, **options}
+    return orthodiagonal_of(design_orthodiagonal(f, g, rows=rows, columns=columns, **chosen))
+
+
+def leaning(**options: Any) -> Orthodiagonal:
+    """An asymmetric f, so that the middle row is tilted."""
+    return orthodiagonal_of(design_orthodiagonal(LEANING, WAVE, rows=9, columns=12, **options))
+
+
+def straight(text: str) -> Orthodiagonal:
+    """A straight g, whose columns do not fold."""
+    return orthodiagonal_of(design_orthodiagonal(PARABOLA, graph(text, 0, 4), rows=9, columns=7))
+
+
+def longitudinal(
+    degrees: tuple[float, ...] = PAPER,
+    rows: int = 5,
+    columns: int = 6,
+    first_row: RowKind = "F",
+    solution: int = 0,
+    *,
+    equal: bool = False,
+) -> LongitudinalLinearRepeating:
+    """A sheet of some sectors, with lengths that are as even as they can be, or begin equal."""
+    chosen = find_solutions(Sectors.from_degrees(degrees))[solution]
+    made = repeat_columns(chosen, columns)
+    directions = Directions.of(made, rows, first_row)
+    inner = (
+        InnerLengths.marched(directions, np.ones(columns - 1), np.ones(rows - 1))
+        if equal
+        else find_even_lengths(directions, Wanted())
+    )
+    assert inner is not None
+    return with_fitting_border(made, first_row, inner, (0.02, 0.02), "auto")
+
+
+def enlarged(sheet: LongitudinalLinearRepeating, scale: float) -> LongitudinalLinearRepeating:
+    lengths = type(sheet.lengths)(scale * sheet.lengths.row, scale * sheet.lengths.column)
+    return LongitudinalLinearRepeating(sheet.columns, sheet.first_row, lengths)
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A sheet that keeps the contract, by the same curves or sectors at any scale."""
+
+    make: Callable[[], Mechanism]
+    enlarged: Callable[[float], Mechanism] | None = None
+    rounding: tuple[float, float] = (0.0, 0.0)  # of positions and folds, alone and together
+    steady: tuple[float, float] = (0.0, 1.0)  # shares of the way over which no state jumps
+    residual: float = 1e-12  # relative, of lengths
+
+
+def of_longitudinal(*arguments: Any) -> Sample:
+    return Sample(
+        lambda: longitudinal(*arguments),
+        lambda scale: enlarged(longitudinal(*arguments), scale),
+        rounding=(1e-14, 0.0),
+        steady=(0.1, 0.5),  # it moves without bounds where a crease folds flat
+        residual=1e-11,
+    )
+
+
+SAMPLES: dict[str, Sample] = {
+    "parallel": Sample(parallel, lambda scale: parallel(scale=scale, flap=0.3 * scale)),
+    "parallel, oblique": Sample(
+        lambda: parallel(plane=np.deg2rad(70), flap_sides=("start", "end"))
+    ),
+    "parallel, no inflection": Sample(lambda: parallel(columns=12)),
+    "parallel, no flaps": Sample(lambda: parallel(flap=0)),
+    "parallel, one row": Sample(lambda: parallel(rows=1, columns=4)),
+    "orthodiagonal": Sample(upright, lambda scale: upright(scale=scale), rounding=ROTATED),
+    "orthodiagonal, leaning": Sample(leaning, rounding=ROTATED),
+    "orthodiagonal, no flaps": Sample(lambda: upright(flap=0), rounding=ROTATED),
+    "orthodiagonal, g straight": Sample(lambda: straight("0*x"), rounding=ROTATED),
+    "orthodiagonal, g oblique": Sample(lambda: straight("0.1*x + 1"), rounding=ROTATED),
+    **{
+        f"longitudinal, {rows} x {columns} from {first}": of_longitudinal(
+            PAPER, rows, columns, first
+        )
+        for rows, columns in [(1, 2), (1, 7), (2, 2), (4, 3), (5, 6), (9, 9)]
+        for first in ("F", "S")
+    },
+    **{
+        f"longitudinal, sine from {first}": of_longitudinal(SINE, 5, 5, first, 1)
+        for first in ("F", "S")
+    },
+    "toy": Sample(lambda: Miura(Grid(5, 6), np.deg2rad(60), np.deg2rad(50))),
+}
+"""Of every family the kinds of sheets that its closed form tells apart."""
+
+
+@st.composite
+def longitudinal_sheets(draw: st.DrawFn) -> Mechanism:
+    """Sheets of 3 x 4 inner vertices, of both versions: they exist for most angles."""
+    angle = st.floats(75, 105).map(lambda x: round(x, 3))
+    degrees = tuple(draw(st.lists(angle, min_size=4, max_size=4)))
+    first: RowKind = draw(st.sampled_from(["F", "S"]))
+    solutions = find_solutions(Sectors.from_degrees(degrees))
+    assume(solutions)
+    number = draw(st.integers(0, len(solutions) - 1))
+    directions = Directions.of(repeat_columns(solutions[number], 4), 3, first)
+    inner = find_even_lengths(directions, Wanted())
+    assume(inner is not None and inner.ratio < 100)
+    return longitudinal(degrees, 3, 4, first, number)
+
+
+def mechanism_of(request: Request) -> Mechanism:
+    """Every request works, or works with the nearest value that the error names."""
+    return request.feasible().mechanism
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Any sheet of a family, in how many examples, and its residuals.
+
+    Angles lose what the rounding of coordinates takes from the shortest edge, and where columns may
+    be near each other from what is between them.
+    """
+
+    sheets: st.SearchStrategy[Mechanism]
+    count: int
+    lengths: float = 1e-12
+    angles: float = 1e-12
+    slim: bool = False
+
+
+DRAWN: dict[str, Kind] = {
+    "parallel": Kind(requests().map(mechanism_of), 150),
+    "orthodiagonal": Kind(orthodiagonal_requests().map(mechanism_of), 150, slim=True),
+    "longitudinal": Kind(longitudinal_sheets(), 60, 1e-11, 1e-9),
+    "toy": Kind(
+        st.builds(
+            lambda gamma, target: Miura(Grid(4, 5), gamma, target),
+            st.floats(0.05, 1.5),
+            st.floats(0.05, 1.5),
+        ),
+        20,
+    ),
+}
