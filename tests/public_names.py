@@ -21,7 +21,6 @@ import orishell
 ALSO = (
     "orishell.conventions.colours",
     "orishell.conventions.errors",
-    "orishell.conventions.quantities",
     "orishell.io.format",
     "orishell.io.formats",
     "orishell.io.all_formats",

@@ -10,7 +10,7 @@ import pytest
 from analysed import STRUCTURE, analysed
 from command_line import orishell
 from design_tables import formula, made, tables
-from orishell.cli.structure import brief_structure, summarize_structure
+from orishell.cli.structure import summarize_structure
 from orishell.conventions.errors import InputError
 from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
@@ -61,13 +61,6 @@ def test_the_summary(report: StructureReport) -> None:
     assert [line for line in lines if line.startswith("not covered: ")] == [
         f"not covered: {text}" for text in report.not_covered
     ]
-
-
-def test_the_lines_in_the_summary_of_a_design(report: StructureReport) -> None:
-    first, second, *_, last = brief_structure(report, "m")
-    assert first.startswith("loaded    both, free creases: opens under its loads")
-    assert second.startswith("loaded    wind, free creases: stands, displaced by 0.15 m")
-    assert last.startswith("governs ")
 
 
 ARCH = """

@@ -59,8 +59,9 @@ def shortest(flat: Array, *, slim: bool) -> float:
     down, right = np.diff(flat, axis=0), np.diff(flat, axis=1)
     found = [np.linalg.norm(each, axis=-1).min() for each in (down, right)]
     if slim:
-        down /= np.linalg.norm(down, axis=-1, keepdims=True)
-        found.append(np.linalg.norm(np.cross(right[:-1], down[:, :-1]), axis=-1).min())
+        columns = (flat[-1] - flat[0]).mean(axis=0)
+        columns /= np.linalg.norm(columns)
+        found.append(np.linalg.norm(np.cross(right[0], columns), axis=-1).min())
     return float(min(found))
 
 

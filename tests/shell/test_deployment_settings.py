@@ -110,10 +110,10 @@ def test_the_sheet_is_the_same_wherever_it_starts(tmp_path: Path, given: str) ->
     """
     if given == "from the flat sheet":
         done = design(tmp_path, deployed('flap_attachment = "clipped"'))
-        held, first = "from closing by flaps clipped on", 0
+        held, first = "flaps clipped on stop it closing", 0
     else:
         done = design(tmp_path, deployed(PACK, SHELTER.replace("flap = 0.25", "flap = 0")))
-        held, first = "from closing by its supports only", 180
+        held, first = "only its supports stop it closing", 180
     assert done.returncode == 0
     assert held in done.stdout
     fold = json.loads((tmp_path / "out" / "shell.fold").read_text())
@@ -134,7 +134,7 @@ def test_contact_not_looked_for_or_allowed(tmp_path: Path) -> None:
         frames.append(json.loads((tmp_path / "out" / "shell.fold").read_text())["file_frames"])
         looked = option == "--allow-clash"
         assert report(tmp_path)["feasible"] is (True if looked else None)
-        assert ("path      clear from flat to 180 deg" in done.stdout) is looked
+        assert ("clear     nothing touches from flat to 180 degrees" in done.stdout) is looked
     assert frames[0] == frames[1]
 
 

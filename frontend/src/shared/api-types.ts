@@ -746,6 +746,8 @@ export interface Report {
   structure: StructureReport | null;
   /** Bill of quantities. */
   quantities: Quantities;
+  /** The findings, worst first. */
+  verdict: Row[];
 }
 
 /** Worst departures from a rigid folding of a flat sheet, over the states measured. */
@@ -763,6 +765,16 @@ export interface Residuals {
 /** The last line of the answer: the verified shell. */
 export interface Result {
   result: Verified;
+}
+
+/** A finding. */
+export interface Row {
+  /** What it means for the shell. */
+  sign: "fails" | "warns" | "holds" | "says";
+  /** What it is about, in a word. */
+  subject: string;
+  /** What was found, in a line. */
+  finding: string;
 }
 
 /** A figure that a search can make small, or keep within limits. */

@@ -2,6 +2,7 @@
 
 import { area, length, threeDigits } from "./colours.ts";
 import { structureFigures } from "./structure-figures.ts";
+import { verdictList } from "./verdict.ts";
 import { panelCount, targetPoints, type Known, type View } from "./view.ts";
 import { sentence } from "./words.ts";
 
@@ -60,7 +61,8 @@ export function renderFigures(container: HTMLElement, view: View, said = (text: 
     }
     for (const { name, value, note } of structureFigures(report.structure ?? null, unit)) add(list, name, value, note);
   }
-  container.replaceChildren(list);
+  const examined = report.feasible !== null && report.verdict !== undefined;
+  container.replaceChildren(...(examined ? [verdictList(report.verdict ?? [])] : []), list);
   for (const warning of new Set([...(report.warnings ?? []), ...(report.structure?.warnings ?? [])])) {
     const line = document.createElement("p");
     line.className = "orishell-warning";

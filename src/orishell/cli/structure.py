@@ -1,4 +1,4 @@
-"""The summary that ``orishell structure`` prints, and the lines of it in that of a design."""
+"""``orishell structure``: whether a designed shell stands, and the summary that it prints."""
 
 from __future__ import annotations
 
@@ -35,16 +35,6 @@ def summarize_structure(report: StructureReport, unit: str, written: list[Path])
     yield from _governing(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
-
-
-def brief_structure(report: StructureReport, unit: str) -> Iterator[str]:
-    """A line for every load case, and what governs."""
-    from orishell.structure.build_warnings import name_of
-
-    for case in report.cases:
-        found = case.moves or f"stands, {_displacement(case.stands, unit)}"
-        yield f"loaded    {name_of(case, report.cases)}: {found}"
-    yield from _governing(report)
 
 
 def _model(model: ModelReport, unit: str) -> Iterator[str]:

@@ -47,6 +47,7 @@ from orishell.shell.size_trials import Choice
 from orishell.shell.steps import Clock, Part, Question, not_checked, require_parts
 from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance
+from orishell.shell.verdict import find_verdict
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import measure_residuals, require_verified
 from orishell.workshop.quantities import measure_quantities
@@ -234,6 +235,7 @@ def _made(
         structure=structure,
         quantities=quantities,
     )
+    report = replace(report, verdict=find_verdict(report))
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
     return Shell(
         file, design, lock, motion, deviation, choice, document, report, clock.seconds, analysis

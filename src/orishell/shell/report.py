@@ -21,6 +21,7 @@ from orishell.locking.report import LockReport, PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.deployment_report import DeploymentReport
 from orishell.shell.size_trials import Choice, Trial
+from orishell.shell.verdict import Row
 from orishell.structure.report import StructureReport
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
@@ -167,6 +168,8 @@ class Report:
         The shell as a structure; None if it was not analysed.
     quantities
         Bill of quantities.
+    verdict
+        The findings, worst first.
     """
 
     family: str
@@ -189,6 +192,7 @@ class Report:
     panel: PanelReport | None
     structure: StructureReport | None
     quantities: Quantities
+    verdict: tuple[Row, ...] = ()
 
     def __repr__(self) -> str:
         size = f"{self.rows} x {self.columns} inner vertices"

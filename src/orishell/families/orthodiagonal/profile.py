@@ -73,8 +73,8 @@ def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Ap
     line = curve_from_points(np.stack([ends.real, ends.imag], axis=-1), smooth=False)
     rail = Sliding(Path.of(trace_curve(line)), complex(t))
     return Approached(
-        f"rows shift to and fro along f by as much as g departs from the columns' normal, "
-        f"{plain(leaves)}, and the shell keeps to the cylinder over f along that normal",
+        f"g waves by {plain(leaves)} and rows follow it along f: finer shells come nearer to the "
+        "straight cylinder over f",
         Surface(f, _origin(zigzag), rail),
     )
 

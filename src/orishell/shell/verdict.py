@@ -1,0 +1,269 @@
+"""The verdict on a shell: independent findings, worst first, for terminal, report and pages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Literal
+
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.structure.build_warnings import LARGE, LEAST_BUCKLING, name_of
+from orishell.structure.case_report import GOVERNING
+
+if TYPE_CHECKING:
+    from orishell.deviation.report import DeviationReport
+    from orishell.locking.report import ContactReport
+    from orishell.shell.deployment_report import DeploymentReport
+    from orishell.shell.report import Report
+    from orishell.structure.report import StructureReport
+
+Sign = Literal["fails", "warns", "holds", "says"]
+"""A finding speaks against the shell, wants attention, is proved or computed, or only informs."""
+ORDER: tuple[Sign, ...] = ("fails", "warns", "holds", "says")
+COLLAPSED = 0.25
+"""A shell displaced by this share of its height is no longer the shell that was analysed."""
+SAME = 1e-6
+"""Drives that differ by less than this share are the same."""
+SLIM = 0.03
+"""A pack less high than this share of its length is a bundle, whose layers count."""
+CLOSING = {
+    "flaps": "its flaps stop it closing",
+    "clipped flaps": "flaps clipped on stop it closing",
+    "crease": "a crease folded flat stops it closing",
+    "clash": "panels that meet stop it closing",
+    "hinges": "its hinges stop it closing",
+    "boards": "the thickness of its boards stops it closing",
+    None: "only its supports stop it closing",
+}
+
+
+@record
+class Row:
+    """A finding.
+
+    Parameters
+    ----------
+    sign
+        What it means for the shell.
+    subject
+        What it is about, in a word.
+    finding
+        What was found, in a line.
+    """
+
+    sign: Sign
+    subject: str
+    finding: str
+
+
+def find_verdict(report: Report) -> tuple[Row, ...]:
+    """The findings of a report, worst first."""
+    rows = [
+        *_carries(report.structure, report.unit),
+        *_reaches(report),
+        *_folds(report),
+        *_held(report),
+        *_unchecked(report),
+        *_boards(report),
+        *_stands(report),
+        *_surface(report.deviation, report.unit),
+        *_sizes(report),
+        *_travels(report.deployment, report.unit),
+    ]
+    return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
+
+
+def _carries(structure: StructureReport | None, unit: str) -> Iterator[Row]:
+    """Whether the shell carries its load cases: what moves, breaks, buckles, or sinks."""
+    if structure is None:
+        return
+    moving = [case for case in structure.cases if case.moves is not None]
+    if moving:
+        first = name_of(moving[0], structure.cases)
+        yield Row("fails", "carries", f"no: under {first} it {moving[0].moves}")
+        return
+    standing = [(case.stands, case) for case in structure.cases if case.stands is not None]
+    found, case = max(standing, key=lambda each: each[0].displacement.share)
+    most = found.displacement
+    row, column = most.panel
+    moved = (
+        f"moves by {plain(most.size, 2)} {unit}, {plain(100 * most.share, 2)} % of its height, "
+        f"near panel {row}, {column} under {name_of(case, structure.cases)}"
+    )
+    governs = structure.governs
+    share = 0.0 if governs is None else governs.utilisation
+    if governs is None:
+        borne = "what its panels, creases and ties bear is not known"
+    else:
+        stiff = governs.creases
+        creases = f"{stiff} creases" if isinstance(stiff, str) else f"creases of {stiff:g} N"
+        where = f"{governs.case}, {creases}"
+        if governs.part == "buckling":
+            borne = f"it buckles under {plain(1 / share, 3)} times the loads of {where}"
+        else:
+            limit = f"{plain(100 * share, 3)} % of what can be borne"
+            borne = f"{GOVERNING[governs.part]} is {limit}, under {where}"
+    factors = [each.buckling for each, _ in standing if each.buckling is not None]
+    friction = max((each.friction or 0.0 for each, _ in standing), default=0.0)
+    slips = f"; a foot needs {plain(friction, 3)} times its friction" if friction > 1 else ""
+    if share > 1 or most.share > COLLAPSED:
+        yield Row("fails", "carries", f"no: {borne if share > 1 else moved}{slips}")
+    elif most.share > LARGE or slips or min(factors, default=LEAST_BUCKLING) < LEAST_BUCKLING:
+        yield Row("warns", "carries", f"not safely: {borne}; it {moved}{slips}")
+    elif governs is None:
+        yield Row("warns", "carries", f"not known: {borne}; it {moved}")
+    else:
+        yield Row("holds", "carries", f"all cases, by linear analysis: {borne}; it {moved}")
+
+
+def _reaches(report: Report) -> Iterator[Row]:
+    """Whether panels meet before the shell stands at its target, and what is proved beyond."""
+    lock, aim = report.lock, "stage" if report.deviation is None else "target"
+    if report.feasible is None:
+        yield Row("warns", "clear", "not known: nobody looked whether panels meet on the way")
+        return
+    target = f"{lock.target_drive_deg:.6g} degrees"
+    if lock.clipped_contact is not None:
+        panels = _panels_of(lock.clipped_contact)
+        yield Row("fails", "clear", f"no: {panels} meet when flaps are clipped on at {target}")
+    contact = lock.first_contact
+    proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
+    if contact is not None and lock.cause in ("clash", "boards"):
+        meets = f"{_panels_of(contact)} meet at {contact.drive_deg:.6g} degrees ({contact.kind})"
+        if contact.drive_deg < lock.target_drive_deg:
+            yield Row("fails", "clear", f"no: {meets}, short of the {aim} at {target}")
+        else:
+            there = contact.drive_deg <= lock.target_drive_deg * (1 + SAME)
+            beyond = "" if there else f", beyond the {aim}"
+            yield Row("holds", "clear", f"nothing touches before {meets}{beyond}{proved}")
+    elif lock.path is not None:
+        end = f"{report.deployment.end_drive_deg:.6g} degrees"
+        yield Row("holds", "clear", f"nothing touches from flat to {end}{proved}")
+
+
+def _panels_of(contact: ContactReport) -> str:
+    sides = contact.sides or ("", "")
+    first, second = (
+        f"{list(panel)}{f' {side}' if side in {'top', 'bottom'} else ''}"
+        for panel, side in zip(contact.panels, sides, strict=True)
+    )
+    return f"panels {first} and {second}"
+
+
+def _folds(report: Report) -> Iterator[Row]:
+    residuals = report.residuals
+    if residuals is not None:
+        yield Row(
+            "holds",
+            "folds",
+            f"in one motion: panel lengths to {residuals.panel_length:.1e}, fold angles to "
+            f"{residuals.fold_angle_rad:.1e} rad",
+        )
+
+
+def _held(report: Report) -> Iterator[Row]:
+    """What keeps the shell at its target."""
+    if report.feasible is False:
+        return
+    held = report.deployment
+    slack = sum(tie.slack is True for tie in held.ties)
+    known = "all" if slack == len(held.ties) else str(slack)
+    opening = (
+        f"{len(held.ties)} ties stop it opening ({known} proved slack from the pack to there)"
+        if held.opening == "ties"
+        else "only its supports stop it opening"
+    )
+    push = 0.0 if held.weight is None else held.weight.at_feet
+    loose = (push > 0 and held.opening is None) or (push < 0 and held.closing is None)
+    both = held.closing is not None and held.opening is not None
+    sign: Sign = "warns" if loose else "holds" if both else "says"
+    where = f"at {report.lock.target_drive_deg:.6g} degrees"
+    text = f"{CLOSING[held.closing]}; {opening}"
+    if held.closing is None and held.opening is None:
+        text = "only its supports stop it closing and opening"
+    yield Row(sign, "held", f"{where}: {text}")
+
+
+def _unchecked(report: Report) -> Iterator[Row]:
+    if report.not_checked:
+        yield Row("warns", "unchecked", "; ".join(report.not_checked))
+
+
+def _boards(report: Report) -> Iterator[Row]:
+    """What panels with a thickness are made of, and whether their boards meet."""
+    panel = report.panel
+    if panel is None:
+        return
+    corners = f", corners cut off at {panel.corners_cut} vertices" if panel.corners_cut else ""
+    proved = "" if panel.path is None else "; none meet on the way (proved)"
+    yield Row(
+        "says" if panel.path is None else "holds",
+        "boards",
+        f"{panel.boards}, of panels {plain(panel.thickness)} {report.unit} thick, set back by up "
+        f"to {plain(panel.largest_setback, 3)} {report.unit}{corners}{proved}",
+    )
+
+
+def _stands(report: Report) -> Iterator[Row]:
+    stands, unit = report.stands, report.unit
+    if report.deviation is None:
+        return
+    if stands is None:
+        text = "nowhere: f's ends are not its lowest part, so g stays in the plane z = 0"
+    else:
+        first, last = stands.rows
+        low = f"z = {plain(stands.z)}"
+        text = f"level on {low}, on rows {first} and {last}"
+        if not stands.level:
+            high = f"{plain(stands.uneven)} {unit}"
+            text = f"on rows {first} and {last}, from {low} up to {high} above"
+    yield Row("says", "stands", text)
+
+
+def _surface(deviation: DeviationReport | None, unit: str) -> Iterator[Row]:
+    """How close the shell is to what was asked for."""
+    if deviation is None:
+        yield Row("says", "surface", "no target: nothing to compare the shell with")
+        return
+    curves = f"f within {plain(deviation.f.max)} {unit}, g within {plain(deviation.g.max)} {unit}"
+    surface = deviation.surface
+    if surface is not None:
+        curves = (
+            f"within {plain(surface.max)} {unit} of the target (known to "
+            f"{plain(surface.sample_spacing, 1)}), rms {plain(surface.rms)} {unit}; {curves}"
+        )
+    yield Row("says", "surface", curves)
+    if deviation.tilted:
+        yield Row("says", "tilted", f"in the surface asked for {deviation.tilted}")
+    approached = deviation.approached
+    if approached is not None:
+        size = approached.max
+        found = "" if size is None else f"; at most {plain(size)} {unit} from that"
+        yield Row("says", "approach", f"{approached.what}{found}")
+
+
+def _sizes(report: Report) -> Iterator[Row]:
+    unit, sheet, shell = report.unit, report.sheet, report.deployed
+    area = f"{plain(sheet.area)} {unit}2"
+    yield Row("says", "sheet", f"{plain(sheet.width)} x {plain(sheet.height)} {unit}, area {area}")
+    box = " x ".join(plain(side) for side in (shell.width, shell.depth, shell.height))
+    yield Row("says", "deployed", f"{box} {unit}")
+
+
+def _travels(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
+    """How the shell travels, and what its own weight does."""
+    packed, weight = deployment.packed, deployment.weight
+    if packed is not None and deployment.start == "pack":
+        box = f"{plain(packed.length)} x {plain(packed.width)} x {plain(packed.height, 2)} {unit}"
+        deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
+        yield Row("says", "packs", f"{box} at {packed.drive_deg:.5g} degrees{deep}")
+    if weight is None:
+        return
+    force, does = plain(abs(weight.at_feet), 3), "opens" if weight.at_feet > 0 else "closes"
+    newtons = weight.force_unit == "N"
+    push = f"{force} N of {plain(weight.total)} N" if newtons else f"{force} of it"
+    pack = deployment.start == "pack"
+    raising = weight.raise_from_pack if pack else weight.raise_from_flat
+    work = f"{plain(raising, 3)} J" if newtons else f"its weight times {plain(raising, 3)} m"
+    raises = f"raising it takes {work}" if raising > 0 else "it comes down to its place by itself"
+    yield Row("says", "weight", f"{does} the shell, with {push} at the feet; {raises}")

@@ -1,0 +1,93 @@
+"""The verdict: independent rows, worst first, each true of its report."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from orishell.design_file import read_design_file
+from orishell.shell import make_shell
+from orishell.shell.make import Shell
+from orishell.shell.report import Report
+from orishell.shell.verdict import ORDER, Sign, find_verdict
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@cache
+def shell(name: str) -> Shell:
+    return make_shell(read_design_file(EXAMPLES / f"{name}.toml"))
+
+
+def rows(report: Report) -> dict[str, tuple[Sign, str]]:
+    return {row.subject: (row.sign, row.finding) for row in find_verdict(report)}
+
+
+def test_the_worst_comes_first_and_the_report_has_it() -> None:
+    report = shell("figure1").report
+    signs = [ORDER.index(row.sign) for row in report.verdict]
+    assert signs == sorted(signs)
+    assert [row.finding for row in report.verdict] == [each for _, each in rows(report).values()]
+    said = report.as_dict()["verdict"]
+    assert isinstance(said, tuple)
+    assert said[0] == {
+        "sign": "warns",
+        "subject": "held",
+        "finding": "at 180 degrees: its flaps stop it closing; only its supports stop it opening",
+    }
+
+
+def test_nothing_is_called_clear_that_nobody_looked_at() -> None:
+    file = read_design_file(EXAMPLES / "figure1.toml")
+    report = make_shell(file, clash="unexamined").report
+    sign, finding = rows(report)["clear"]
+    assert (sign, finding.partition(":")[0]) == ("warns", "not known")
+
+
+def test_panels_that_meet_speak_against_a_shell() -> None:
+    report = shell("figure1").report
+    contact = shell("figure1").report.lock.first_contact
+    assert contact is not None
+    lock = replace(report.lock, cause="clash", first_contact=replace(contact, drive_deg=90.0))
+    found = rows(replace(report, lock=lock, feasible=False))
+    sign, finding = found["clear"]
+    assert sign == "fails"
+    assert "meet at 90 degrees" in finding
+    assert "short of the target at 180 degrees" in finding
+    assert "held" not in found
+
+
+@pytest.mark.parametrize(
+    ("used", "share", "sign"),
+    [(0.5, 0.01, "holds"), (1.01, 0.01, "fails"), (0.5, 0.06, "warns"), (0.5, 0.3, "fails")],
+)
+def test_a_shell_carries_what_it_bears_without_sinking(
+    used: float, share: float, sign: Sign
+) -> None:
+    """Of a shell that was analysed, with another utilisation and another displacement."""
+    report = shell("shelter_structure").report
+    assert report.structure is not None
+    standing = next(case for case in report.structure.cases if case.stands is not None)
+    assert standing.stands is not None
+    assert report.structure.governs is not None
+    stands = replace(
+        standing.stands,
+        displacement=replace(standing.stands.displacement, share=share),
+        buckling=None,
+        friction=None,
+    )
+    structure = replace(
+        report.structure,
+        cases=(replace(standing, stands=stands),),
+        governs=replace(report.structure.governs, part="panels", utilisation=used),
+    )
+    assert rows(replace(report, structure=structure))["carries"][0] == sign
+
+
+def test_a_shell_that_moves_carries_nothing() -> None:
+    sign, finding = rows(shell("shelter_structure").report)["carries"]
+    assert sign == "fails"
+    assert "gives way under its loads" in finding
