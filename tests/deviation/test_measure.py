@@ -241,7 +241,7 @@ def test_what_is_approached_instead() -> None:
     f = graph("-x**2", -1, 1)
     shifted = design_orthodiagonal(f, graph("0.25*sin(pi*x/2)", 0, 4), rows=9, columns=13)
     assert shifted.approached is not None
-    assert "0.5, and" in shifted.approached.what
+    assert "waves by 0.5 and" in shifted.approached.what
     assert measure_approach(shifted, samples=COARSE) is not None
     straight = design_orthodiagonal(f, graph("0*x", 0, 4), rows=9, columns=13)
     assert straight.approached is None
