@@ -8,8 +8,8 @@ import warnings
 
 import numpy as np
 
+from orishell.conventions.arguments import checked
 from orishell.conventions.errors import FormulaError
-from orishell.conventions.faults import checked
 from orishell.conventions.record import record
 from orishell.curves.formula_arithmetic import (
     ENCLOSURES,

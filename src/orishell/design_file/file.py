@@ -9,8 +9,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, Value
-from orishell.conventions.faults import path_of
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from orishell.conventions.faults import path_of
+from orishell.conventions.arguments import path_of
 from orishell.conventions.version import __version__
 from orishell.document import Document, DocumentState
 from orishell.io.format import Format

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError, printable
-from orishell.conventions.faults import path_of
 from orishell.conventions.record import record
 from orishell.document import LARGEST
 from orishell.io.fold_frames import (

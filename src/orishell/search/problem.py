@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.faults import path_of
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.design_file import check_design

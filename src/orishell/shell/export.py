@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 
+from orishell.conventions.arguments import checked, path_of
 from orishell.conventions.errors import InputError
-from orishell.conventions.faults import checked, path_of
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.units import Unit
 from orishell.document import Document

@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
+from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError, printable
-from orishell.conventions.faults import checked
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record

@@ -12,8 +12,8 @@ import numpy as np
 from pydantic import Field
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, InputError, Remedy
-from orishell.conventions.faults import checked
 from orishell.conventions.record import record
 from orishell.conventions.table import Number
 from orishell.curves import Curve, trace_curve

@@ -10,7 +10,7 @@ from typing import Annotated, Final
 import numpy as np
 from pydantic import Field
 
-from orishell.conventions.faults import checked
+from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 from pydantic_core import PydanticCustomError
 
-from orishell.conventions.faults import checked
+from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, trace_curve
