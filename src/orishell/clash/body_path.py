@@ -21,7 +21,7 @@ import numpy as np
 
 from orishell.clash.acceleration_bounds import NormalBounds
 from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
-from orishell.clash.broad_phase import Pairs, joined
+from orishell.clash.broad_phase import Pairs, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
 from orishell.clash.path import PathRange, PathSearch
 from orishell.clash.ranges import (
@@ -160,7 +160,7 @@ class OppositeBoards:
         asleep = (self.sleep[pending] < step) & (stop - start > 1)
         woken = pending[~asleep]
         left = woken[self._gaps(ends, woken, errors) <= self.tolerance]
-        apart = Apartness.of(ends, self._chosen(left))
+        apart = Apartness.of(ends, selected(self.pairs, left))
         self.kept_by[left] = apart.number
         gap = self._gaps(ends, left, errors)
         open_ones = gap <= self.tolerance
@@ -169,7 +169,7 @@ class OppositeBoards:
         plain = apart.gaps.min(axis=0)
         share = np.maximum(plain, 0.0) / np.maximum(plain - gap, TINY)
         self.sleep[left] = step * np.clip(EARLY * np.sqrt(share), SOONEST, 0.5)
-        pairs = self._chosen(left)
+        pairs = selected(self.pairs, left)
         touching = [apart.touching(end, pairs, self.tolerance) for end in (0, 1)]
         pending = np.concatenate([pending[asleep], left])
         if not len(pending):
@@ -183,13 +183,28 @@ class OppositeBoards:
         which: Integers,
         errors: Callable[[Integers], list[Array]],
     ) -> Array:
-        """Gaps (P,) that stay between pairs (P,) along the direction noted for them."""
-        pairs = self._chosen(which)
-        lines = [one_direction(state, pairs, self.kept_by[which]) for state in ends]
-        return _gap(ends, pairs, lines, errors(which))
+        """Gaps (P,) that stay between pairs along the directions (3, P) noted for them.
 
-    def _chosen(self, which: Integers) -> Pairs:
-        return self.pairs[0][which], self.pairs[1][which]
+        As in :mod:`~orishell.clash.separation`, standing or turning, but every corner has a chord
+        error (C, P) of its own.
+        """
+        pairs = selected(self.pairs, which)
+        lines = [one_direction(state, pairs, self.kept_by[which]) for state in ends]
+        corners = [(s.corners[:, :, pairs[0]], s.corners[:, :, pairs[1]]) for s in ends]
+        first, last = (views_along(line, corners) for line in lines)
+        middle = [0.5 * (after + now) for after, now in zip(first[1], last[0], strict=True)]
+        above, below = np.empty((2, 5, len(pairs[0])))
+        parts = errors(which)
+        for k, view in enumerate((first[1], first[0], middle, last[1], last[0])):
+            (low_a, high_a), (low_b, high_b) = (
+                ((v - error).min(axis=0), (v + error).max(axis=0))
+                for v, error in zip(view, parts, strict=True)
+            )
+            above[k], below[k] = low_b - high_a, low_a - high_b
+        # What stands looks at both states along one direction, what turns from one to the other.
+        ways = (slice(0, 2), slice(1, 4), slice(3, 5))
+        kept = [side[way].min(axis=0) for side in (above, below) for way in ways]
+        return np.asarray(np.max(kept, axis=0))
 
 
 def opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
@@ -200,24 +215,3 @@ def opposite_panels(grid: Grid, settled: Booleans) -> tuple[Pairs, Integers]:
     first = np.concatenate([panel[:-1, :-1][there], panel[:-1, 1:][there]])
     second = np.concatenate([panel[1:, 1:][there], panel[1:, :-1][there]])
     return (first, second), np.tile(vertex, 2)
-
-
-def _gap(ends: list[BodyState], pairs: Pairs, lines: list[Array], errors: list[Array]) -> Array:
-    """Gaps (P,) that stay along standing or turning directions (3, P), less chord errors.
-
-    As in :mod:`~orishell.clash.separation`, but every corner has a chord error (C, P) of its own.
-    """
-    corners = [(s.corners[:, :, pairs[0]], s.corners[:, :, pairs[1]]) for s in ends]
-    first, last = (views_along(line, corners) for line in lines)
-    middle = [0.5 * (after + now) for after, now in zip(first[1], last[0], strict=True)]
-    above, below = np.empty((2, 5, len(pairs[0])))
-    for k, view in enumerate((first[1], first[0], middle, last[1], last[0])):
-        (low_a, high_a), (low_b, high_b) = (
-            ((v - error).min(axis=0), (v + error).max(axis=0))
-            for v, error in zip(view, errors, strict=True)
-        )
-        above[k], below[k] = low_b - high_a, low_a - high_b
-    # What stands looks at both states along one direction, what turns from the first to the last.
-    ways = (slice(0, 2), slice(1, 4), slice(3, 5))
-    kept = [side[way].min(axis=0) for side in (above, below) for way in ways]
-    return np.asarray(np.max(kept, axis=0))

@@ -74,13 +74,9 @@ class PanelTree:
         thick = 0.0 if over is None else np.abs(over @ DIRECTIONS.T)
         return self.enclosing(views.min(axis=1) - thick, views.max(axis=1) + thick)
 
-    def share_corner(self, first: Integers, second: Integers) -> Booleans:
-        """Whether panels have a vertex in common."""
-        return np.asarray(common_corners(self.faces, first, second).any(axis=(1, 2)))
-
 
 def common_corners(faces: Integers, first: Integers, second: Integers) -> Booleans:
-    """Which corners (P, 4, 4) of two panels (P,), those of the first first, are one vertex."""
+    """Which corners (P, 4, 4) of two panels (P,), rows of the first, are one vertex."""
     return np.asarray(faces[first][:, :, None] == faces[second][:, None, :])
 
 
@@ -96,8 +92,8 @@ def child_pairs(pairs: Pairs) -> Pairs:
     )
 
 
-def selected(pairs: Pairs, which: Booleans) -> Pairs:
-    """The pairs (P,) at which ``which`` (P,) is true."""
+def selected(pairs: Pairs, which: Booleans | Integers) -> Pairs:
+    """The pairs (P,) at which ``which`` (P,) is true, or those with these numbers."""
     return pairs[0][which], pairs[1][which]
 
 

@@ -23,6 +23,7 @@ from orishell.clash.broad_phase import (
     Pairs,
     PanelTree,
     child_pairs,
+    common_corners,
     gaps,
     joined,
     selected,
@@ -215,7 +216,8 @@ class PathSearch:
         """Pairs of panels from pairs of lowest nodes, those that share a vertex left out."""
         first, second = (self.tree.panels[nodes] for nodes in pairs)
         pairs = selected((first, second), (first >= 0) & (second >= 0) & (first != second))
-        return selected(pairs, ~self.tree.share_corner(*pairs))
+        shared = common_corners(self.tree.faces, *pairs).any(axis=(1, 2))
+        return selected(pairs, np.asarray(~shared))
 
     def _wanted(self, level: int, pairs: Pairs) -> Pairs:
         """Pairs with a panel that is asked for."""

@@ -17,7 +17,7 @@ from orishell.clash.broad_phase import (
 )
 from orishell.clash.narrow_phase import Slabs, near_slabs
 from orishell.clash.separation import corners_of, nearest, overlaps
-from orishell.motion.quads import dots, lengths, unit_normals
+from orishell.motion.quads import dots, lengths, unit_normals, units
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 
@@ -116,7 +116,7 @@ def _folded_flat(
     a, b = points[first], points[second]
     on_a, on_b = same.any(axis=2), same.any(axis=1)
     shared = a[on_a].reshape(-1, 2, 3)
-    along = _unit(shared[:, 1] - shared[:, 0])
+    along = units(shared[:, 1] - shared[:, 0])
     far_a, far_b = (
         corners[~on].reshape(-1, 2, 3) - shared[:, :1] for corners, on in ((a, on_a), (b, on_b))
     )
@@ -144,11 +144,11 @@ def _crossing(
         )
 
     a, b = arms(first, of_first), arms(second, of_second)
-    normal_a, normal_b = _unit(np.cross(*a)), _unit(np.cross(*b))
+    normal_a, normal_b = units(np.cross(*a)), units(np.cross(*b))
     over_a = [dots(normal_a, arm) for arm in b]
     over_b = [dots(normal_b, arm) for arm in a]
     line = np.cross(normal_a, normal_b)
-    facing = dots(line, _unit(a[0]) + _unit(a[1])) * dots(line, _unit(b[0]) + _unit(b[1]))
+    facing = dots(line, units(a[0]) + units(a[1])) * dots(line, units(b[0]) + units(b[1]))
     result = _straddle(over_a, tolerance) & _straddle(over_b, tolerance) & (facing > 0)
     for arm, height in zip(b, over_a, strict=True):
         result |= (np.abs(height) <= tolerance) & _between(a, normal_a, arm)
@@ -166,14 +166,9 @@ def _between(arms: tuple[Array, Array], normal: Array, vector: Array) -> Boolean
     """Whether a vector near the plane of two arms lies in the sector between them."""
     small = 1e-12 * lengths(vector)
     return np.asarray(
-        (dots(np.cross(_unit(arms[0]), vector), normal) > small)
-        & (dots(np.cross(vector, _unit(arms[1])), normal) > small)
+        (dots(np.cross(units(arms[0]), vector), normal) > small)
+        & (dots(np.cross(vector, units(arms[1])), normal) > small)
     )
-
-
-def _unit(vectors: Array) -> Array:
-    length = lengths(vectors)[..., None]
-    return np.asarray(vectors / np.where(length > 0, length, 1.0))
 
 
 def deepest_contact(

@@ -71,13 +71,7 @@ class InputError(OrishellError):
         self.detail = detail
 
     def located(self, where: str) -> Self:
-        """Put an outer place in front of the one known so far, and return the error.
-
-        Parameters
-        ----------
-        where
-            The outer place.
-        """
+        """Put an outer place, ``where``, in front of the one known so far, and return the error."""
         self.where = f"{where} {self.where}".strip()
         return self
 
@@ -99,25 +93,12 @@ class InputError(OrishellError):
 class FormulaError(InputError):
     """A formula that cannot be used; ``column`` is the 0-based place of the fault."""
 
-    def __init__(
-        self,
-        what: str,
-        text: str,
-        column: int,
-        *,
-        got: str = "",
-        expected: str = "",
-        remedy: str = "",
-    ) -> None:
+    def __init__(self, what: str, text: str, column: int, **facts: str) -> None:
         begin = max(0, min(column, len(text)) - 60)
         shown = "".join(c if c.isprintable() else " " for c in text[begin : begin + 80])
         caret = " " * (column - begin) + "^"
         super().__init__(
-            f"{what} at character {column + 1}",
-            got=got,
-            expected=expected,
-            remedy=remedy,
-            detail=f"    {shown}\n    {caret}",
+            f"{what} at character {column + 1}", detail=f"    {shown}\n    {caret}", **facts
         )
         self.column = column
 

@@ -14,7 +14,7 @@ The second is far better where the other surface is smooth, the third along its 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -22,13 +22,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.record import record
-from orishell.deviation.triangles import Nearest, Triangles
+from orishell.deviation.triangles import At, Nearest, Triangles
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 Number = TypeVar("Number", np.float64, np.int64)
-At = Callable[[Array, Array], Array]
-"""Points (..., 3) of a surface at two parameters (...)."""
 
 PRECISION = 1e-3
 """Accuracy sought for the largest distance, relative to it."""

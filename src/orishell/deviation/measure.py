@@ -2,7 +2,7 @@
 
 From every sample of either the distance to the nearest point of the other is exact, but for the
 sagitta of the surface's mesh. Between samples it is known by how far they are apart
-(:mod:`~orishell.deviation.patches`).
+(:mod:`~orishell.deviation.triangles`).
 """
 
 from __future__ import annotations
@@ -12,8 +12,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.design import Design, Surface
 from orishell.deviation.branch_and_bound import Cells, find_largest
-from orishell.deviation.patches import Patch
-from orishell.deviation.triangles import Nearest, Triangles, mesh_shell, mesh_surface
+from orishell.deviation.triangles import Nearest, Patch, Triangles, mesh_shell, mesh_surface
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 SAMPLES = 15_000

@@ -253,5 +253,4 @@ def _angle_about(first: Array, second: Array, axis: Array) -> Array:
     """Angle (...) that turns unit vectors ``first`` into ``second`` about ``axis`` (..., 3)."""
     axis = axis / lengths(axis)[..., None]
     sine = np.einsum("...i,...i->...", np.cross(first, second), axis)
-    angle: Array = np.arctan2(sine, np.einsum("...i,...i->...", first, second))
-    return angle
+    return np.asarray(np.arctan2(sine, np.einsum("...i,...i->...", first, second)))

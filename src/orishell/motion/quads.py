@@ -30,6 +30,12 @@ def lengths(vectors: Vectors) -> Array:
     return np.asarray(np.sqrt(dots(vectors, vectors)))
 
 
+def units(vectors: Vectors) -> Array:
+    """Unit vectors (..., 3) along vectors; zero along none."""
+    length = lengths(vectors)[..., None]
+    return np.asarray(vectors / np.where(length > 0, length, 1.0))
+
+
 def corner_distances(corners: Corners) -> Array:
     """The six distances (..., 6) of every panel's corners."""
     pairs = [(a, b) for a in range(4) for b in range(a)]
@@ -55,9 +61,7 @@ def longer_diagonals(corners: Corners) -> Integers:
 
 def unit_normals(corners: Corners) -> Array:
     """Unit normals (..., 3), counter-clockwise seen from their tips; zero without an area."""
-    vectors = area_vectors(corners)
-    length = lengths(vectors)[..., None]
-    return np.asarray(vectors / np.where(length > 0, length, 1.0))
+    return units(area_vectors(corners))
 
 
 def diagonal_gaps(corners: Corners) -> Array:

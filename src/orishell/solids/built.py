@@ -96,10 +96,10 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     if build is None:
         raise AssertionError("panels without a thickness are not built")
     grid, folds = mechanism.grid, largest_folds(mechanism, limit)
-    none = np.zeros((grid.rows, grid.columns))
+    cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:
         boards = build_boards(mechanism.positions(0.0), grid, build, folds, reliefs)
-        return BuiltPanels(build, limit, folds, none if reliefs is None else reliefs, boards, None)
+        return BuiltPanels(build, limit, folds, cut, boards, None)
     everything = _with_flaps(design.clipped, build, folds, reliefs)
     inner = design.clipped.inner_columns
     row, column = np.divmod(everything.panels, design.clipped.grid.columns - 1)
@@ -107,7 +107,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
     number = row * (grid.columns - 1) + column - inner.start
     boards = replace(everything.chosen(mine), panels=number[mine])
     flaps = everything.chosen(~mine)
-    return BuiltPanels(build, limit, folds, none if reliefs is None else reliefs, boards, flaps)
+    return BuiltPanels(build, limit, folds, cut, boards, flaps)
 
 
 def _with_flaps(
