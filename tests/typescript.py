@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import json
-import re
 import types
 from collections.abc import Iterator, Mapping, Sequence
 from typing import (
@@ -19,6 +18,8 @@ from typing import (
     is_typeddict,
 )
 
+from field_notes import field_notes
+
 PLAIN = {
     str: "string",
     int: "number",
@@ -28,8 +29,6 @@ PLAIN = {
     Any: "unknown",
     object: "unknown",
 }
-ENTRY = r"^(\w+(?:, \w+)*)\n((?: {4}.+(?:\n|$))+)"
-"""Names of fields and what a docstring says of them."""
 SHAPES = {
     Union: "union",
     types.UnionType: "union",
@@ -107,13 +106,7 @@ def _records(kind: Any) -> Iterator[type]:
 def _interface(record: type) -> str:
     fields, needed = _fields(record)
     text = inspect.getdoc(record) or ""
-    notes = {
-        name: " ".join(note.split())
-        for names, note in re.findall(
-            r"^(\w+(?:, \w+)*)\n((?: {4}.+(?:\n|$))+)", text, re.MULTILINE
-        )
-        for name in names.split(", ")
-    }
+    notes = field_notes(record)
     lines = [f"/** {text.splitlines()[0]} */", f"export interface {record.__name__} {{"]
     for name, kind in fields.items():
         if name in notes:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 import typer
 from docutils.parsers.rst import directives
+from field_notes import field_notes
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.inspect import TypeAliasForwardRef
 from sphinx.util.nodes import make_refnode
@@ -153,6 +154,18 @@ def keep_text(_app: Sphinx, what: str, *rest: object) -> None:
         lines[:0] = ["..", ""]  # an empty comment: it ends what napoleon takes for a type
 
 
+def list_fields(
+    _app: Sphinx, what: str, _name: str, thing: object, _options: object, lines: list[str]
+) -> None:
+    """Show what comments say of the fields of a class as its parameters."""
+    if what != "class" or not isinstance(thing, type):
+        return
+    notes = field_notes(thing)
+    if notes:
+        entries = [line for name, note in notes.items() for line in (name, f"    {note}")]
+        lines[:] = [*lines, "", "Parameters", "----------", *entries, ""]
+
+
 def mend_links(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.Node | None
 ) -> None:
@@ -193,6 +206,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("room", Room)
     app.add_directive("commands", Commands)
     app.connect("missing-reference", find_constant)
+    app.connect("autodoc-process-docstring", list_fields, priority=300)
     app.connect("autodoc-process-docstring", keep_text, priority=400)
     app.connect("html-page-context", mend_links)
     app.connect("viewcode-follow-imported", own_module)

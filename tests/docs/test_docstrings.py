@@ -4,10 +4,10 @@ What is public is said in ``public_names``. The rule, for functions, for methods
 classes, and for the fields of dataclasses:
 
 1. There is a docstring, and its first line is one sentence.
-2. Parameters of functions and fields of dataclasses have an entry under "Parameters". Methods,
-   which are short, may have it or name their parameters in their text. A parameter or a field
-   needs none if it is what its type says: a class of ours, a file, a ``Progress``, or an array
-   whose type is named after its shape (``ALIASES``).
+2. Parameters of functions have an entry under "Parameters", fields of dataclasses a comment beside
+   or above them. Methods, which are short, may have it or name their parameters in their text. A
+   parameter or a field needs none if it is what its type says: a class of ours, a file, a
+   ``Progress``, or an array whose type is named after its shape (``ALIASES``).
 3. Where an array goes in or comes out, its shape is written: "(n, 2)", "(E,)", "(...)".
 4. An angle is said to be in radians or degrees, where its name does not end in ``_deg``; a length
    is said to be in some unit, or relative to something.
@@ -35,6 +35,7 @@ from typing import Any
 import numpy as np
 import pytest
 import typer
+from field_notes import field_notes
 from numpy.typing import NDArray
 
 import orishell.conventions.errors
@@ -153,7 +154,8 @@ def faults_of_class(thing: type) -> Iterator[str]:
     yield from faults_of_summary(text)
     if not dataclasses.is_dataclass(thing):
         return
-    entries = read_entries(text, "Parameters") | read_entries(text, "Attributes")
+    entries = field_notes(thing)
+    text = "\n".join([text, *entries.values()])
     for field in dataclasses.fields(thing):
         if field.name.startswith("_"):
             continue

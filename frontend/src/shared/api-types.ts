@@ -620,6 +620,7 @@ export interface Parameter {
   default: number | string | boolean | null;
   /** How far the slider reaches; left out where that depends on the curves. */
   slider?: [number, number];
+  /** Between two of its places. */
   step?: number;
 }
 

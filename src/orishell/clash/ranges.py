@@ -19,63 +19,33 @@ from orishell.numerics.arrays import Array
 
 @dataclass(frozen=True, slots=True)
 class ProofRecord:
-    """How the path was examined.
+    """How the path was examined."""
 
-    Parameters
-    ----------
-    states
-        Number of states whose positions were computed.
-    ranges
-        Number of ranges of the drive between two of them.
-    tests
-        Number of pairs, of panels or of groups of panels, that were tested in a range.
-    largest_step, smallest_step
-        Widest and narrowest range (radians).
-    tolerance
-        Distance below which panels touch (length).
-    """
-
-    states: int
-    ranges: int
-    tests: int
+    states: int  # number of states whose positions were computed
+    ranges: int  # number of ranges of the drive between two of them
+    tests: int  # number of pairs, of panels or of groups of panels, that were tested in a range
+    # widest and narrowest range (radians)
     largest_step: float
     smallest_step: float
-    tolerance: float
+    tolerance: float  # distance below which panels touch (length)
 
 
 @dataclass(frozen=True, slots=True)
 class PathContact:
-    """The first contact on a path.
+    """The first contact on a path."""
 
-    Parameters
-    ----------
-    drive
-        Where two panels touch (radians).
-    clear_until
-        Up to here no two panels touch, proved (radians).
-    panels
-        Numbers of the two panels.
-    bodies
-        Numbers of the two bodies on them, if these were looked at.
-    """
-
-    drive: float
-    clear_until: float
-    panels: tuple[int, int]
+    drive: float  # where two panels touch (radians)
+    clear_until: float  # up to here no two panels touch, proved (radians)
+    panels: tuple[int, int]  # numbers of the two panels
+    # numbers of the two bodies on them, if these were looked at
     bodies: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class PathResult:
-    """What was found on a path: the first contact, or None, and how.
+    """What was found on a path: the first contact, or None, and how."""
 
-    Parameters
-    ----------
-    contact
-        The first contact, or None.
-    """
-
-    contact: PathContact | None
+    contact: PathContact | None  # the first contact, or None
     proof: ProofRecord
 
 

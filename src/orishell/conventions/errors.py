@@ -113,15 +113,10 @@ Value = float | int | str | list[float] | list[str]
 
 @dataclass(frozen=True, slots=True)
 class Remedy:
-    """Keys of the design file, and what to write there instead.
+    """Keys of the design file, and what to write there instead."""
 
-    Parameters
-    ----------
-    changes
-        Values by key, the tables in front of it: "pattern.xi_deg", "target.g.scale". None removes
-        a key.
-    """
-
+    # Values by key, the tables in front of it: "pattern.xi_deg", "target.g.scale". None removes a
+    # key.
     changes: Mapping[str, Value | None]
 
     def __or__(self, other: Remedy) -> Remedy:

@@ -31,35 +31,23 @@ END = 1e-5
 
 @record
 class Curve:
-    """A planar curve t -> (x(t), y(t)) on [start, stop].
+    """A planar curve t -> (x(t), y(t)) on [start, stop]."""
 
-    Parameters
-    ----------
-    jet
-        Position, first and second derivative, each (..., 2), at parameters (...).
-    enclosure
-        What these can be between parameters ``low`` and ``high`` (S,), for x and for y; no break
-        lies inside.
-    start, stop
-        The range of the parameter, start < stop.
-    breaks
-        Parameters strictly inside the range where the tangent may jump (the corners of a
-        polyline), increasing. There the derivatives are those of the later side.
-    key
-        The key of the design file that takes a part of the curve by its parameters as drawn.
-    drawn
-        A parameter, what it is on the curve as drawn, and 1 or -1: what the latter grows by with t.
-    scale
-        How much the curve has been enlarged along x and y since it was drawn.
-    """
-
-    jet: CurveJet
+    jet: CurveJet  # position, first and second derivative, each (..., 2), at parameters (...)
+    # what these can be between parameters ``low`` and ``high`` (S,), for x and for y; no break lies
+    # inside
     enclosure: CurveEnclosure
+    # the range of the parameter, start < stop
     start: float
     stop: float
+    # Parameters strictly inside the range where the tangent may jump (the corners of a polyline),
+    # increasing. There the derivatives are those of the later side.
     breaks: tuple[float, ...] = ()
+    # the key of the design file that takes a part of the curve by its parameters as drawn
     key: Literal["range", "part"] = "part"
+    # A parameter, what it is on the curve as drawn, and 1 or -1: what the latter grows by with t
     drawn: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    # how much the curve has been enlarged along x and y since it was drawn
     scale: tuple[float, float] = (1.0, 1.0)
 
     def __post_init__(self) -> None:

@@ -36,18 +36,10 @@ CONSTANTS = {"pi": np.pi, "e": np.e}
 
 @record
 class Formula:
-    """A checked formula in at most one variable.
+    """A checked formula in at most one variable."""
 
-    Parameters
-    ----------
-    text
-        As the user wrote it.
-    variable
-        The name of the variable, or None for a constant.
-    """
-
-    text: str
-    variable: str | None
+    text: str  # as the user wrote it
+    variable: str | None  # the name of the variable, or None for a constant
     _run: Run
 
     def jet(self, t: Array) -> Jet:

@@ -60,18 +60,10 @@ MOST_BETWEEN = 64
 
 @record
 class Chain:
-    """Pieces in their order, each turned to begin where the one before ends.
+    """Pieces in their order, each turned to begin where the one before ends."""
 
-    Parameters
-    ----------
-    pieces
-        The pieces (N,).
-    joints
-        Where they begin, meet and end (N+1, 2).
-    """
-
-    pieces: tuple[Piece, ...]
-    joints: Array
+    pieces: tuple[Piece, ...]  # the pieces (N,)
+    joints: Array  # where they begin, meet and end (N+1, 2)
 
     def reversed(self) -> Chain:
         """The same points, from the last to the first."""

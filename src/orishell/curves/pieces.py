@@ -42,15 +42,9 @@ class Affine:
 
 @record
 class Bezier:
-    """A Bezier curve on [0, 1], rational or not; of degree 1, a straight line.
+    """A Bezier curve on [0, 1], rational or not; of degree 1, a straight line."""
 
-    Parameters
-    ----------
-    control
-        Control points (degree + 1, 3) as weight times x, weight times y, weight.
-    """
-
-    control: Array
+    control: Array  # control points (degree + 1, 3) as weight times x, weight times y, weight
 
     @property
     def reach(self) -> float:
@@ -70,20 +64,11 @@ class Bezier:
 
 @record
 class Arc:
-    """An elliptical arc: centre + cos(a) u + sin(a) v, the angle a running over an interval.
+    """An elliptical arc: centre + cos(a) u + sin(a) v, the angle a running over an interval."""
 
-    Parameters
-    ----------
-    centre
-        Centre (2,).
-    axes
-        Two conjugate half diameters u and v (2, 2), a row each.
-    start, sweep
-        The angle at the beginning and what is added to it up to the end (radians).
-    """
-
-    centre: Array
-    axes: Array
+    centre: Array  # centre (2,)
+    axes: Array  # two conjugate half diameters u and v (2, 2), a row each
+    # the angle at the beginning and what is added to it up to the end (radians)
     start: float
     sweep: float
 

@@ -35,33 +35,18 @@ QUADRATURE = 1e-6
 
 @record
 class Trace:
-    """Dense samples of a curve.
+    """Dense samples of a curve."""
 
-    Parameters
-    ----------
-    curve
-        The curve itself.
-    t
-        Parameters (N,), increasing.
-    points
-        Points (N, 2).
-    arc
-        Arc length from the start (N,).
-    heading
-        Direction of the tangent leaving each sample (N,), radians, continuous but for corners,
-        where it jumps by the corner's turn.
-    arriving
-        Direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners.
-    origin
-        Where the origin of the points' frame lies on the drawing (2,), turned as the curve is.
-    """
-
-    curve: Curve
-    t: Array
-    points: Array
-    arc: Array
+    curve: Curve  # the curve itself
+    t: Array  # parameters (N,), increasing
+    points: Array  # points (N, 2)
+    arc: Array  # arc length from the start (N,)
+    # direction of the tangent leaving each sample (N,), radians, continuous but for corners, where
+    # it jumps by the corner's turn
     heading: Array
+    # direction of the tangent arriving at each sample (N,); equal to ``heading`` but at corners
     arriving: Array
+    # where the origin of the points' frame lies on the drawing (2,), turned as the curve is
     origin: Array = field(default_factory=lambda: np.zeros(2))
 
     @property

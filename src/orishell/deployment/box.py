@@ -29,20 +29,13 @@ VIEWS = 128
 
 @record
 class Box:
-    """A box in any direction.
+    """A box in any direction."""
 
-    Parameters
-    ----------
-    length, width, height
-        Its sides, the longest first (length).
-    axes
-        Unit directions (3, 3) of the sides, one per row, in their order.
-    """
-
+    # its sides, the longest first (length)
     length: float
     width: float
     height: float
-    axes: Array
+    axes: Array  # unit directions (3, 3) of the sides, one per row, in their order
 
     @classmethod
     def along(cls, axes: Array, points: Array) -> Box:

@@ -16,19 +16,11 @@ THIN = 1e-3
 
 @record
 class Pack:
-    """The state of a motion that fits into the smallest box, panels with their thickness.
+    """The state of a motion that fits into the smallest box, panels with their thickness."""
 
-    Parameters
-    ----------
-    drive
-        Its drive angle (radians).
-    layers
-        How many panels lie on top of each other there, see :func:`count_layers`.
-    """
-
-    drive: float
+    drive: float  # its drive angle (radians)
     box: Box
-    layers: int
+    layers: int  # how many panels lie on top of each other there, see :func:`count_layers`
 
 
 def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: float = 0.0) -> Pack:

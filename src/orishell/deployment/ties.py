@@ -60,36 +60,23 @@ class ColumnDistances(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Tie:
-    """A cable between two vertices of one column, taut at the target.
+    """A cable between two vertices of one column, taut at the target."""
 
-    Parameters
-    ----------
-    ends
-        Row and column of both vertices, counted from 0 in the whole grid.
-    length
-        Their distance at the target, in the unit of the sheet.
-    flat, packed
-        Their distance in the flat sheet and at the pack (length).
-    grows
-        Whether it is proved that the distance grows strictly all the way from the pack to the
-        flat sheet; None if that was not examined, because the family does not say.
-    slack
-        Whether it is proved that the tie is slack all the way from the pack to the target; None if
-        that was not examined.
-    fails_at
-        If it is not proved, the drive nearest to the target about which it is not (radians).
-    shrinks
-        If it is disproved, the range of the drive (radians), of several the nearest to the target,
-        over which the distance does not grow towards the flat sheet; None if it is left undecided.
-    """
-
-    ends: VertexPair
-    length: float
+    ends: VertexPair  # row and column of both vertices, counted from 0 in the whole grid
+    length: float  # their distance at the target, in the unit of the sheet
+    # their distance in the flat sheet and at the pack (length)
     flat: float
     packed: float
+    # whether it is proved that the distance grows strictly all the way from the pack to the flat
+    # sheet; None if that was not examined, because the family does not say
     grows: bool | None = None
+    # whether it is proved that the tie is slack all the way from the pack to the target; None if
+    # that was not examined
     slack: bool | None = None
+    # if it is not proved, the drive nearest to the target about which it is not (radians)
     fails_at: float | None = None
+    # if it is disproved, the range of the drive (radians), of several the nearest to the target,
+    # over which the distance does not grow towards the flat sheet; None if it is left undecided
     shrinks: tuple[float, float] | None = None
 
 

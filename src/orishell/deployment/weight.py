@@ -54,38 +54,20 @@ class OwnWeight:
 
     Forces and energies are in the unit of force that the weight was given in, and in it times the
     unit of length.
-
-    Parameters
-    ----------
-    total
-        Weight of all panels.
-    drives
-        Drive angles (N,) from flat to the pack, the target's among them (radians).
-    energy
-        Potential energy (N,) of the panels over the feet.
-    span
-        Distance (N,) of the feet, the mean of all inner columns.
-    thrust
-        Force (N,) by which the feet push outwards, all together. Not a number in the flat sheet,
-        and where the distance of the feet is stationary.
-    target_thrust
-        The same at the target.
-    largest_force
-        The largest size of it from the pack to the target.
-    tipping
-        Drives (radians) where the energy is largest: there the shell would fall to either side.
-    work_from_flat, work_from_pack
-        What raising it to the target takes, without what is to be held back on the way.
     """
 
-    total: float
-    drives: Array
-    energy: Array
-    span: Array
+    total: float  # weight of all panels
+    drives: Array  # drive angles (N,) from flat to the pack, the target's among them (radians)
+    energy: Array  # potential energy (N,) of the panels over the feet
+    span: Array  # distance (N,) of the feet, the mean of all inner columns
+    # Force (N,) by which the feet push outwards, all together. Not a number in the flat sheet, and
+    # where the distance of the feet is stationary.
     thrust: Array
-    target_thrust: float
-    largest_force: float
+    target_thrust: float  # the same at the target
+    largest_force: float  # the largest size of it from the pack to the target
+    # drives (radians) where the energy is largest: there the shell would fall to either side
     tipping: tuple[float, ...]
+    # what raising it to the target takes, without what is to be held back on the way
     work_from_flat: float
     work_from_pack: float
 

@@ -25,73 +25,47 @@ Parameter = float | int | str | list[float] | list[str]
 
 @record
 class Approached:
-    """The surface that finer and finer shells approach, where that is not f swept along g.
+    """The surface that finer and finer shells approach, where that is not f swept along g."""
 
-    Parameters
-    ----------
-    what
-        A sentence that says what it is, with its sizes in the unit of the curves.
-    surface
-        The surface, or None where it has no simple form.
-    """
-
-    what: str
-    surface: Surface | None
+    what: str  # A sentence that says what it is, with its sizes in the unit of the curves
+    surface: Surface | None  # the surface, or None where it has no simple form
 
 
 @record
 class Design:
-    """A design that can be made: the folding sheet, its target, and what was chosen for it.
-
-    Parameters
-    ----------
-    parameters
-        What the family used and found, in the units of files: degrees (``_deg``) and the unit of
-        the curves. ``flap`` is among them, a number, where the table [pattern] may say "auto".
-    targets
-        The target curves "f" and "g" (N, 3), placed as the locked shell meets them; empty without a
-        target.
-    closeness
-        Distance of the polylines the shell locks on to the target curves, by the same names.
-    swept
-        f swept along g as asked for, placed as the locked shell meets it; None without a target.
-    warnings
-        Sentences a user should read: the design is made, but may not be what was meant.
-    tilted
-        How f or g lie in the surface asked for otherwise than they are drawn, in words; empty where
-        they lie as drawn.
-    approached
-        What the family approaches instead of the surface, if it does.
-    origin
-        Where the frame of all these coordinates stands in the world (3,): it is added when world
-        coordinates are written, so that a shell far from the origin keeps its digits until then.
-    clipped
-        The sheet with the flaps that are clipped on at the target; None if there are none. They
-        are no part of ``mechanism``.
-    largest_fold
-        How far its hinges close (radians).
-    panel
-        What its panels are made of, which limits how far they fold; None if they have no thickness.
-    opens_from_pack
-        Whether boards are set back for the way to the pack, and not to the target alone.
-    ending_at
-        The design with its motion ending at a drive (radians), where neither a target nor a stage
-        says where it ends; otherwise None.
-    """
+    """A design that can be made: the folding sheet, its target, and what was chosen for it."""
 
     mechanism: Mechanism
+    # What the family used and found, in the units of files: degrees (``_deg``) and the unit of the
+    # curves. ``flap`` is among them, a number, where the table [pattern] may say "auto".
     parameters: Mapping[str, Parameter]
+    # the target curves "f" and "g" (N, 3), placed as the locked shell meets them; empty without a
+    # target
     targets: Mapping[str, Array]
+    # distance of the polylines the shell locks on to the target curves, by the same names
     closeness: Mapping[str, Closeness]
+    # f swept along g as asked for, placed as the locked shell meets it; None without a target
     swept: Surface | None
+    # sentences a user should read: the design is made, but may not be what was meant
     warnings: tuple[str, ...]
+    # what the family approaches instead of the surface, if it does
     approached: Approached | None = None
+    # how f or g lie in the surface asked for otherwise than they are drawn, in words; empty where
+    # they lie as drawn
     tilted: str = ""
+    # where the frame of all these coordinates stands in the world (3,): it is added when world
+    # coordinates are written, so that a shell far from the origin keeps its digits until then
     origin: Array = field(default_factory=lambda: np.zeros(3))
+    # The sheet with the flaps that are clipped on at the target; None if there are none. They are
+    # no part of ``mechanism``.
     clipped: Mechanism | None = None
-    largest_fold: float = np.pi
+    largest_fold: float = np.pi  # how far its hinges close (radians)
+    # what its panels are made of, which limits how far they fold; None if they have no thickness
     panel: PanelSpec | None = None
+    # whether boards are set back for the way to the pack, and not to the target alone
     opens_from_pack: bool = False
+    # the design with its motion ending at a drive (radians), where neither a target nor a stage
+    # says where it ends; otherwise None
     ending_at: Callable[[float], Design] | None = None
 
     def with_clipped_flaps(self) -> Design:

@@ -22,18 +22,11 @@ class Path:
     """The pieces of a curve, its trace, between its corners.
 
     Points and directions are complex numbers x + iy.
-
-    Parameters
-    ----------
-    nodes
-        Samples (K+1,) of the trace at which its K pieces begin and end.
-    last
-        The last parameter (K,) at which the curve's derivative is that of the piece.
     """
 
     trace: Trace
-    nodes: Integers
-    last: Array
+    nodes: Integers  # samples (K+1,) of the trace at which its K pieces begin and end
+    last: Array  # the last parameter (K,) at which the curve's derivative is that of the piece
 
     @classmethod
     def of(cls, trace: Trace) -> Path:

@@ -55,17 +55,10 @@ class Rail(ABC):
 
 @record
 class Sliding(Rail):
-    """f slides along g and stays parallel to itself.
+    """f slides along g and stays parallel to itself."""
 
-    Parameters
-    ----------
-    axis
-        Unit direction of f's horizontal axis, as a complex number.
-    tilt
-        Angle by which g's plane rises along the axis from g's first point (radians).
-    """
-
-    axis: complex
+    axis: complex  # unit direction of f's horizontal axis, as a complex number
+    # angle by which g's plane rises along the axis from g's first point (radians)
     tilt: float = 0.0
 
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:
@@ -97,17 +90,11 @@ class Turning(Rail):
 
     At a corner of g what is carried along either side goes on straight until the two meet, as
     in a mitre joint.
-
-    Parameters
-    ----------
-    plane
-        Angle from f's plane to g's tangent, in (0, pi) (radians).
-    affine
-        Stretch f along its axis by lambda with lambda'/lambda = cot(plane) times the turning of
-        g, 1 at its beginning, so that f's points are carried parallel to g; otherwise f is rigid.
     """
 
-    plane: float
+    plane: float  # angle from f's plane to g's tangent, in (0, pi) (radians)
+    # stretch f along its axis by lambda with lambda'/lambda = cot(plane) times the turning of g, 1
+    # at its beginning, so that f's points are carried parallel to g; otherwise f is rigid
     affine: bool = False
 
     def carry(self, u: Array, x: Array) -> tuple[Array, Array, Array]:

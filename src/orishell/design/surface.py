@@ -24,22 +24,14 @@ FIRST_CELLS = 20_000
 
 @record
 class Lattice:
-    """Points of a surface at all pairs of places along g and parameters of f.
+    """Points of a surface at all pairs of places along g and parameters of f."""
 
-    Parameters
-    ----------
-    u, v
-        Places along g (A,) and parameters of f (B,), increasing.
-    points
-        Points (A, B, 3).
-    left_out
-        How far the surface's corners, and bends, that are not among them are from the chords beside
-        them.
-    """
-
+    # places along g (A,) and parameters of f (B,), increasing
     u: Array
     v: Array
-    points: Array
+    points: Array  # points (A, B, 3)
+    # how far the surface's corners, and bends, that are not among them are from the chords beside
+    # them
     left_out: float
 
     def triangles(self) -> Integers:
@@ -62,11 +54,6 @@ class Lattice:
 class Surface:
     """f, the profile, carried along g by its rail, upright: z is f's y axis.
 
-    Parameters
-    ----------
-    origin
-        The point (2,) of f's plane that is carried along g itself.
-
     Examples
     --------
     >>> from orishell.curves import curve_from_formulas, parse_formula, trace_curve
@@ -79,7 +66,7 @@ class Surface:
     """
 
     profile: Trace
-    origin: Array
+    origin: Array  # the point (2,) of f's plane that is carried along g itself
     rail: Rail
 
     def points(self, u: Array, v: Array) -> Array:

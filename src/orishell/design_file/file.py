@@ -88,60 +88,28 @@ ANY_SIZE = {"rows": 1, "columns": 2}
 
 @record
 class DesignFile:
-    """A checked design file.
+    """A checked design file."""
 
-    Parameters
-    ----------
-    path
-        Where it was read from.
-    family
-        The family's name.
-    unit
-        Unit of length of the curves and of all files written.
-    target
-        The target curves f and g, or None.
-    pattern
-        The family's parameters; its rows and columns have no meaning if there is a tolerance.
-    tolerance
-        How near the shell is to be to its surface, if rows and columns are to be chosen.
-    frames
-        Number of states to write.
-    contact_tolerance
-        Distance at which panels touch, relative to the diagonal of the flat sheet.
-    workshop
-        How the flat sheet is drawn and cut.
-    tables
-        What the file says, table by table.
-    ground
-        Where a shell that can stand is put.
-    deployment
-        How it is deployed.
-    panel
-        What its panels are made of; None if they have no thickness.
-    structure
-        How it is analysed as a structure; None if that was not asked for.
-    search
-        What is searched for among its variants; None if nothing is.
-    files
-        Whether its curves may come from files.
-    """
-
-    path: Path
-    family: str
-    unit: str
-    target: tuple[Curve, Curve] | None
+    path: Path  # where it was read from
+    family: str  # the family's name
+    unit: str  # unit of length of the curves and of all files written
+    target: tuple[Curve, Curve] | None  # the target curves f and g, or None
+    # the family's parameters; its rows and columns have no meaning if there is a tolerance
     pattern: Pattern
+    # how near the shell is to be to its surface, if rows and columns are to be chosen
     tolerance: Tolerance | None
-    frames: int
+    frames: int  # number of states to write
+    # distance at which panels touch, relative to the diagonal of the flat sheet
     contact_tolerance: float
-    workshop: Workshop
-    tables: dict[str, Any] = field(repr=False)
-    ground: Ground = "z0"
-    deployment: Deployment = FROM_FLAT
-    panel: PanelSpec | None = None
+    workshop: Workshop  # how the flat sheet is drawn and cut
+    tables: dict[str, Any] = field(repr=False)  # what the file says, table by table
+    ground: Ground = "z0"  # where a shell that can stand is put
+    deployment: Deployment = FROM_FLAT  # how it is deployed
+    panel: PanelSpec | None = None  # what its panels are made of; None if they have no thickness
+    # how it is analysed as a structure; None if that was not asked for
     structure: Structure | None = None
-    search: Search | None = None
-    files: bool = True
+    search: Search | None = None  # what is searched for among its variants; None if nothing is
+    files: bool = True  # whether its curves may come from files
 
     @property
     def panel_count(self) -> int:

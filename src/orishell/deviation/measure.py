@@ -27,43 +27,25 @@ SHARE = 0.95
 
 @record
 class Distances:
-    """Distances from all of one surface to the nearest points of another (length).
+    """Distances from all of one surface to the nearest points of another (length)."""
 
-    Parameters
-    ----------
-    max
-        The largest.
-    rms, mean, p95
-        Root mean square, mean, and the distance below which 95 % of the area lies.
-    sample_spacing
-        What is not known: the largest distance lies between max - sample_spacing and
-        max + sample_spacing.
-    grid_spacing
-        The same for rms, mean and p95; in practice these are far better known.
-    """
-
-    max: float
+    max: float  # the largest
+    # root mean square, mean, and the distance below which 95 % of the area lies
     rms: float
     mean: float
     p95: float
+    # what is not known: the largest distance lies between max - sample_spacing and max +
+    # sample_spacing
     sample_spacing: float
-    grid_spacing: float
+    grid_spacing: float  # the same for rms, mean and p95; in practice these are far better known
 
 
 @record
 class Deviation:
-    """Distances between a shell and a surface, both ways (length).
+    """Distances between a shell and a surface, both ways (length)."""
 
-    Parameters
-    ----------
-    shell_to_surface
-        From all points of the shell to the surface.
-    surface_to_shell
-        From all points of the surface to the shell.
-    """
-
-    shell_to_surface: Distances
-    surface_to_shell: Distances
+    shell_to_surface: Distances  # from all points of the shell to the surface
+    surface_to_shell: Distances  # from all points of the surface to the shell
 
     def __repr__(self) -> str:
         known = f"known to {self.sample_spacing:.2g}"
@@ -230,24 +212,13 @@ def _measure(way: _Way, samples: int) -> Distances:
 
 @record
 class SignedDistances:
-    """Distances of points of a shell, positive on the side of the surface's normals.
+    """Distances of points of a shell, positive on the side of the surface's normals."""
 
-    Parameters
-    ----------
-    points
-        The points (A, B, 3), by rows and columns of the shell.
-    distances
-        Their distances (A, B).
-    creases
-        Which of the A rows (A,) and of the B columns (B,) of points lie along creases or borders.
-    strides
-        Only every so many-th row and column of creases is among them.
-    """
-
-    points: Array
-    distances: Array
+    points: Array  # the points (A, B, 3), by rows and columns of the shell
+    distances: Array  # their distances (A, B)
+    # which of the A rows (A,) and of the B columns (B,) of points lie along creases or borders
     creases: tuple[Booleans, Booleans]
-    strides: tuple[int, int]
+    strides: tuple[int, int]  # only every so many-th row and column of creases is among them
 
 
 def measure_points(points: Array, surface: Surface, samples: int = 20_000) -> Array:

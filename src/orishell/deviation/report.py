@@ -10,66 +10,42 @@ from orishell.polylines import Closeness
 
 @record
 class SurfaceReport:
-    """Distances between the shell and the surface asked for, both ways.
+    """Distances between the shell and the surface asked for, both ways."""
 
-    Parameters
-    ----------
-    max, rms, mean, p95
-        The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the
-        distance below which 95 % of the area lies.
-    sample_spacing
-        By how much the largest distance may be off.
-    shell_to_surface, surface_to_shell
-        Either way by itself.
-    """
-
+    # the larger of both ways: the Hausdorff distance, the root mean square, the mean, and the
+    # distance below which 95 % of the area lies
     max: float
     rms: float
     mean: float
     p95: float
-    sample_spacing: float
+    sample_spacing: float  # by how much the largest distance may be off
+    # either way by itself
     shell_to_surface: Distances
     surface_to_shell: Distances
 
 
 @record
 class ApproachReport:
-    """The surface that ever finer shells approach, where it is not f swept along g.
+    """The surface that ever finer shells approach, where it is not f swept along g."""
 
-    Parameters
-    ----------
-    what
-        What it is.
-    max, rms
-        Distances of the shell from it; None if it has no simple form, or they were not measured.
-    """
-
-    what: str
+    what: str  # what it is
+    # distances of the shell from it; None if it has no simple form, or they were not measured
     max: float | None
     rms: float | None
 
 
 @record
 class DeviationReport:
-    """How close the shell is to what was asked for.
+    """How close the shell is to what was asked for."""
 
-    Parameters
-    ----------
-    f, g
-        Distances of the polylines that the shell locks on from the target curves.
-    surface
-        Distances between the shell and the surface; None if they were not measured.
-    tilted
-        How f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn.
-    approached
-        What the family approaches instead, if it does.
-    """
-
+    # distances of the polylines that the shell locks on from the target curves
     f: Closeness
     g: Closeness
+    # distances between the shell and the surface; None if they were not measured
     surface: SurfaceReport | None
+    # how f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn
     tilted: str
-    approached: ApproachReport | None
+    approached: ApproachReport | None  # what the family approaches instead, if it does
 
 
 def describe_deviation(

@@ -34,38 +34,21 @@ FLAT = "flat"
 
 @record
 class DocumentState:
-    """One folded state of the sheet.
+    """One folded state of the sheet."""
 
-    Parameters
-    ----------
-    positions
-        Vertices (V, 3) in the document's frame, z up, read-only.
-    fold_angles_deg
-        Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is
-        known of them. In degrees, as files have them: not a bit is lost.
-    drive_deg
-        Drive angle; None if the state has none.
-    """
-
-    positions: Array
+    positions: Array  # vertices (V, 3) in the document's frame, z up, read-only
+    # Fold angles (E,) of the edges, valley positive, NaN where unknown; None if nothing is known of
+    # them. In degrees, as files have them: not a bit is lost.
     fold_angles_deg: Array | None = None
-    drive_deg: float | None = None
+    drive_deg: float | None = None  # drive angle; None if the state has none
 
 
 @dataclass(frozen=True, slots=True)
 class FirstContact:
-    """Two panels that touch.
+    """Two panels that touch."""
 
-    Parameters
-    ----------
-    drive_deg
-        Drive angle at which they do.
-    panels
-        Their numbers.
-    """
-
-    drive_deg: float
-    panels: tuple[int, int]
+    drive_deg: float  # drive angle at which they do
+    panels: tuple[int, int]  # their numbers
 
 
 @record
@@ -74,71 +57,44 @@ class Document:
 
     Coordinates of states, curves and surface are in the document's frame: :meth:`in_world` makes
     world coordinates of them, when they are written.
-
-    Parameters
-    ----------
-    title
-        One line that says what it is.
-    unit
-        Unit of length of all coordinates: mm, cm, m, in, ft; or "unit" if none is known.
-    mesh
-        Panels and edges.
-    assignment
-        Letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut), J (joined).
-    flat
-        Vertices (V, 2) of the flat sheet, read-only; None where only folded states are known.
-    fold_angles_deg
-        Fold angles (E,) at the last state, valley positive, NaN where unknown.
-    states
-        Folded states in the order of the motion; may be made one by one as they are asked for.
-    grid_shape
-        Rows and columns of vertices, if panels and vertices are numbered row by row.
-    curves
-        Polylines (k, 3) beside the last state: the curves that the shell follows, by name.
-    surface
-        Lattice (a, b, 3) of the surface that the last state follows, if it is known.
-    distances
-        Signed distances (V,) of the last state's vertices from it, NaN where they do not count.
-    origin
-        Where the document's frame stands in the world (3,).
-    report
-        What is known of the shell, as in ``report.json``; empty if nothing is.
-    contact
-        The panels that touch first on the way, if that is known.
-    named
-        Numbers of the states that have a name: "flat", "target" (the shell), "pack".
-    names
-        Names of the panels; empty if they are called by row and column, or by their numbers.
-    panel
-        What panels are made of; None if they have no thickness.
-    boards
-        What is built of the panels; None if they have no thickness.
-    clipped
-        Boards that are no part of the sheet and clipped on at the target, in the same frame, flat
-        and in that one state.
-    loaded
-        The shell as a structure; None if it was not analysed.
     """
 
-    title: str
-    unit: str
-    mesh: QuadMesh
+    title: str  # one line that says what it is
+    unit: str  # unit of length of all coordinates: mm, cm, m, in, ft; or "unit" if none is known
+    mesh: QuadMesh  # panels and edges
+    # letter (E,) of every edge: B, M, V, F (unfolded), U (unassigned), C (cut), J (joined)
     assignment: tuple[str, ...]
+    # vertices (V, 2) of the flat sheet, read-only; None where only folded states are known
     flat: Array | None
-    fold_angles_deg: Array
+    fold_angles_deg: Array  # fold angles (E,) at the last state, valley positive, NaN where unknown
+    # folded states in the order of the motion; may be made one by one as they are asked for
     states: Sequence[DocumentState]
+    # rows and columns of vertices, if panels and vertices are numbered row by row
     grid_shape: tuple[int, int] | None
+    # polylines (k, 3) beside the last state: the curves that the shell follows, by name
     curves: Mapping[str, Array]
+    # lattice (a, b, 3) of the surface that the last state follows, if it is known
     surface: Array | None = None
+    # signed distances (V,) of the last state's vertices from it, NaN where they do not count
     distances: Array | None = None
+    # where the document's frame stands in the world (3,)
     origin: Array = field(default_factory=lambda: np.zeros(3))
+    # what is known of the shell, as in ``report.json``; empty if nothing is
     report: Mapping[str, object] = field(default_factory=dict, repr=False)
+    # the panels that touch first on the way, if that is known
     contact: FirstContact | None = field(default=None, repr=False)
+    # numbers of the states that have a name: "flat", "target" (the shell), "pack"
     named: Mapping[str, int] = field(default_factory=dict)
+    # names of the panels; empty if they are called by row and column, or by their numbers
     names: tuple[str, ...] = field(default=(), repr=False)
+    # what panels are made of; None if they have no thickness
     panel: PanelSpec | None = field(default=None, repr=False)
+    # what is built of the panels; None if they have no thickness
     boards: Boards | None = field(default=None, repr=False)
+    # boards that are no part of the sheet and clipped on at the target, in the same frame, flat and
+    # in that one state
     clipped: tuple[Document, ...] = field(default=(), repr=False)
+    # the shell as a structure; None if it was not analysed
     loaded: LoadedShell | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:

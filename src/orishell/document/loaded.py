@@ -8,67 +8,33 @@ from orishell.numerics.arrays import Array, Integers
 
 @record
 class LoadedCase:
-    """One load case with one stiffness of creases.
+    """One load case with one stiffness of creases."""
 
-    Parameters
-    ----------
-    name
-        What it is called, the stiffness of creases said where there are two.
-    stands
-        Whether it is in balance; displacements are those of its free motion otherwise, the largest
-        is 1.
-    forces
-        Loads on nodes (N, 3) (N).
-    displacements
-        Of nodes (N, 3) (length).
-    stresses
-        The larger of von Mises' stresses (T,) at both faces (force per area).
-    """
-
-    name: str
+    name: str  # what it is called, the stiffness of creases said where there are two
+    # whether it is in balance; displacements are those of its free motion otherwise, the largest is
+    # 1
     stands: bool
-    forces: Array
-    displacements: Array
-    stresses: Array
+    forces: Array  # loads on nodes (N, 3) (N)
+    displacements: Array  # of nodes (N, 3) (length)
+    stresses: Array  # the larger of von Mises' stresses (T,) at both faces (force per area)
 
 
 @record
 class LoadedShell:
-    """A meshed shell at its target, in the document's frame, with its load cases.
+    """A meshed shell at its target, in the document's frame, with its load cases."""
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3).
-    triangles
-        Corners (T, 3), all one way round; the two of every cell follow each other.
-    panels
-        The panel (T,) of every triangle, flaps counted.
-    membrane, bending
-        Stiffness (T,) of sections: force per length by strain, moment per length by curvature.
-    poisson
-        Poisson's ratio.
-    areal_mass
-        Mass (T,) per area (kg per square of the unit).
-    held
-        Supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation
-        along x, y, z; feet on the ground as if they were pinned.
-    ties
-        Ends (K, 2) of ties.
-    tie_stiffness
-        Their force by strain; infinite if they do not stretch (N).
-    cases
-        The load cases.
-    """
-
-    points: Array
+    points: Array  # nodes (N, 3)
+    # corners (T, 3), all one way round; the two of every cell follow each other
     triangles: Integers
-    panels: Integers
+    panels: Integers  # the panel (T,) of every triangle, flaps counted
+    # stiffness (T,) of sections: force per length by strain, moment per length by curvature
     membrane: Array
     bending: Array
-    poisson: float
-    areal_mass: Array
+    poisson: float  # Poisson's ratio
+    areal_mass: Array  # mass (T,) per area (kg per square of the unit)
+    # supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation along
+    # x, y, z; feet on the ground as if they were pinned
     held: Integers
-    ties: Integers
-    tie_stiffness: float
-    cases: tuple[LoadedCase, ...]
+    ties: Integers  # ends (K, 2) of ties
+    tie_stiffness: float  # their force by strain; infinite if they do not stretch (N)
+    cases: tuple[LoadedCase, ...]  # the load cases

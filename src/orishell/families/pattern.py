@@ -143,19 +143,12 @@ class Tolerance(Table):
 
 @record
 class Variants(Generic[T]):
-    """What may be filled in for what a design leaves open.
+    """What may be filled in for what a design leaves open."""
 
-    Parameters
-    ----------
-    telling
-        What is to be preferred, first, and what differs from it the most: if none of these nearly
-        does, no other does.
-    others
-        Everything else that is tried.
-    """
-
+    # what is to be preferred, first, and what differs from it the most: if none of these nearly
+    # does, no other does
     telling: Sequence[T]
-    others: Sequence[T] = ()
+    others: Sequence[T] = ()  # everything else that is tried
 
 
 class Pattern(Table):
@@ -255,27 +248,13 @@ class Pattern(Table):
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """A family as the design file, the studio and the command line know it.
+    """A family as the design file, the studio and the command line know it."""
 
-    Parameters
-    ----------
-    name
-        What the design file calls it.
-    pattern
-        Its table.
-    label
-        What headings call it.
-    what
-        What it makes, in a few words.
-    starter
-        A design file to begin with.
-    """
-
-    name: str
-    pattern: type[Pattern]
-    label: str
-    what: str
-    starter: Path
+    name: str  # what the design file calls it
+    pattern: type[Pattern]  # its table
+    label: str  # what headings call it
+    what: str  # what it makes, in a few words
+    starter: Path  # A design file to begin with
 
 
 def placement_variants(pattern: P, tolerance: Tolerance) -> list[P]:

@@ -32,31 +32,16 @@ LETTERS = frozenset("BMVFUCJ")
 
 @record
 class FoldFrame:
-    """One state of the sheet.
+    """One state of the sheet."""
 
-    Parameters
-    ----------
-    number
-        The frame's number in the file: 0 is the key frame.
-    classes
-        Its own ``frame_classes``.
-    positions
-        Vertices (V, 3), read-only; z is 0 where the file gives two coordinates.
-    fold_angles_deg
-        Fold angles (E,) that the frame itself gives, NaN where it gives none; None if it has no
-        such list or inherits it. In degrees, as in the file: not a bit is lost.
-    drive_deg
-        Drive angle, where the frame says it.
-    title
-        Its ``frame_title``; empty if it has none.
-    """
-
-    number: int
-    classes: tuple[str, ...]
-    positions: Array
+    number: int  # the frame's number in the file: 0 is the key frame
+    classes: tuple[str, ...]  # its own ``frame_classes``
+    positions: Array  # vertices (V, 3), read-only; z is 0 where the file gives two coordinates
+    # Fold angles (E,) that the frame itself gives, NaN where it gives none; None if it has no such
+    # list or inherits it. In degrees, as in the file: not a bit is lost.
     fold_angles_deg: Array | None
-    drive_deg: float | None
-    title: str = ""
+    drive_deg: float | None  # drive angle, where the frame says it
+    title: str = ""  # its ``frame_title``; empty if it has none
 
     @property
     def fold_angles(self) -> Array | None:
@@ -66,33 +51,16 @@ class FoldFrame:
 
 @record
 class FoldFile:
-    """A FOLD file: one mesh and its states.
+    """A FOLD file: one mesh and its states."""
 
-    Parameters
-    ----------
-    path
-        Where it was read from.
-    title
-        What the file calls itself; its name if it does not.
-    unit
-        Unit of length; "unit" if the file names none.
-    mesh
-        Panels and edges.
-    assignment
-        Letter of every edge; None if the file assigns none.
-    grid_shape
-        Rows and columns of vertices where the panels are those of a grid, row by row.
-    frames
-        The frames that have coordinates, in the order of the file.
-    """
-
-    path: Path
-    title: str
-    unit: str
-    mesh: QuadMesh
-    assignment: tuple[str, ...] | None
+    path: Path  # where it was read from
+    title: str  # what the file calls itself; its name if it does not
+    unit: str  # unit of length; "unit" if the file names none
+    mesh: QuadMesh  # panels and edges
+    assignment: tuple[str, ...] | None  # letter of every edge; None if the file assigns none
+    # rows and columns of vertices where the panels are those of a grid, row by row
     grid_shape: tuple[int, int] | None
-    frames: tuple[FoldFrame, ...]
+    frames: tuple[FoldFrame, ...]  # the frames that have coordinates, in the order of the file
 
 
 def read_fold(path: str | Path) -> FoldFile:

@@ -14,21 +14,11 @@ from orishell.workshop import DEFAULT, Workshop
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The state that is shown and the workshop's settings, for all formats.
+    """The state that is shown and the workshop's settings, for all formats."""
 
-    Parameters
-    ----------
-    state
-        The state that formats with one state show, by name or number.
-    print_state
-        The state in which solids are printed, by name or number.
-    workshop
-        How the flat sheet is drawn and cut.
-    """
-
-    state: int | str = SHELL
-    print_state: int | str = FLAT
-    workshop: Workshop = DEFAULT
+    state: int | str = SHELL  # the state that formats with one state show, by name or number
+    print_state: int | str = FLAT  # the state in which solids are printed, by name or number
+    workshop: Workshop = DEFAULT  # how the flat sheet is drawn and cut
 
     @classmethod
     def showing(cls, state: int | str | None, workshop: Workshop = DEFAULT) -> Self:
@@ -43,42 +33,22 @@ DEFAULT_SETTINGS = Settings()
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """A format in which a document can be written.
+    """A format in which a document can be written."""
 
-    Parameters
-    ----------
-    name
-        What the command line calls it.
-    file
-        The file that is written for a designed shell; others may be written beside it.
-    endings
-        Endings of file names that mean this format.
-    what
-        What is in it, in a few words.
-    write
-        Writes a document to a path, and whatever belongs to it beside the path.
-    lays_surface
-        Whether it shows the surface that the shell follows, if the document has it.
-    ready
-        Whether what it needs is there.
-    missing, remedy
-        What is not there otherwise, in a sentence, and what to do.
-    solid
-        Whether it shows nothing but boards, so that panels must have a thickness.
-    analysed
-        Whether it shows the shell as a structure, so that it must have been analysed.
-    """
-
-    name: str
-    file: str
-    endings: tuple[str, ...]
-    what: str
+    name: str  # what the command line calls it
+    file: str  # the file that is written for a designed shell; others may be written beside it
+    endings: tuple[str, ...]  # endings of file names that mean this format
+    what: str  # what is in it, in a few words
+    # writes a document to a path, and whatever belongs to it beside the path
     write: Callable[[Path, Document, Settings], None]
+    # whether it shows the surface that the shell follows, if the document has it
     lays_surface: bool = False
-    ready: Callable[[], bool] = lambda: True
+    ready: Callable[[], bool] = lambda: True  # whether what it needs is there
+    # what is not there otherwise, in a sentence, and what to do
     missing: str = ""
     remedy: str = ""
-    solid: bool = False
+    solid: bool = False  # whether it shows nothing but boards, so that panels must have a thickness
+    # whether it shows the shell as a structure, so that it must have been analysed
     analysed: bool = False
 
     def fits(self, document: Document) -> bool:

@@ -135,17 +135,10 @@ _DRAFT_NAME = re.compile(re.escape(DRAFT) + "[0-9a-f]{16}")
 
 @dataclass(frozen=True, slots=True)
 class OutputDirectory:
-    """A directory to write several files into, all or none.
+    """A directory to write several files into, all or none."""
 
-    Parameters
-    ----------
-    path
-        The directory; made if it does not exist, otherwise its other files stay.
-    manifest
-        The name of the list of files in it: what one command wrote is not another's to remove.
-    """
-
-    path: Path
+    path: Path  # the directory; made if it does not exist, otherwise its other files stay
+    # the name of the list of files in it: what one command wrote is not another's to remove
     manifest: str = NAME
 
     def require_usable(self) -> None:

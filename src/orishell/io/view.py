@@ -56,38 +56,21 @@ class ArrayPlace(TypedDict):
 
 
 class Header(TypedDict):
-    """The header of a view: what the shell is, and where its arrays are.
-
-    Parameters
-    ----------
-    grid
-        Rows and columns of vertices; null if they are no grid's.
-    origin
-        Was subtracted from all coordinates in space before they were rounded.
-    drives_deg
-        Drive of every state, in the order of the motion.
-    named
-        Numbers of the states that have a name: flat, target, pack.
-    report
-        The fields of ``report.json``; empty if there is none.
-    curves
-        In the studio.
-    cases
-        Load cases, where the shell was analysed as a structure.
-    """
+    """The header of a view: what the shell is, and where its arrays are."""
 
     version: int
     title: str
     unit: str
-    grid: tuple[int, int] | None
+    grid: tuple[int, int] | None  # rows and columns of vertices; null if they are no grid's
+    # was subtracted from all coordinates in space before they were rounded
     origin: tuple[float, float, float]
-    drives_deg: list[float | None]
-    named: Mapping[str, int]
-    report: Mapping[str, object]
+    drives_deg: list[float | None]  # drive of every state, in the order of the motion
+    named: Mapping[str, int]  # numbers of the states that have a name: flat, target, pack
+    report: Mapping[str, object]  # the fields of ``report.json``; empty if there is none
     contact: FirstContact | None
     arrays: dict[str, ArrayPlace]
-    curves: NotRequired[Curves]
-    cases: NotRequired[list[NamedCase]]
+    curves: NotRequired[Curves]  # in the studio
+    cases: NotRequired[list[NamedCase]]  # load cases, where the shell was analysed as a structure
 
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:

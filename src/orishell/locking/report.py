@@ -20,95 +20,51 @@ BOUND = (
 
 @record
 class ContactReport:
-    """Two panels that touch.
+    """Two panels that touch."""
 
-    Parameters
-    ----------
-    drive_deg
-        The drive angle at which they touch.
-    clear_until_deg
-        Up to here no panels touch, proved; 0 if the path was not examined.
-    panels
-        The two panels.
-    kind
-        Which parts of the sheet they belong to.
-    corrugation_depth
-        Depth of the corrugation there.
-    sides
-        Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None
-        if panels without a thickness do.
-    overlap
-        How far one reaches into the other, if they were looked at in one state only; None if they
-        touch on the way.
-    """
-
-    drive_deg: float
-    clear_until_deg: float
-    panels: tuple[Panel, Panel]
-    kind: Kind
-    corrugation_depth: float
+    drive_deg: float  # the drive angle at which they touch
+    clear_until_deg: float  # up to here no panels touch, proved; 0 if the path was not examined
+    panels: tuple[Panel, Panel]  # the two panels
+    kind: Kind  # which parts of the sheet they belong to
+    corrugation_depth: float  # depth of the corrugation there
+    # which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if
+    # panels without a thickness do
     sides: tuple[str, str] | None
+    # how far one reaches into the other, if they were looked at in one state only; None if they
+    # touch on the way
     overlap: float | None
 
 
 @record
 class PathReport:
-    """How contact was excluded along the whole path.
+    """How contact was excluded along the whole path."""
 
-    Parameters
-    ----------
-    states, ranges, tests
-        Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared.
-    largest_step_deg, smallest_step_deg
-        The longest and the shortest of these ranges.
-    contact_tolerance
-        Distance at which panels touch (length).
-    bound
-        What the proof rests on, in words.
-    """
-
+    # numbers of states computed, ranges of the drive proved clear, and pairs of panels compared
     states: int
     ranges: int
     tests: int
+    # the longest and the shortest of these ranges
     largest_step_deg: float
     smallest_step_deg: float
-    contact_tolerance: float
-    bound: str
+    contact_tolerance: float  # distance at which panels touch (length)
+    bound: str  # what the proof rests on, in words
 
 
 @record
 class LockReport:
-    """How the motion ends.
+    """How the motion ends."""
 
-    Parameters
-    ----------
-    drive_deg
-        Where it ends; None if nothing ends it.
-    cause
-        What ends it.
-    target_drive_deg
-        Where the shell meets its target.
-    corrugation_depth
-        Mean distance of inner vertices from the line between those above and below, at the target.
-    first_contact
-        The panels that touch first, if any do.
-    touching_at_end
-        Pairs of panels that touch at the end of the motion and are not meant to.
-    clipped_contact
-        What flaps that are clipped on at the target meet there; None if nothing, or if there are
-        none.
-    path
-        How contact was looked for; None if it was not.
-    """
-
-    drive_deg: float | None
-    cause: Cause | None
-    target_drive_deg: float
+    drive_deg: float | None  # where it ends; None if nothing ends it
+    cause: Cause | None  # what ends it
+    target_drive_deg: float  # where the shell meets its target
+    # mean distance of inner vertices from the line between those above and below, at the target
     corrugation_depth: float
-    first_contact: ContactReport | None
+    first_contact: ContactReport | None  # the panels that touch first, if any do
+    # pairs of panels that touch at the end of the motion and are not meant to
     touching_at_end: tuple[tuple[Panel, Panel], ...]
+    # what flaps that are clipped on at the target meet there; None if nothing, or if there are none
     clipped_contact: ContactReport | None
-    path: PathReport | None
+    path: PathReport | None  # how contact was looked for; None if it was not
 
 
 def describe_lock(lock: Lock) -> LockReport:
@@ -156,66 +112,36 @@ def _describe(contact: Contact | None) -> ContactReport | None:
 
 @record
 class MeetingReport:
-    """Where boards of flaps meet at the target.
+    """Where boards of flaps meet at the target."""
 
-    Parameters
-    ----------
-    creases
-        Number of row creases of flaps about which two boards meet.
-    shortest, total
-        Along how much of a crease they meet at least, and of all together.
-    largest_play
-        How far apart they are at most, where a gap sets them farther back.
-    largest_turn_deg
-        By how much a flap could fold further at most until they meet.
-    """
-
-    creases: int
+    creases: int  # number of row creases of flaps about which two boards meet
+    # along how much of a crease they meet at least, and of all together
     shortest: float
     total: float
-    largest_play: float
-    largest_turn_deg: float
+    largest_play: float  # how far apart they are at most, where a gap sets them farther back
+    largest_turn_deg: float  # by how much a flap could fold further at most until they meet
 
 
 @record
 class PanelReport:
-    """Panels as they are built.
+    """Panels as they are built."""
 
-    Parameters
-    ----------
-    construction, thickness, membrane, gap
-        What they are made of.
-    stop_deg
-        By how much flaps stop short of folding flat.
-    set_back_for_deg
-        The drive up to which boards are set back.
-    largest_fold_deg
-        The largest fold angle of a crease on the way there.
-    largest_setback
-        How far boards stand back at most.
-    boards
-        Their number, those of clipped flaps included.
-    corners_cut, largest_cut
-        Number of vertices at which corners of boards are cut off, and how far at most.
-    meeting
-        Where boards of flaps meet at the target; None if there are none.
-    path
-        How contact of boards was looked for; None if it was not.
-    """
-
+    # what they are made of
     construction: Construction
     thickness: float
     membrane: float
     gap: float
-    stop_deg: float
-    set_back_for_deg: float
-    largest_fold_deg: float
-    largest_setback: float
-    boards: int
+    stop_deg: float  # by how much flaps stop short of folding flat
+    set_back_for_deg: float  # the drive up to which boards are set back
+    largest_fold_deg: float  # the largest fold angle of a crease on the way there
+    largest_setback: float  # how far boards stand back at most
+    boards: int  # their number, those of clipped flaps included
+    # number of vertices at which corners of boards are cut off, and how far at most
     corners_cut: int
     largest_cut: float
+    # where boards of flaps meet at the target; None if there are none
     meeting: MeetingReport | None
-    path: PathReport | None
+    path: PathReport | None  # how contact of boards was looked for; None if it was not
 
 
 def describe_panels(design: Design, lock: Lock) -> PanelReport | None:

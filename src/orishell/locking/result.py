@@ -26,36 +26,23 @@ Cause = Literal["flaps", "clash", "crease", "hinges", "boards"]
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """Two panels that touch.
+    """Two panels that touch."""
 
-    Parameters
-    ----------
-    drive
-        Where they touch (radians).
-    clear_until
-        Up to here no panels touch, proved: 0 if the path was not examined (radians).
-    panels
-        The two panels; those of flaps that are clipped on are in the columns beside the sheet's,
-        -1 the one on the left.
-    kind
-        Two flaps of one column (neighbours of these at the end of the motion are what the design
-        means), or of both; a flap on another panel; neighbours about a crease that is folded flat;
-        a panel of the sheet's border on another; panels inside it; boards on panels.
-    depth
-        Depth of the corrugation there (length).
-    sides
-        Which boards of the panels touch, "top", "bottom" or "panel"; None if panels do.
-    overlap
-        How far one reaches into the other at least, where they were looked at in one state only;
-        None along a path, on which they only touch (length).
-    """
-
-    drive: float
+    drive: float  # where they touch (radians)
+    # up to here no panels touch, proved: 0 if the path was not examined (radians)
     clear_until: float
+    # the two panels; those of flaps that are clipped on are in the columns beside the sheet's, -1
+    # the one on the left
     panels: tuple[Panel, Panel]
+    # two flaps of one column (neighbours of these at the end of the motion are what the design
+    # means), or of both; a flap on another panel; neighbours about a crease that is folded flat; a
+    # panel of the sheet's border on another; panels inside it; boards on panels
     kind: Kind
-    depth: float
+    depth: float  # depth of the corrugation there (length)
+    # which boards of the panels touch, "top", "bottom" or "panel"; None if panels do
     sides: tuple[str, str] | None = None
+    # how far one reaches into the other at least, where they were looked at in one state only; None
+    # along a path, on which they only touch (length)
     overlap: float | None = None
 
     @property
@@ -72,44 +59,25 @@ class Contact:
 
 @dataclass(frozen=True, slots=True)
 class Lock:
-    """How a motion ends.
+    """How a motion ends."""
 
-    Parameters
-    ----------
-    drive
-        Where it ends, or None if nothing ends it (radians).
-    cause
-        Flaps folded onto each other as designed, panels that clash, another crease that is folded
-        flat, hinges that close no further, or boards: they meet there, or leave too little of a
-        panel beyond.
-    first_contact
-        The first contact, if there is one.
-    target
-        Drive of the target state (radians).
-    depth
-        Depth of the corrugation in that state (length).
-    touching
-        Pairs of panels, flaps and neighbours left out, that touch at the target and not before.
-    proof
-        How the path was examined, or None if it was not.
-    built
-        The boards of panels that have a thickness; None if they have none.
-    boards_proof
-        How the path was examined for contact of boards, or None if it was not.
-    clipped_contact
-        What flaps that are clipped on at the target reach into there, or boards of theirs touch;
-        None if nothing.
-    """
-
-    drive: float | None
+    drive: float | None  # where it ends, or None if nothing ends it (radians)
+    # flaps folded onto each other as designed, panels that clash, another crease that is folded
+    # flat, hinges that close no further, or boards: they meet there, or leave too little of a panel
+    # beyond
     cause: Cause | None
-    first_contact: Contact | None
-    target: float
-    depth: float
+    first_contact: Contact | None  # the first contact, if there is one
+    target: float  # drive of the target state (radians)
+    depth: float  # depth of the corrugation in that state (length)
+    # pairs of panels, flaps and neighbours left out, that touch at the target and not before
     touching: tuple[tuple[Panel, Panel], ...]
-    proof: ProofRecord | None
+    proof: ProofRecord | None  # how the path was examined, or None if it was not
+    # the boards of panels that have a thickness; None if they have none
     built: BuiltPanels | None = None
+    # how the path was examined for contact of boards, or None if it was not
     boards_proof: ProofRecord | None = None
+    # what flaps that are clipped on at the target reach into there, or boards of theirs touch; None
+    # if nothing
     clipped_contact: Contact | None = None
 
     def __repr__(self) -> str:

@@ -17,24 +17,16 @@ SIDES = {1: "top", -1: "bottom", 0: "panel"}
 
 @record
 class Boards:
-    """Convex plates, each fixed on one panel.
+    """Convex plates, each fixed on one panel."""
 
-    Parameters
-    ----------
-    panels
-        Number (B,) of the panel that carries each, ascending.
-    sides
-        The face (B,) of the flat sheet that it lies on: 1 on top, -1 at the bottom, 0 for a panel
-        that is one solid on both sides of the hinge plane.
-    outlines
-        Corners (B, H, K, 3) of every board's outlines at H heights, lowest first, counter-clockwise
-        seen from +z: x and y in the flat sheet, z the height over it (length). Corners with the
-        same number lie above each other, joined by an edge; neighbours may coincide. The board is
-        what lies between its outlines: their convex hull.
-    """
-
-    panels: Integers
+    panels: Integers  # number (B,) of the panel that carries each, ascending
+    # the face (B,) of the flat sheet that it lies on: 1 on top, -1 at the bottom, 0 for a panel
+    # that is one solid on both sides of the hinge plane
     sides: Integers
+    # Corners (B, H, K, 3) of every board's outlines at H heights, lowest first, counter-clockwise
+    # seen from +z: x and y in the flat sheet, z the height over it (length). Corners with the same
+    # number lie above each other, joined by an edge; neighbours may coincide. The board is what
+    # lies between its outlines: their convex hull.
     outlines: Array
 
     def __len__(self) -> int:
@@ -122,21 +114,11 @@ class Boards:
 
 @record
 class Surfaces:
-    """Closed surfaces of boards as one mesh of triangles: no two boards share a vertex.
+    """Closed surfaces of boards as one mesh of triangles: no two boards share a vertex."""
 
-    Parameters
-    ----------
-    vertices
-        Vertices (N, 3), those of a board one after the other.
-    triangles
-        Numbers (T, 3) of their corners, counter-clockwise seen from outside.
-    boards
-        The board (T,) that each triangle belongs to, ascending.
-    """
-
-    vertices: Array
-    triangles: Integers
-    boards: Integers
+    vertices: Array  # vertices (N, 3), those of a board one after the other
+    triangles: Integers  # numbers (T, 3) of their corners, counter-clockwise seen from outside
+    boards: Integers  # the board (T,) that each triangle belongs to, ascending
 
 
 def panel_axes(corners: Array, flat: Array) -> tuple[Array, Array]:

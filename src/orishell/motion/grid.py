@@ -28,14 +28,9 @@ VertexPair = tuple[Vertex, Vertex]
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """A grid of rows x columns vertices.
+    """A grid of rows x columns vertices."""
 
-    Parameters
-    ----------
-    rows, columns
-        Numbers of vertices, border included, at least 2 each.
-    """
-
+    # numbers of vertices, border included, at least 2 each
     rows: int
     columns: int
 
@@ -76,17 +71,10 @@ class Grid:
 
 @record
 class CreaseValues:
-    """One number for every inner edge of a grid (fold angles, signs), possibly for many states.
+    """One number for every inner edge of a grid (fold angles, signs), possibly for many states."""
 
-    Parameters
-    ----------
-    row
-        For the row creases (..., rows-2, columns-1): creases of inner rows, left to right.
-    column
-        For the column creases (..., rows-1, columns-2): creases of inner columns, top to bottom.
-    """
-
-    row: Array
+    row: Array  # for the row creases (..., rows-2, columns-1): creases of inner rows, left to right
+    # for the column creases (..., rows-1, columns-2): creases of inner columns, top to bottom
     column: Array
 
     def on_edges(self, border: float = 0.0) -> Array:

@@ -103,18 +103,10 @@ class Mechanism(Protocol):
 
 @record
 class FoldedState:
-    """One state of a mechanism, with fold angles from the closed form (radians).
+    """One state of a mechanism, with fold angles from the closed form (radians)."""
 
-    Parameters
-    ----------
-    drive
-        Drive angle (radians).
-    positions
-        Vertices (rows, columns, 3), read-only.
-    """
-
-    drive: float
-    positions: Array
+    drive: float  # drive angle (radians)
+    positions: Array  # vertices (rows, columns, 3), read-only
     fold_angles: CreaseValues
 
     @classmethod
@@ -127,19 +119,13 @@ class FoldedState:
 
 @record
 class FoldingMotion:
-    """States of a mechanism: folded up from flat to its target, or opened from its pack to flat.
-
-    Parameters
-    ----------
-    frames
-        Number of states, at least 2, or 3 from a pack; at nearly equal steps of the drive angle.
-    pack
-        Drive angle of the pack, beyond the target (radians): the states go from there over the
-        target to the flat sheet. None if they go from the flat sheet to the target.
-    """
+    """States of a mechanism: folded up from flat to its target, or opened from its pack to flat."""
 
     mechanism: Mechanism
+    # number of states, at least 2, or 3 from a pack; at nearly equal steps of the drive angle
     frames: int
+    # Drive angle of the pack, beyond the target (radians): the states go from there over the target
+    # to the flat sheet. None if they go from the flat sheet to the target.
     pack: float | None = None
 
     def __post_init__(self) -> None:

@@ -18,34 +18,18 @@ REVERSED = [0, 3, 2, 1]
 
 @record
 class QuadMesh:
-    """Panels, edges and what lies beside them; made by :func:`build_mesh`.
+    """Panels, edges and what lies beside them; made by :func:`build_mesh`."""
 
-    Parameters
-    ----------
-    vertex_count
-        Number of vertices; some may belong to no panel.
-    faces
-        Vertices (F, 4) of every panel in order around it. Neighbours go round the same way.
-    edges
-        Vertices (E, 2) of every edge.
-    edge_faces
-        Panels (E, 2) to the left and to the right of every edge seen from the side from which
-        the panels go counter-clockwise; -1 where there is none.
-    crease
-        Which edges (E,) join two panels.
-    pieces
-        Number (F,) of the connected piece that a panel belongs to.
-    reversed_faces
-        Which panels (F,) were listed the other way round.
-    """
-
-    vertex_count: int
+    vertex_count: int  # number of vertices; some may belong to no panel
+    # Vertices (F, 4) of every panel in order around it. Neighbours go round the same way.
     faces: Integers
-    edges: Integers
+    edges: Integers  # vertices (E, 2) of every edge
+    # panels (E, 2) to the left and to the right of every edge seen from the side from which the
+    # panels go counter-clockwise; -1 where there is none
     edge_faces: Integers
-    crease: Booleans
-    pieces: Integers
-    reversed_faces: Booleans
+    crease: Booleans  # which edges (E,) join two panels
+    pieces: Integers  # number (F,) of the connected piece that a panel belongs to
+    reversed_faces: Booleans  # which panels (F,) were listed the other way round
 
     def faces_edges(self) -> Integers:
         """Numbers (F, 4) of every panel's edges, that from its first to its second corner first."""

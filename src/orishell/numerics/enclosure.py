@@ -20,14 +20,9 @@ from orishell.numerics.arrays import Array
 
 @record
 class Interval:
-    """Arrays of lower and upper ends.
+    """Arrays of lower and upper ends."""
 
-    Parameters
-    ----------
-    low, high
-        Lower and upper ends (...).
-    """
-
+    # lower and upper ends (...)
     low: Array
     high: Array
 
@@ -83,14 +78,9 @@ class Interval:
 
 @record
 class Enclosure:
-    """Intervals for a function and its first and second derivative.
+    """Intervals for a function and its first and second derivative."""
 
-    Parameters
-    ----------
-    value, first, second
-        Intervals (...) of the function and of its first and second derivative.
-    """
-
+    # intervals (...) of the function and of its first and second derivative
     value: Interval
     first: Interval
     second: Interval

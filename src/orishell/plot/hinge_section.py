@@ -16,21 +16,12 @@ SAME = 1e-3
 
 @record
 class Profile:
-    """A board where it is cut square to the crease.
+    """A board where it is cut square to the crease."""
 
-    Parameters
-    ----------
-    right
-        Whether it lies on the right.
-    side
-        As in :class:`~orishell.motion.boards.Boards`.
-    points
-        Its outline (P, 2): distance from the crease and height over the hinge plane; down the near
-        end comes last, P being twice the number of heights.
-    """
-
-    right: bool
-    side: int
+    right: bool  # whether it lies on the right
+    side: int  # as in :class:`~orishell.motion.boards.Boards`
+    # its outline (P, 2): distance from the crease and height over the hinge plane; down the near
+    # end comes last, P being twice the number of heights
     points: Array
 
     def folded(self, fold: float) -> Array:
@@ -46,29 +37,15 @@ class Profile:
 
 @record
 class HingeSection:
-    """A crease, and the boards that are cut square to it through its middle.
+    """A crease, and the boards that are cut square to it through its middle."""
 
-    Parameters
-    ----------
-    panels
-        Row and column of the panels on the left and on the right.
-    profiles
-        The boards that are cut.
-    ends
-        How far the panels reach, on the left and on the right (length).
-    setback
-        The largest distance of a board from the crease (length).
-    build
-        What panels are made of.
-    states, folds
-        Names of states, and the fold angles of the crease there (radians).
-    """
-
+    # row and column of the panels on the left and on the right
     panels: tuple[tuple[int, int], tuple[int, int]]
-    profiles: tuple[Profile, ...]
-    ends: tuple[float, float]
-    setback: float
-    build: PanelSpec
+    profiles: tuple[Profile, ...]  # the boards that are cut
+    ends: tuple[float, float]  # how far the panels reach, on the left and on the right (length)
+    setback: float  # the largest distance of a board from the crease (length)
+    build: PanelSpec  # what panels are made of
+    # names of states, and the fold angles of the crease there (radians)
     states: tuple[str, ...]
     folds: tuple[float, ...]
 

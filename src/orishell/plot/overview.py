@@ -53,18 +53,10 @@ PATTERN_DRAWN, SHELL_DRAWN = 110, 70
 
 @dataclass(frozen=True, slots=True)
 class DrawnContact:
-    """A state in which panels touch, and these panels by row and column.
+    """A state in which panels touch, and these panels by row and column."""
 
-    Parameters
-    ----------
-    drive
-        Drive of the state (radians).
-    panels
-        Row and column of the panels that touch.
-    """
-
-    drive: float
-    panels: tuple[tuple[int, int], ...]
+    drive: float  # drive of the state (radians)
+    panels: tuple[tuple[int, int], ...]  # row and column of the panels that touch
 
 
 def plot_overview(

@@ -45,21 +45,11 @@ TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
 
 @record
 class DrawnCase:
-    """A load case as it is drawn.
+    """A load case as it is drawn."""
 
-    Parameters
-    ----------
-    case
-        The load case.
-    taut
-        Which ties (K,) pull.
-    note
-        The line below its name.
-    """
-
-    case: LoadedCase
-    taut: Booleans
-    note: str
+    case: LoadedCase  # the load case
+    taut: Booleans  # which ties (K,) pull
+    note: str  # the line below its name
 
 
 def plot_structure(

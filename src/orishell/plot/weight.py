@@ -22,30 +22,16 @@ MARKS = {"target": LIGHT["target"], "pack": LIGHT["unfolded"]}
 
 @dataclass(frozen=True, slots=True)
 class DrawnWeight:
-    """The force at the feet along a motion, as it is drawn.
+    """The force at the feet along a motion, as it is drawn."""
 
-    Parameters
-    ----------
-    drives_deg
-        Drive angles from flat to the pack (degrees).
-    forces
-        The force by which the feet push outwards there; None where none holds the shell.
-    unit
-        Its unit, in words.
-    largest
-        Forces up to this size are shown.
-    marked_deg
-        Drive angles of the "target" and, if there is one, of the "pack".
-    tipping_deg
-        Drive angles at which the shell falls to either side.
-    """
-
-    drives_deg: Sequence[float]
+    drives_deg: Sequence[float]  # drive angles from flat to the pack (degrees)
+    # the force by which the feet push outwards there; None where none holds the shell
     forces: Sequence[float | None]
-    unit: str
-    largest: float
+    unit: str  # its unit, in words
+    largest: float  # forces up to this size are shown
+    # drive angles of the "target" and, if there is one, of the "pack"
     marked_deg: Mapping[str, float]
-    tipping_deg: Sequence[float]
+    tipping_deg: Sequence[float]  # drive angles at which the shell falls to either side
 
 
 def plot_weight(path: Path, weight: DrawnWeight) -> None:

@@ -51,18 +51,11 @@ LARGEST_OFFSET = 0.25
 
 @record
 class Chords:
-    """A polyline along a curve.
+    """A polyline along a curve."""
 
-    Parameters
-    ----------
-    parameters
-        Parameters (n,) of the points of the curve that the vertices belong to, both ends included.
-    vertices
-        Vertices (n, 2): those points, or points on the curve's normals there.
-    """
-
+    # parameters (n,) of the points of the curve that the vertices belong to, both ends included
     parameters: Array
-    vertices: Array
+    vertices: Array  # vertices (n, 2): those points, or points on the curve's normals there
 
 
 @remembered

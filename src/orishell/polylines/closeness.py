@@ -93,18 +93,10 @@ COARSE_SHARE = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Closeness:
-    """Distances between a curve and a polyline, in the unit of their coordinates.
+    """Distances between a curve and a polyline, in the unit of their coordinates."""
 
-    Parameters
-    ----------
-    max
-        The Hausdorff distance: the largest distance of a point of either to the other.
-    rms
-        Root mean square over the curve's length of the distance to the polyline.
-    """
-
-    max: float
-    rms: float
+    max: float  # the Hausdorff distance: the largest distance of a point of either to the other
+    rms: float  # root mean square over the curve's length of the distance to the polyline
 
 
 def measure_closeness(trace: Trace, vertices: Array) -> Closeness:

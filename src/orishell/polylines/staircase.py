@@ -33,30 +33,15 @@ BALANCE = 1e-9
 
 @record
 class Staircase:
-    """A polyline of constant angle from the curve's first point to its last.
+    """A polyline of constant angle from the curve's first point to its last."""
 
-    Parameters
-    ----------
-    xi
-        Angle between adjacent edges (radians).
-    first
-        +1 if the first edge leaves to the left of the axis (upwards), -1 if to the right.
-    lengths
-        Edge lengths (m+1,), in the unit of the curve.
-    vertices
-        Vertices (m+2, 2).
-    distance
-        Hausdorff distance to the curve.
-    balanced
-        Whether all corners reached the same distance (they do unless the curve is pathological;
-        otherwise the distance is the largest, and not proved least).
-    """
-
-    xi: float
-    first: int
-    lengths: Array
-    vertices: Array
-    distance: float
+    xi: float  # angle between adjacent edges (radians)
+    first: int  # +1 if the first edge leaves to the left of the axis (upwards), -1 if to the right
+    lengths: Array  # edge lengths (m+1,), in the unit of the curve
+    vertices: Array  # vertices (m+2, 2)
+    distance: float  # Hausdorff distance to the curve
+    # whether all corners reached the same distance (they do unless the curve is pathological;
+    # otherwise the distance is the largest, and not proved least)
     balanced: bool
 
     @property

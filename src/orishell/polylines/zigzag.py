@@ -31,29 +31,15 @@ KEPT = 1e-6
 
 @record
 class Zigzag:
-    """A polyline that is meant to turn left and right alternately at its inner vertices 1 ... m.
+    """A polyline that is meant to turn left and right alternately at its inner vertices 1 ... m."""
 
-    Parameters
-    ----------
-    vertices
-        Vertices (m+2, 2).
-    feet
-        Points (m+2, 2) of the curve that they belong to.
-    first
-        +1 if vertex 1 lies to the left of the curve, so that the zigzag turns right there, or -1.
-    depth
-        Distance h of the inner vertices from their feet, in the unit of the curve.
-    lengths
-        Edge lengths (m+1,).
-    angles
-        Angles beta (m,) on alternating sides, below pi where it turns as meant (radians).
-    """
-
-    vertices: Array
-    feet: Array
+    vertices: Array  # vertices (m+2, 2)
+    feet: Array  # points (m+2, 2) of the curve that they belong to
+    # +1 if vertex 1 lies to the left of the curve, so that the zigzag turns right there, or -1
     first: int
-    depth: float
-    lengths: Array = field(init=False, repr=False)
+    depth: float  # distance h of the inner vertices from their feet, in the unit of the curve
+    lengths: Array = field(init=False, repr=False)  # edge lengths (m+1,)
+    # angles beta (m,) on alternating sides, below pi where it turns as meant (radians)
     angles: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:

@@ -40,20 +40,11 @@ class Place(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Crew:
-    """All places where work is done.
+    """All places where work is done."""
 
-    Parameters
-    ----------
-    places
-        Each works on one chunk at a time.
-    largest_chunk
-        Items in a chunk, at most.
-    require_alive
-        Raises InputError if nobody is left who could do the work.
-    """
-
-    places: list[Place]
-    largest_chunk: int = LARGEST_CHUNK
+    places: list[Place]  # each works on one chunk at a time
+    largest_chunk: int = LARGEST_CHUNK  # items in a chunk, at most
+    # raises InputError if nobody is left who could do the work
     require_alive: Callable[[], None] | None = None
 
     def work(

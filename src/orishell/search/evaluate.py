@@ -33,26 +33,14 @@ _VALUE = re.compile(f" = {_NUMBER.pattern}")
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of a variant.
+    """What became of a variant."""
 
-    Parameters
-    ----------
-    values
-        What its keys have.
-    figures
-        Its figures by name; empty if it cannot be made.
-    reason
-        Why it cannot be made, in the words that many refusals share; empty if it can.
-    said
-        The whole message of the refusal.
-    excess
-        By how much it misses its nearest limit, relative to that; None if that is not known.
-    """
-
-    values: Values
-    figures: dict[str, float]
+    values: Values  # what its keys have
+    figures: dict[str, float]  # its figures by name; empty if it cannot be made
+    # why it cannot be made, in the words that many refusals share; empty if it can
     reason: str = ""
-    said: str = ""
+    said: str = ""  # the whole message of the refusal
+    # by how much it misses its nearest limit, relative to that; None if that is not known
     excess: float | None = None
 
 

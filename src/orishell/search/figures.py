@@ -22,24 +22,13 @@ Share = Callable[[StandingReport], float | None]
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A number of the report.
+    """A number of the report."""
 
-    Parameters
-    ----------
-    name
-        Its name or key, as the design file has it.
-    unit
-        Its unit, "{unit}" standing for that of lengths; empty where it has none, or may have any.
-    part
-        What a shell cannot leave out for it; None if it always has it.
-    read
-        Gives it; None where the report does not say it.
-    """
-
-    name: str
+    name: str  # its name or key, as the design file has it
+    # its unit, "{unit}" standing for that of lengths; empty where it has none, or may have any
     unit: str
-    part: Part | None
-    read: Read
+    part: Part | None  # what a shell cannot leave out for it; None if it always has it
+    read: Read  # gives it; None where the report does not say it
 
     def label(self, unit: str) -> str:
         """Its name in words, and its unit, where that of lengths is given."""

@@ -26,19 +26,13 @@ NEXT_TO_NOTHING = 5e-4
 
 @record
 class Front:
-    """Designs that no other beats in all objectives at once.
+    """Designs that no other beats in all objectives at once."""
 
-    Parameters
-    ----------
-    members
-        The designs, by their first objective, those equal in it by the next.
-    knee
-        Which of them is farthest below the plane through the ends of the front, objectives
-        measured by their ranges: to either side a little less of one costs much of another. An end,
-        where none is below it.
-    """
-
+    # the designs, by their first objective, those equal in it by the next
     members: tuple[Outcome, ...]
+    # Which of them is farthest below the plane through the ends of the front, objectives measured
+    # by their ranges: to either side a little less of one costs much of another. An end, where none
+    # is below it.
     knee: int
 
     def name(self, number: int) -> str:

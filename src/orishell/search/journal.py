@@ -38,18 +38,10 @@ _ABSENT: tuple[object, ...] = (None, "", {})
 
 @dataclass(slots=True)
 class Journal:
-    """Designs that were made.
+    """Designs that were made."""
 
-    Parameters
-    ----------
-    head
-        Its first line: what it is of.
-    stream
-        Where lines are added; None for a journal in memory.
-    """
-
-    head: dict[str, str]
-    stream: FileIO | None
+    head: dict[str, str]  # its first line: what it is of
+    stream: FileIO | None  # where lines are added; None for a journal in memory
     _known: dict[str, Outcome]
 
     def find(self, values: Values) -> Outcome | None:

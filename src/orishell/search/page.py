@@ -44,93 +44,42 @@ Drawn = tuple[int, bytes | None, str]
 
 
 class PageFigure(TypedDict):
-    """A figure that designs are compared by.
+    """A figure that designs are compared by."""
 
-    Parameters
-    ----------
-    name
-        Its name, with its unit if that is known.
-    note
-        Its limits, in words; empty if it has none.
-    minimised
-        Whether it was to be as small as can be. These come first.
-    """
-
-    name: str
-    note: str
-    minimised: bool
+    name: str  # its name, with its unit if that is known
+    note: str  # its limits, in words; empty if it has none
+    minimised: bool  # Whether it was to be as small as can be. These come first.
 
 
 class Step(TypedDict):
-    """What it gains and costs to take a neighbour on the front instead.
+    """What it gains and costs to take a neighbour on the front instead."""
 
-    Parameters
-    ----------
-    to
-        Number of the neighbour.
-    words
-        What it gains and costs.
-    """
-
-    to: int
-    words: str
+    to: int  # number of the neighbour
+    words: str  # what it gains and costs
 
 
 class PageMember(TypedDict):
-    """A design that no other beats.
+    """A design that no other beats."""
 
-    Parameters
-    ----------
-    file
-        Its design file.
-    values
-        Values of its variables.
-    figures
-        Its figures.
-    steps
-        To its neighbours, by the first objective.
-    view
-        The view of its shell, deflated, in base64; null if it is not drawn.
-    missing
-        Why it is not drawn.
-    """
-
-    file: str
-    values: list[object]
-    figures: list[float]
-    steps: list[Step]
-    view: str | None
-    missing: str
+    file: str  # its design file
+    values: list[object]  # values of its variables
+    figures: list[float]  # its figures
+    steps: list[Step]  # to its neighbours, by the first objective
+    view: str | None  # the view of its shell, deflated, in base64; null if it is not drawn
+    missing: str  # why it is not drawn
 
 
 class FrontPage(TypedDict):
-    """What the page of a search shows.
+    """What the page of a search shows."""
 
-    Parameters
-    ----------
-    title
-        The name of the design.
-    said
-        How many designs were made, and what became of them.
-    variables
-        Keys of the design file.
-    members
-        By their first objective.
-    knee
-        Number of the member at the knee.
-    beaten
-        Objectives of designs that keep all limits and are not on the front.
-    begun_with
-        Objectives of the design that the file has; null if it cannot be made.
-    """
-
-    title: str
-    said: str
-    variables: list[str]
+    title: str  # the name of the design
+    said: str  # how many designs were made, and what became of them
+    variables: list[str]  # keys of the design file
     figures: list[PageFigure]
-    members: list[PageMember]
-    knee: int
-    beaten: list[list[float]]
+    members: list[PageMember]  # by their first objective
+    knee: int  # number of the member at the knee
+    beaten: list[list[float]]  # objectives of designs that keep all limits and are not on the front
+    # objectives of the design that the file has; null if it cannot be made
     begun_with: list[float] | None
 
 

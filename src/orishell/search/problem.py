@@ -35,35 +35,16 @@ FILE_KEYS = (
 
 @record
 class Problem:
-    """A design, and what is searched for among its variants.
+    """A design, and what is searched for among its variants."""
 
-    Parameters
-    ----------
-    path
-        The design file.
-    text
-        What stands in it; empty where the tables come from elsewhere.
-    tables
-        Its tables, without [search].
-    unit
-        Its unit of length.
-    search
-        What is searched for.
-    space
-        The variants.
-    objectives
-        What is to be as small as can be.
-    limits
-        What figures may be: those of the file, and of a structure that it bears its loads.
-    """
-
-    path: Path
-    text: str
-    tables: dict[str, Any]
-    unit: str
-    search: Search
-    space: Space
-    objectives: tuple[Figure, ...]
+    path: Path  # the design file
+    text: str  # what stands in it; empty where the tables come from elsewhere
+    tables: dict[str, Any]  # its tables, without [search]
+    unit: str  # its unit of length
+    search: Search  # what is searched for
+    space: Space  # the variants
+    objectives: tuple[Figure, ...]  # what is to be as small as can be
+    # what figures may be: those of the file, and of a structure that it bears its loads
     limits: tuple[tuple[Figure, Limit], ...]
 
     @property

@@ -36,24 +36,13 @@ COMMONEST = 3
 
 @record
 class Found:
-    """What a search found.
+    """What a search found."""
 
-    Parameters
-    ----------
-    outcomes
-        All designs that were made, in the order in which they were chosen.
-    front
-        Those that no other beats.
-    begun_with
-        The design as its file has it.
-    whole
-        Whether the search came to its end.
-    """
-
+    # all designs that were made, in the order in which they were chosen
     outcomes: tuple[Outcome, ...]
-    front: Front
-    begun_with: Outcome
-    whole: bool
+    front: Front  # those that no other beats
+    begun_with: Outcome  # the design as its file has it
+    whole: bool  # whether the search came to its end
 
 
 def search_designs(

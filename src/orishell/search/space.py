@@ -27,14 +27,9 @@ ENDS = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Interval:
-    """All numbers from one to another.
+    """All numbers from one to another."""
 
-    Parameters
-    ----------
-    low, high
-        The ends.
-    """
-
+    # the ends
     low: float
     high: float
 
@@ -61,14 +56,9 @@ class Interval:
 
 @dataclass(frozen=True, slots=True)
 class Choices:
-    """Single values.
+    """Single values."""
 
-    Parameters
-    ----------
-    values
-        The values, in an order in which neighbours are alike, if there is one.
-    """
-
+    # the values, in an order in which neighbours are alike, if there is one
     values: tuple[Any, ...]
 
     def value(self, share: float) -> Any:
@@ -91,15 +81,9 @@ class Choices:
 
 @record
 class Space:
-    """All variants of a design.
+    """All variants of a design."""
 
-    Parameters
-    ----------
-    axes
-        What each key may be.
-    """
-
-    axes: dict[str, Interval | Choices]
+    axes: dict[str, Interval | Choices]  # what each key may be
 
     @property
     def count(self) -> float:

@@ -36,124 +36,71 @@ PACKS = 9
 
 @record
 class PackedReport:
-    """The state that packs smallest, from the target to where the motion ends.
+    """The state that packs smallest, from the target to where the motion ends."""
 
-    Parameters
-    ----------
-    drive_deg
-        Its drive angle.
-    length, width, height
-        Its smallest box, turned as it may be, of panels with their thickness.
-    layers
-        How many panels lie on top of each other: boards make it that many times as thick.
-    """
-
-    drive_deg: float
+    drive_deg: float  # its drive angle
+    # its smallest box, turned as it may be, of panels with their thickness
     length: float
     width: float
     height: float
-    layers: int
+    layers: int  # how many panels lie on top of each other: boards make it that many times as thick
 
 
 @record
 class TieReport:
-    """A tie between two vertices.
+    """A tie between two vertices."""
 
-    Parameters
-    ----------
-    ends
-        Its vertices by row and column.
-    length, flat, packed
-        Their distance at the target, in the flat sheet, and at the end of the motion.
-    grows
-        Whether it is proved that its vertices move apart all the way from the end of the motion to
-        the flat sheet; None if the family does not say.
-    slack
-        Whether it is proved to be slack from the end of the motion to the target.
-    fails_at_deg
-        Where its vertices do not move apart, nearest to the target.
-    """
-
-    ends: VertexPair
+    ends: VertexPair  # its vertices by row and column
+    # their distance at the target, in the flat sheet, and at the end of the motion
     length: float
     flat: float
     packed: float
+    # whether it is proved that its vertices move apart all the way from the end of the motion to
+    # the flat sheet; None if the family does not say
     grows: bool | None
-    slack: bool | None
-    fails_at_deg: float | None
+    slack: bool | None  # whether it is proved to be slack from the end of the motion to the target
+    fails_at_deg: float | None  # where its vertices do not move apart, nearest to the target
 
 
 @record
 class WeightReport:
-    """The shell under its own weight; flaps that are clipped on are left out.
+    """The shell under its own weight; flaps that are clipped on are left out."""
 
-    Parameters
-    ----------
-    force_unit
-        Newtons, or the shell's weight if its mass is not known.
-    total
-        Its weight.
-    at_feet
-        Force at the target by which the feet, all of one side together, push outwards: positive
-        where own weight opens the shell and ties carry it, negative where flaps do.
-    largest_from_pack
-        The largest force at the feet on the way from the end of the motion to the target.
-    tipping_deg
-        Drives at which the shell would fall to either side.
-    raise_from_flat, raise_from_pack
-        What raising it takes: work, in the unit of force times metres.
-    drives_deg, forces
-        The force at the feet along the motion; None where none raises or holds it.
-    """
-
-    force_unit: Literal["N", "weight"]
-    total: float
+    force_unit: Literal["N", "weight"]  # Newtons, or the shell's weight if its mass is not known
+    total: float  # its weight
+    # force at the target by which the feet, all of one side together, push outwards: positive where
+    # own weight opens the shell and ties carry it, negative where flaps do
     at_feet: float
+    # the largest force at the feet on the way from the end of the motion to the target
     largest_from_pack: float
-    tipping_deg: tuple[float, ...]
+    tipping_deg: tuple[float, ...]  # drives at which the shell would fall to either side
+    # what raising it takes: work, in the unit of force times metres
     raise_from_flat: float
     raise_from_pack: float
+    # the force at the feet along the motion; None where none raises or holds it
     drives_deg: tuple[float, ...]
     forces: tuple[float | None, ...]
 
 
 @record
 class DeploymentReport:
-    """How a shell is deployed, and what holds it at its target.
+    """How a shell is deployed, and what holds it at its target."""
 
-    Parameters
-    ----------
-    start
-        What it is folded up or opened from.
-    flap_attachment
-        Whether flaps are part of the folding sheet; None if there are none.
-    largest_fold_deg
-        How far its hinges close.
-    thickness, largest_thickness
-        Thickness of its panels, 0 for none, and the largest with which set-backs take no more of
-        any than they may; None if it is not limited.
-    end_drive_deg
-        As far as it closes, proved if its path was examined.
-    closing, opening
-        What keeps it from closing, and from opening, beyond its target; None if nothing does.
-    packed
-        The state that packs smallest; None if that was not asked for.
-    ties
-        Its ties.
-    weight
-        What its own weight does; None if it does not stand, or that was not asked for.
-    """
-
-    start: Start
+    start: Start  # what it is folded up or opened from
+    # whether flaps are part of the folding sheet; None if there are none
     flap_attachment: Attachment | None
-    largest_fold_deg: float
+    largest_fold_deg: float  # how far its hinges close
+    # thickness of its panels, 0 for none, and the largest with which set-backs take no more of any
+    # than they may; None if it is not limited
     thickness: float
     largest_thickness: float | None
-    end_drive_deg: float
+    end_drive_deg: float  # as far as it closes, proved if its path was examined
+    # what keeps it from closing, and from opening, beyond its target; None if nothing does
     closing: Cause | Literal["clipped flaps"] | None
     opening: Literal["ties"] | None
-    packed: PackedReport | None
-    ties: tuple[TieReport, ...]
+    packed: PackedReport | None  # the state that packs smallest; None if that was not asked for
+    ties: tuple[TieReport, ...]  # its ties
+    # what its own weight does; None if it does not stand, or that was not asked for
     weight: WeightReport | None
 
 

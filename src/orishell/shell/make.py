@@ -59,42 +59,20 @@ clash; or nobody looks, for sheets of hundreds of thousands of panels."""
 
 @record
 class Shell:
-    """A designed and verified shell.
+    """A designed and verified shell."""
 
-    Parameters
-    ----------
-    file
-        The design file.
-    design
-        What the family made of it.
-    lock
-        How its motion ends.
-    motion
-        Its states.
-    deviation
-        How close the locked shell is to the surface asked for; None if that was not measured, or
-        there is no target.
-    choice
-        How rows and columns were chosen, if there was a tolerance.
-    document
-        What its files are written from.
-    report
-        What ``report.json`` says.
-    seconds
-        Time spent by step; printed, but not part of any file.
-    analysis
-        What was found of it as a structure; None if it was not analysed.
-    """
-
-    file: DesignFile
-    design: Design
-    lock: Lock
-    motion: FoldingMotion
+    file: DesignFile  # the design file
+    design: Design  # what the family made of it
+    lock: Lock  # how its motion ends
+    motion: FoldingMotion  # its states
+    # how close the locked shell is to the surface asked for; None if that was not measured, or
+    # there is no target
     deviation: Deviation | None
-    choice: Choice | None
-    document: Document
-    report: Report
-    seconds: dict[str, float]
+    choice: Choice | None  # how rows and columns were chosen, if there was a tolerance
+    document: Document  # what its files are written from
+    report: Report  # what ``report.json`` says
+    seconds: dict[str, float]  # time spent by step; printed, but not part of any file
+    # what was found of it as a structure; None if it was not analysed
     analysis: Analysis | None = None
 
     def __repr__(self) -> str:

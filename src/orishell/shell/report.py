@@ -29,104 +29,63 @@ from orishell.workshop.quantities import Quantities
 
 @record
 class AssignmentReport:
-    """How many creases are mountains and valleys, and whether they stay so.
+    """How many creases are mountains and valleys, and whether they stay so."""
 
-    Parameters
-    ----------
-    mountain, valley, unfolded
-        Numbers of creases.
-    constant
-        Whether no crease changes from one to the other in the whole motion; None if that was not
-        measured.
-    maekawa
-        Whether Maekawa's condition holds at every inner vertex; None if that was not measured.
-    """
-
+    # numbers of creases
     mountain: int
     valley: int
     unfolded: int
+    # whether no crease changes from one to the other in the whole motion; None if that was not
+    # measured
     constant: bool | None
+    # whether Maekawa's condition holds at every inner vertex; None if that was not measured
     maekawa: bool | None
 
 
 @record
 class StandsReport:
-    """What the shell stands on.
+    """What the shell stands on."""
 
-    Parameters
-    ----------
-    rows
-        The rows of vertices that are its feet.
-    z
-        Height of the lowest of their vertices.
-    uneven
-        By how much the highest lies above it.
-    level
-        Whether all are at one height.
-    """
-
-    rows: tuple[int, int]
-    z: float
-    uneven: float
-    level: bool
+    rows: tuple[int, int]  # the rows of vertices that are its feet
+    z: float  # height of the lowest of their vertices
+    uneven: float  # by how much the highest lies above it
+    level: bool  # whether all are at one height
 
 
 @record
 class ChosenReport:
-    """How rows and columns were chosen.
+    """How rows and columns were chosen."""
 
-    Parameters
-    ----------
-    tolerance, panel_min, panel_max
-        What was asked for; ``panel_max`` is None if edges may have any length.
-    rows, columns, panels, error, shortest, longest
-        The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`.
-    designs_tried
-        Number of designs measured.
-    tradeoff
-        Designs that no other beats in both error and number of panels.
-    """
-
+    # what was asked for; ``panel_max`` is None if edges may have any length
     tolerance: float
     panel_min: float
     panel_max: float | None
+    # the design that was chosen, see :class:`~orishell.shell.size_trials.Trial`
     rows: int
     columns: int
     panels: int
     error: float
     shortest: float
     longest: float
-    designs_tried: int
-    tradeoff: tuple[Trial, ...]
+    designs_tried: int  # number of designs measured
+    tradeoff: tuple[Trial, ...]  # designs that no other beats in both error and number of panels
 
 
 @record
 class SheetReport:
-    """Size of the flat sheet.
+    """Size of the flat sheet."""
 
-    Parameters
-    ----------
-    width, height
-        Its bounding box.
-    area
-        Area of all panels.
-    """
-
+    # its bounding box
     width: float
     height: float
-    area: float
+    area: float  # area of all panels
 
 
 @record
 class BoxReport:
-    """Bounding box of a state.
+    """Bounding box of a state."""
 
-    Parameters
-    ----------
-    width, depth, height
-        Along x, y and z.
-    """
-
+    # along x, y and z
     width: float
     depth: float
     height: float
@@ -134,65 +93,33 @@ class BoxReport:
 
 @record
 class Report:
-    """All that ``report.json`` says of a shell.
+    """All that ``report.json`` says of a shell."""
 
-    Parameters
-    ----------
-    family, unit, rows, columns
-        What was designed.
-    parameters
-        What the family used and found.
-    chosen
-        How rows and columns were chosen, if there was a tolerance.
-    feasible
-        Whether it reaches its target without contact; None if that was not examined.
-    warnings
-        Sentences a user should read.
-    residuals, assignment
-        How exactly it folds; None if that was not measured.
-    lock
-        How the motion ends.
-    not_checked
-        What was left out on request.
-    stands
-        What it stands on; None if it cannot stand.
-    deviation
-        How close it is to its target; None without one.
-    sheet, deployed
-        Sizes of the flat sheet and of the shell.
-    deployment
-        How it is deployed and held, and how small it packs.
-    panel
-        Panels as they are built; None if they have no thickness.
-    structure
-        The shell as a structure; None if it was not analysed.
-    quantities
-        Bill of quantities.
-    verdict
-        The findings, worst first.
-    """
-
+    # what was designed
     family: str
     unit: str
     rows: int
     columns: int
-    parameters: Mapping[str, Parameter]
-    chosen: ChosenReport | None
+    parameters: Mapping[str, Parameter]  # what the family used and found
+    chosen: ChosenReport | None  # how rows and columns were chosen, if there was a tolerance
+    # whether it reaches its target without contact; None if that was not examined
     feasible: bool | None
-    warnings: tuple[str, ...]
+    warnings: tuple[str, ...]  # sentences a user should read
+    # how exactly it folds; None if that was not measured
     residuals: Residuals | None
     assignment: AssignmentReport
-    lock: LockReport
-    not_checked: tuple[str, ...]
-    stands: StandsReport | None
-    deviation: DeviationReport | None
+    lock: LockReport  # how the motion ends
+    not_checked: tuple[str, ...]  # what was left out on request
+    stands: StandsReport | None  # what it stands on; None if it cannot stand
+    deviation: DeviationReport | None  # how close it is to its target; None without one
+    # sizes of the flat sheet and of the shell
     sheet: SheetReport
     deployed: BoxReport
-    deployment: DeploymentReport
-    panel: PanelReport | None
-    structure: StructureReport | None
-    quantities: Quantities
-    verdict: tuple[Row, ...] = ()
+    deployment: DeploymentReport  # how it is deployed and held, and how small it packs
+    panel: PanelReport | None  # panels as they are built; None if they have no thickness
+    structure: StructureReport | None  # the shell as a structure; None if it was not analysed
+    quantities: Quantities  # bill of quantities
+    verdict: tuple[Row, ...] = ()  # the findings, worst first
 
     def __repr__(self) -> str:
         size = f"{self.rows} x {self.columns} inner vertices"

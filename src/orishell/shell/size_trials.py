@@ -16,17 +16,10 @@ from orishell.families.pattern import Tolerance, Variants
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """Distance of a design from its surface, and its shortest and longest edge (length).
+    """Distance of a design from its surface, and its shortest and longest edge (length)."""
 
-    Parameters
-    ----------
-    error
-        Largest distance from the surface (length).
-    shortest, longest
-        Shortest and longest edge of a panel in the flat sheet (length).
-    """
-
-    error: float
+    error: float  # largest distance from the surface (length)
+    # shortest and longest edge of a panel in the flat sheet (length)
     shortest: float
     longest: float
 
@@ -38,45 +31,26 @@ class Measured:
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """A design that was tried.
+    """A design that was tried."""
 
-    Parameters
-    ----------
-    rows, columns
-        Inner vertices.
-    panels
-        Number of panels, flaps left out.
-    error
-        Distance between shell and target surface, largest both ways (length).
-    shortest, longest
-        Edges of its panels (length).
-    """
-
+    # inner vertices
     rows: int
     columns: int
-    panels: int
-    error: float
+    panels: int  # number of panels, flaps left out
+    error: float  # distance between shell and target surface, largest both ways (length)
+    # edges of its panels (length)
     shortest: float
     longest: float
 
 
 @record
 class Choice:
-    """The design with the fewest panels, and the others that were looked at.
+    """The design with the fewest panels, and the others that were looked at."""
 
-    Parameters
-    ----------
-    trial
-        Its sizes and its error, carefully measured.
-    tradeoff
-        Of all trials those that no other beats in both error and number of panels, by panels.
-    tried
-        Number of designs measured.
-    """
-
-    trial: Trial
+    trial: Trial  # its sizes and its error, carefully measured
+    # of all trials those that no other beats in both error and number of panels, by panels
     tradeoff: tuple[Trial, ...]
-    tried: int
+    tried: int  # number of designs measured
 
 
 def unbeaten(trials: Iterable[Trial]) -> tuple[Trial, ...]:

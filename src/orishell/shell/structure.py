@@ -29,21 +29,11 @@ if TYPE_CHECKING:
 
 @record
 class Loaded:
-    """A shell as a structure.
+    """A shell as a structure."""
 
-    Parameters
-    ----------
-    analysis
-        What was found.
-    report
-        The same as the report says it.
-    drawn
-        The same as files and pages show it.
-    """
-
-    analysis: Analysis
-    report: StructureReport
-    drawn: LoadedShell
+    analysis: Analysis  # what was found
+    report: StructureReport  # the same as the report says it
+    drawn: LoadedShell  # the same as files and pages show it
 
 
 def analyse_structure(

@@ -27,25 +27,15 @@ TRIED = 0.6
 
 @record
 class Tradeoff:
-    """Sheets of many sizes, and the best of them.
+    """Sheets of many sizes, and the best of them."""
 
-    Parameters
-    ----------
-    tried
-        All sheets that were made, measured quickly, by panels.
-    best
-        Those that no other beats, or nearly so, in both error and number of panels, with edges as
-        long as the design's tolerance allows, measured carefully.
-    refused
-        Number of sizes that the family refuses.
-    settled
-        Keys of the pattern, besides rows and columns, that the design leaves open, with the
-        values that all trials have.
-    """
-
-    tried: tuple[Trial, ...]
+    tried: tuple[Trial, ...]  # all sheets that were made, measured quickly, by panels
+    # those that no other beats, or nearly so, in both error and number of panels, with edges as
+    # long as the design's tolerance allows, measured carefully
     best: tuple[Trial, ...]
-    refused: int
+    refused: int  # number of sizes that the family refuses
+    # keys of the pattern, besides rows and columns, that the design leaves open, with the values
+    # that all trials have
     settled: dict[str, Any]
 
 

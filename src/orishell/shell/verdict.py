@@ -39,21 +39,11 @@ CLOSING = {
 
 @record
 class Row:
-    """A finding.
+    """A finding."""
 
-    Parameters
-    ----------
-    sign
-        What it means for the shell.
-    subject
-        What it is about, in a word.
-    finding
-        What was found, in a line.
-    """
-
-    sign: Sign
-    subject: str
-    finding: str
+    sign: Sign  # what it means for the shell
+    subject: str  # what it is about, in a word
+    finding: str  # what was found, in a line
 
 
 def find_verdict(report: Report) -> tuple[Row, ...]:

@@ -27,23 +27,15 @@ from orishell.solids.setbacks import find_set_backs, largest_folds
 
 @record
 class BuiltPanels:
-    """The panels of a design as they are built, for the largest folds of its creases on the way.
-
-    Parameters
-    ----------
-    limit
-        The drive up to which boards are set back (radians).
-    reliefs
-        How far corners of boards are cut off at the sheet's vertices (rows, columns) (length).
-    flaps
-        Boards of flaps that are clipped on at its target; None if there are none.
-    """
+    """The panels of a design as they are built, for the largest folds of its creases on the way."""
 
     build: PanelSpec
-    limit: float
+    limit: float  # the drive up to which boards are set back (radians)
     folds: CreaseValues
+    # how far corners of boards are cut off at the sheet's vertices (rows, columns) (length)
     reliefs: Array
     boards: Boards
+    # boards of flaps that are clipped on at its target; None if there are none
     flaps: Boards | None
 
     def settled(self) -> Booleans:
@@ -127,32 +119,18 @@ def _with_flaps(
 
 @record
 class Meetings:
-    """The row creases of flaps about which two boards meet at the target.
+    """The row creases of flaps about which two boards meet at the target."""
 
-    Parameters
-    ----------
-    rows, columns
-        Row and column (M,) of the panel above each crease; the other panel is in the next row.
-    boards
-        The two boards (M, 2), the one above the crease first.
-    set_backs
-        How far the edges along which they meet are from the crease (M,) (length).
-    spans
-        From where to where (M, 2) both have such an edge, along the crease from its left end in
-        the flat sheet; alike where the two have none in common (length).
-    plays
-        How far apart these edges are (M,) (length).
-    angles
-        By how much the crease could fold further until they meet (M,) (radians).
-    """
-
+    # row and column (M,) of the panel above each crease; the other panel is in the next row
     rows: Integers
     columns: Integers
-    boards: Integers
-    set_backs: Array
+    boards: Integers  # the two boards (M, 2), the one above the crease first
+    set_backs: Array  # how far the edges along which they meet are from the crease (M,) (length)
+    # from where to where (M, 2) both have such an edge, along the crease from its left end in the
+    # flat sheet; alike where the two have none in common (length)
     spans: Array
-    plays: Array
-    angles: Array
+    plays: Array  # how far apart these edges are (M,) (length)
+    angles: Array  # by how much the crease could fold further until they meet (M,) (radians)
 
     @property
     def lengths(self) -> Array:

@@ -37,15 +37,10 @@ SHUT = 1e-9
 
 @record
 class SetBacks:
-    """How far boards stand back from every edge of the sheet.
+    """How far boards stand back from every edge of the sheet."""
 
-    Parameters
-    ----------
-    top, bottom
-        For the boards on the upper and the lower face of the flat sheet (E,), in the order of the
-        grid's edges, 0 at the border (length).
-    """
-
+    # for the boards on the upper and the lower face of the flat sheet (E,), in the order of the
+    # grid's edges, 0 at the border (length)
     top: Array
     bottom: Array
 

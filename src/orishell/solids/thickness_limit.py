@@ -19,21 +19,12 @@ from orishell.solids.setbacks import allowed_heights, bare_faces, largest_folds,
 
 @dataclass(frozen=True, slots=True)
 class ThicknessLimit:
-    """How thick panels may be.
+    """How thick panels may be."""
 
-    Parameters
-    ----------
-    thickness
-        The largest thickness with which set-backs take no more than they may (length).
-    crease
-        The crease that asks for most, by row and column; empty where none does.
-    on_flap
-        Whether it is a row crease of a flap.
-    """
-
+    # the largest thickness with which set-backs take no more than they may (length)
     thickness: float
-    crease: str
-    on_flap: bool
+    crease: str  # the crease that asks for most, by row and column; empty where none does
+    on_flap: bool  # whether it is a row crease of a flap
 
 
 THINNER = (0.99, 0.5, 0.1)

@@ -45,30 +45,14 @@ SIDES = 12
 
 @record
 class Response:
-    """What loads do to a structure.
+    """What loads do to a structure."""
 
-    Parameters
-    ----------
-    moves
-        The motion (n,) that they drive and nothing resists; None if it stands.
-    displacements
-        Of free freedoms (n,); not numbers where it moves.
-    acting
-        Which rows of :class:`~orishell.structure.held.Held` act (M,).
-    forces
-        Their forces (M,).
-    taken
-        What panels and hinges take (D,) of all freedoms; not numbers where it moves.
-    motions
-        What nothing resists, and the loads do not drive (n, k).
-    """
-
-    moves: Array | None
-    displacements: Array
-    acting: Booleans
-    forces: Array
-    taken: Array
-    motions: Array
+    moves: Array | None  # the motion (n,) that they drive and nothing resists; None if it stands
+    displacements: Array  # of free freedoms (n,); not numbers where it moves
+    acting: Booleans  # which rows of :class:`~orishell.structure.held.Held` act (M,)
+    forces: Array  # their forces (M,)
+    taken: Array  # what panels and hinges take (D,) of all freedoms; not numbers where it moves
+    motions: Array  # what nothing resists, and the loads do not drive (n, k)
 
 
 def respond(held: Held, loads: Array) -> Response:

@@ -29,218 +29,107 @@ GOVERNING: Mapping[Part, str] = {
 
 @record
 class LoadReport:
-    """A load of a case.
+    """A load of a case."""
 
-    Parameters
-    ----------
-    case
-        The case that has it: another one where that is combined.
-    factor
-        By which it is combined.
-    kind
-        What it is.
-    pressure
-        What it comes from: the pressure, snow on the ground, wind's peak velocity pressure; None
-        for own weight and forces at points.
-    rule
-        How it comes from that, in words.
-    force
-        Sum of its forces, times the factor.
-    """
-
-    case: str
-    factor: float
-    kind: LoadKind
+    case: str  # the case that has it: another one where that is combined
+    factor: float  # by which it is combined
+    kind: LoadKind  # what it is
+    # what it comes from: the pressure, snow on the ground, wind's peak velocity pressure; None for
+    # own weight and forces at points
     pressure: float | None
-    rule: str
-    force: Vector
+    rule: str  # how it comes from that, in words
+    force: Vector  # sum of its forces, times the factor
 
 
 @record
 class DisplacementReport:
-    """The largest displacement.
+    """The largest displacement."""
 
-    Parameters
-    ----------
-    size
-        How large it is.
-    vector
-        Along x, y and z.
-    panel
-        A panel that has the place.
-    share
-        Of the shell's height.
-    """
-
-    size: float
-    vector: Vector
-    panel: Panel
-    share: float
+    size: float  # how large it is
+    vector: Vector  # along x, y and z
+    panel: Panel  # A panel that has the place
+    share: float  # of the shell's height
 
 
 @record
 class ReactionReport:
-    """The force of a support on the shell.
+    """The force of a support on the shell."""
 
-    Parameters
-    ----------
-    at
-        The supported vertex.
-    force
-        Along x, y and z.
-    """
-
-    at: Vertex
-    force: Vector
+    at: Vertex  # the supported vertex
+    force: Vector  # along x, y and z
 
 
 @record
 class PairReport:
-    """The force between two vertices: of a tie, or of two panels of a flap on each other.
+    """The force between two vertices: of a tie, or of two panels of a flap on each other."""
 
-    Parameters
-    ----------
-    ends
-        The vertices.
-    force
-        How much a tie pulls, or flaps push.
-    """
-
-    ends: VertexPair
-    force: float
+    ends: VertexPair  # the vertices
+    force: float  # how much a tie pulls, or flaps push
 
 
 @record
 class CreaseReport:
-    """The crease with the largest moment.
+    """The crease with the largest moment."""
 
-    Parameters
-    ----------
-    moment
-        Per length.
-    panels
-        The two panels beside it.
-    """
-
-    moment: float
-    panels: tuple[Panel, Panel]
+    moment: float  # per length
+    panels: tuple[Panel, Panel]  # the two panels beside it
 
 
 @record
 class StressReport:
-    """The largest stress in panels.
+    """The largest stress in panels."""
 
-    Parameters
-    ----------
-    size
-        Von Mises' stress.
-    panel
-        Where.
-    face
-        On which face of the panel, upper as seen from +z on the flat sheet.
-    largest, least
-        The largest and the least principal stress of all panels: pull and pressure.
-    """
-
-    size: float
-    panel: Panel
+    size: float  # von Mises' stress
+    panel: Panel  # where
+    # on which face of the panel, upper as seen from +z on the flat sheet
     face: Literal["lower", "upper"]
+    # the largest and the least principal stress of all panels: pull and pressure
     largest: float
     least: float
 
 
 @record
 class UtilisationReport:
-    """Shares of what is borne, by what can be borne.
+    """Shares of what is borne, by what can be borne."""
 
-    Parameters
-    ----------
-    panels, creases, ties
-        Of their strength; None where that is not known.
-    buckling
-        Of the load at which the shell buckles; None if it does not.
-    governs
-        The largest of these; None if there is none.
-    """
-
+    # of their strength; None where that is not known
     panels: float | None
     creases: float | None
     ties: float | None
-    buckling: float | None
-    governs: Part | None
+    buckling: float | None  # of the load at which the shell buckles; None if it does not
+    governs: Part | None  # the largest of these; None if there is none
 
 
 @record
 class StandingReport:
-    """A shell that stands under its loads.
+    """A shell that stands under its loads."""
 
-    Parameters
-    ----------
-    reaction
-        Sum of all reactions.
-    residual
-        What is missing between loads and reactions, of forces and moments the larger, relative to
-        the loads.
-    displacement
-        The largest.
-    reactions
-        Of all supported vertices.
-    friction
-        The largest share of the friction of the ground that a foot uses; None where none is rough.
-    ties
-        Forces in ties, the largest first.
-    flaps
-        Forces of flaps that press on each other, the largest first.
-    crease
-        The largest moment about a crease; None where they are free.
-    stress
-        The largest.
-    utilisation
-        Of panels, creases and ties.
-    buckling
-        By what factor all loads may grow until the shell buckles, by linear theory; None if it does
-        not.
-    frequencies
-        The lowest natural frequencies (Hz).
-    """
-
-    reaction: Vector
+    reaction: Vector  # sum of all reactions
+    # what is missing between loads and reactions, of forces and moments the larger, relative to the
+    # loads
     residual: float
-    displacement: DisplacementReport
-    reactions: tuple[ReactionReport, ...]
+    displacement: DisplacementReport  # the largest
+    reactions: tuple[ReactionReport, ...]  # of all supported vertices
+    # the largest share of the friction of the ground that a foot uses; None where none is rough
     friction: float | None
-    ties: tuple[PairReport, ...]
-    flaps: tuple[PairReport, ...]
-    crease: CreaseReport | None
-    stress: StressReport
-    utilisation: UtilisationReport
+    ties: tuple[PairReport, ...]  # forces in ties, the largest first
+    flaps: tuple[PairReport, ...]  # forces of flaps that press on each other, the largest first
+    crease: CreaseReport | None  # the largest moment about a crease; None where they are free
+    stress: StressReport  # the largest
+    utilisation: UtilisationReport  # of panels, creases and ties
+    # by what factor all loads may grow until the shell buckles, by linear theory; None if it does
+    # not
     buckling: float | None
-    frequencies: tuple[float, ...]
+    frequencies: tuple[float, ...]  # the lowest natural frequencies (Hz)
 
 
 @record
 class CaseReport:
-    """A load case with one stiffness of creases.
+    """A load case with one stiffness of creases."""
 
-    Parameters
-    ----------
-    name
-        The case.
-    creases
-        Their stiffness.
-    loads
-        What loads it, kind by kind.
-    load
-        Sum of all loads.
-    moves
-        How it moves, where nothing resists; None if it stands.
-    stands
-        How it stands; None if it does not.
-    """
-
-    name: str
-    creases: Stiffness
-    loads: tuple[LoadReport, ...]
-    load: Vector
-    moves: str | None
-    stands: StandingReport | None
+    name: str  # the case
+    creases: Stiffness  # their stiffness
+    loads: tuple[LoadReport, ...]  # what loads it, kind by kind
+    load: Vector  # sum of all loads
+    moves: str | None  # how it moves, where nothing resists; None if it stands
+    stands: StandingReport | None  # how it stands; None if it does not

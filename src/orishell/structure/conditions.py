@@ -20,28 +20,16 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 @record
 class Conditions:
-    """Rows between displacements of nodes, and what they ask.
+    """Rows between displacements of nodes, and what they ask."""
 
-    Parameters
-    ----------
-    nodes
-        Nodes (m, 2) of every row; the same twice where the ground is the other.
-    directions
-        Unit vectors (m, 3): g is their product with the displacement of the second node, less that
-        of the first; only of the first where both are the same.
-    compliance
-        Gap by force (m,); 0 for none.
-    friction
-        Coefficient of friction (m,) of feet on the ground; 0 elsewhere, and where it is smooth.
-    grounded
-        Which of them (m,) are feet on the ground.
-    """
-
-    nodes: Integers
+    nodes: Integers  # nodes (m, 2) of every row; the same twice where the ground is the other
+    # unit vectors (m, 3): g is their product with the displacement of the second node, less that of
+    # the first; only of the first where both are the same
     directions: Array
-    compliance: Array
+    compliance: Array  # gap by force (m,); 0 for none
+    # coefficient of friction (m,) of feet on the ground; 0 elsewhere, and where it is smooth
     friction: Array
-    grounded: Booleans
+    grounded: Booleans  # which of them (m,) are feet on the ground
 
     def __len__(self) -> int:
         return len(self.nodes)

@@ -22,26 +22,15 @@ if TYPE_CHECKING:
 
 @record
 class Elements:
-    """Elements of one kind.
+    """Elements of one kind."""
 
-    Parameters
-    ----------
-    matrices
-        Their stiffness (T, k, k).
-    freedoms
-        Their freedoms (T, k), those of the first corner first: displacements, if they have any,
-        then rotations.
-    arms
-        From the first corner to each of the others (T, c - 1, 3); None if they have no
-        displacements.
-    count
-        Number of all freedoms D.
-    """
-
-    matrices: Array
+    matrices: Array  # their stiffness (T, k, k)
+    # their freedoms (T, k), those of the first corner first: displacements, if they have any, then
+    # rotations
     freedoms: Integers
+    # from the first corner to each of the others (T, c - 1, 3); None if they have no displacements
     arms: Array | None
-    count: int
+    count: int  # number of all freedoms D
 
     def assembled(self) -> csr_array:
         """The matrix (D, D) of all."""

@@ -48,38 +48,17 @@ class Held:
 
     Rows are those of the conditions, then two of friction for each foot on rough ground (along
     x, and along y), then those of vertices that nothing holds in truth.
-
-    Parameters
-    ----------
-    elements
-        Panels and hinges, whose matrix is K (D, D).
-    free
-        Freedoms (n,) that are not supported.
-    conditions
-        The one-sided conditions (m).
-    nodes
-        Number of nodes, whose displacements are the first freedoms.
-    every_row
-        All rows (M, D).
-    rows
-        Their part (M, n) of free freedoms.
-    springs
-        Their springs (M,).
-    spread
-        A^-1 B^T (n, M).
-    flexibility
-        C (M, M).
     """
 
-    elements: tuple[Elements, ...]
-    free: Integers
-    conditions: Conditions
-    nodes: int
-    every_row: csr_array
-    rows: Array
-    springs: Array
-    spread: Array
-    flexibility: Array
+    elements: tuple[Elements, ...]  # panels and hinges, whose matrix is K (D, D)
+    free: Integers  # freedoms (n,) that are not supported
+    conditions: Conditions  # the one-sided conditions (m)
+    nodes: int  # number of nodes, whose displacements are the first freedoms
+    every_row: csr_array  # all rows (M, D)
+    rows: Array  # their part (M, n) of free freedoms
+    springs: Array  # their springs (M,)
+    spread: Array  # A^-1 B^T (n, M)
+    flexibility: Array  # C (M, M)
     _inner: csr_array
     _factors: Any
 

@@ -122,24 +122,12 @@ FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 
 @record
 class Load:
-    """What one kind of load adds to a case.
+    """What one kind of load adds to a case."""
 
-    Parameters
-    ----------
-    case
-        The case that has it: another one where that is combined.
-    factor
-        By which it is combined.
-    kind
-        What it is.
-    forces
-        On nodes (N, 3), times the factor (N).
-    """
-
-    case: LoadCase
-    factor: float
-    kind: LoadKind
-    forces: Array
+    case: LoadCase  # the case that has it: another one where that is combined
+    factor: float  # by which it is combined
+    kind: LoadKind  # what it is
+    forces: Array  # on nodes (N, 3), times the factor (N)
 
 
 def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:

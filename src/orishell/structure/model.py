@@ -30,52 +30,25 @@ from orishell.structure.supports import Supports, find_supports
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """What a design has that is no part of its sheet.
+    """What a design has that is no part of its sheet."""
 
-    Parameters
-    ----------
-    unit
-        Its unit of length.
-    feet
-        Rows of vertices that are its feet; None if it does not stand.
-    ties
-        Its ties, as pairs of rows and columns of the folding sheet.
-    areal_mass
-        Mass of panels per area; 0 if it is not known (kg per square of the unit).
-    built
-        Its panels as they are built; None if the design gives them no thickness.
-    """
-
-    unit: str
-    feet: tuple[int, int] | None
-    ties: tuple[VertexPair, ...]
-    areal_mass: float
+    unit: str  # its unit of length
+    feet: tuple[int, int] | None  # rows of vertices that are its feet; None if it does not stand
+    ties: tuple[VertexPair, ...]  # its ties, as pairs of rows and columns of the folding sheet
+    areal_mass: float  # mass of panels per area; 0 if it is not known (kg per square of the unit)
+    # its panels as they are built; None if the design gives them no thickness
     built: BuiltPanels | None
 
 
 @record
 class Model:
-    """A design as a structure.
+    """A design as a structure."""
 
-    Parameters
-    ----------
-    design
-        The design.
-    structure
-        What is asked of it.
-    frame
-        What else it has.
-    cells
-        Cells along every side of a panel.
-    stiffness
-        Of creases (force per radian).
-    """
-
-    design: Design
-    structure: Structure
-    frame: Frame
-    cells: int
-    stiffness: float
+    design: Design  # the design
+    structure: Structure  # what is asked of it
+    frame: Frame  # what else it has
+    cells: int  # cells along every side of a panel
+    stiffness: float  # of creases (force per radian)
 
     @cached_property
     def flapped(self) -> Mechanism:

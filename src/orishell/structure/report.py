@@ -17,120 +17,69 @@ from orishell.structure.settings import Place, Structure, SupportKind
 
 @record
 class SupportReport:
-    """What holds some vertices.
+    """What holds some vertices."""
 
-    Parameters
-    ----------
-    at
-        The rows that are feet, the first and last columns, or vertices.
-    kind
-        How they are held.
-    friction
-        Coefficient of friction of the ground.
-    """
-
+    # the rows that are feet, the first and last columns, or vertices
     at: Place | tuple[Vertex, ...]
-    kind: SupportKind
-    friction: float
+    kind: SupportKind  # how they are held
+    friction: float  # coefficient of friction of the ground
 
 
 @record
 class ModelReport:
-    """What is analysed.
+    """What is analysed."""
 
-    Parameters
-    ----------
-    nodes, triangles, freedoms
-        Size of the mesh.
-    change
-        By what share the largest displacement of a case changed when cells were halved for the last
-        time.
-    mass
-        Of all panels (kg).
-    height
-        Of the shell between its flaps.
-    thickness
-        Of panels.
-    modulus, poisson, membrane_modulus
-        Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the
-        membrane between boards (force per area).
-    membrane_stiffness, bending_stiffness
-        Of the sections of panels, the least and the largest: force per length by strain, and moment
-        per length by curvature.
-    crease_stiffness
-        The least and the largest with which all is analysed.
-    tie_stiffness
-        Force by strain; None if ties do not stretch.
-    strength, crease_strength, tie_strength
-        What panels bear (force per area), creases (moment per length) and ties (force); None if it
-        is not known.
-    supports
-        What holds the shell.
-    """
-
+    # size of the mesh
     nodes: int
     triangles: int
     freedoms: int
+    # by what share the largest displacement of a case changed when cells were halved for the last
+    # time
     change: float
-    mass: float
-    height: float
-    thickness: float
+    mass: float  # of all panels (kg)
+    height: float  # of the shell between its flaps
+    thickness: float  # of panels
+    # Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the
+    # membrane between boards (force per area)
     modulus: float
     poisson: float
     membrane_modulus: float
+    # of the sections of panels, the least and the largest: force per length by strain, and moment
+    # per length by curvature
     membrane_stiffness: tuple[float, float]
     bending_stiffness: tuple[float, float]
+    # the least and the largest with which all is analysed
     crease_stiffness: tuple[Stiffness, Stiffness]
-    tie_stiffness: float | None
+    tie_stiffness: float | None  # force by strain; None if ties do not stretch
+    # what panels bear (force per area), creases (moment per length) and ties (force); None if it is
+    # not known
     strength: float | None
     crease_strength: float | None
     tie_strength: float | None
-    supports: tuple[SupportReport, ...]
+    supports: tuple[SupportReport, ...]  # what holds the shell
 
 
 @record
 class GoverningReport:
-    """What is nearest to the end of what it bears, of all cases.
+    """What is nearest to the end of what it bears, of all cases."""
 
-    Parameters
-    ----------
-    part
-        What it is.
-    case, creases
-        The load case, and the stiffness of its creases.
-    utilisation
-        The share of what it bears.
-    """
-
-    part: Part
+    part: Part  # what it is
+    # the load case, and the stiffness of its creases
     case: str
     creases: Stiffness
-    utilisation: float
+    utilisation: float  # the share of what it bears
 
 
 @record
 class StructureReport:
-    """The shell as a structure.
+    """The shell as a structure."""
 
-    Parameters
-    ----------
-    model
-        What is analysed.
-    cases
-        All load cases, those with the least stiffness of creases first.
-    governs
-        What is nearest to the end of what it bears; None if that of nothing is known.
-    warnings
-        Sentences an engineer should read.
-    not_covered
-        What the analysis says nothing of.
-    """
-
-    model: ModelReport
-    cases: tuple[CaseReport, ...]
+    model: ModelReport  # what is analysed
+    cases: tuple[CaseReport, ...]  # all load cases, those with the least stiffness of creases first
+    # what is nearest to the end of what it bears; None if that of nothing is known
     governs: GoverningReport | None
-    warnings: tuple[str, ...]
-    not_covered: tuple[str, ...]
+    warnings: tuple[str, ...]  # sentences an engineer should read
+    not_covered: tuple[str, ...]  # what the analysis says nothing of
 
 
 def describe_structure(

@@ -14,39 +14,18 @@ from orishell.structure.triangle import Facets
 
 @record
 class Exposure:
-    """What is loaded, and how it stands.
+    """What is loaded, and how it stands."""
 
-    Parameters
-    ----------
-    mesh
-        Nodes (N, 3) and triangles (T, 3), all panels' cells one way round.
-    panels
-        The panel (T,) of every triangle, as the grid counts it.
-    grid
-        The grid of the sheet between its flaps; its vertices are the first nodes.
-    before
-        Number of columns of folded flaps before its first column, which points are counted with.
-    areal_mass
-        Mass (T,) per area of every triangle (kg per square of the unit).
-    hung
-        Mass (N,) of flaps that hang on nodes (kg).
-    unit
-        The design's unit of length.
-    ground
-        Height of the ground (length).
-    span
-        From foot to foot; None if it does not stand on two feet (length).
-    """
-
-    mesh: Facets
-    panels: Integers
-    grid: Grid
+    mesh: Facets  # nodes (N, 3) and triangles (T, 3), all panels' cells one way round
+    panels: Integers  # the panel (T,) of every triangle, as the grid counts it
+    grid: Grid  # the grid of the sheet between its flaps; its vertices are the first nodes
+    # number of columns of folded flaps before its first column, which points are counted with
     before: int
-    areal_mass: Array
-    hung: Array
-    unit: str
-    ground: float
-    span: float | None
+    areal_mass: Array  # mass (T,) per area of every triangle (kg per square of the unit)
+    hung: Array  # mass (N,) of flaps that hang on nodes (kg)
+    unit: str  # the design's unit of length
+    ground: float  # height of the ground (length)
+    span: float | None  # from foot to foot; None if it does not stand on two feet (length)
 
     @property
     def rise(self) -> float:
@@ -62,21 +41,12 @@ class Exposure:
 
 @record
 class Balance:
-    """Loads of a case against what bears them.
+    """Loads of a case against what bears them."""
 
-    Parameters
-    ----------
-    load
-        Sum of all loads (3,) (N).
-    reaction
-        Sum of all reactions (3,) (N).
-    residual
-        Largest of force and moment that are missing, relative to the loads (their forces' sizes,
-        and those times the size of the shell).
-    """
-
-    load: Array
-    reaction: Array
+    load: Array  # sum of all loads (3,) (N)
+    reaction: Array  # sum of all reactions (3,) (N)
+    # largest of force and moment that are missing, relative to the loads (their forces' sizes, and
+    # those times the size of the shell)
     residual: float
 
 
@@ -86,136 +56,73 @@ Hold = Literal["ties", "pinned"]
 
 @record
 class FreeMotion:
-    """A motion that the loads drive, and that nothing resists, or next to nothing.
+    """A motion that the loads drive, and that nothing resists, or next to nothing."""
 
-    Parameters
-    ----------
-    displacements
-        Of all nodes (N, 3), the largest is 1, the way that the loads drive it.
-    folding
-        Whether it is the shell's own folding motion, not one of the shell as a whole.
-    opens
-        Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
-    holds
-        What would hold the shell: each was tried with these loads.
-    soft
-        Whether something resists it, but so little that it goes beyond the size of the shell.
-    """
-
-    displacements: Array
-    folding: bool
+    displacements: Array  # of all nodes (N, 3), the largest is 1, the way that the loads drive it
+    folding: bool  # whether it is the shell's own folding motion, not one of the shell as a whole
+    # Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
     opens: bool | None
-    holds: tuple[Hold, ...] = ()
+    holds: tuple[Hold, ...] = ()  # what would hold the shell: each was tried with these loads
+    # whether something resists it, but so little that it goes beyond the size of the shell
     soft: bool = False
 
 
 @record
 class CaseResult:
-    """A load case with one stiffness of creases.
+    """A load case with one stiffness of creases."""
 
-    Parameters
-    ----------
-    name
-        The case.
-    stiffness
-        Of creases (force per radian); 0 free, infinite rigid.
-    loads
-        Forces on nodes (N, 3) (N).
-    motion
-        What nothing resists; None if the shell stands. Where it does not, the rest is not a number
-        or None.
-    balance
-        Loads against reactions.
-    displacements
-        Of nodes (N, 3) (length).
-    reactions
-        Forces on supported vertices (S, 3), in the order of ``Analysis.supported`` (N).
-    friction
-        The largest share of the friction of rough ground that a foot uses, which sticks as long as
-        it presses; None where no ground is rough.
-    tie_forces
-        Of ties (K,), 0 where they are slack (N).
-    flap_forces
-        With which two neighbouring flaps keep the vertices at their outer corners apart (C,), in
-        the order of ``Analysis.flaps``; 0 where they part (N).
-    crease_moments
-        Largest moment per length (E,) about every edge, 0 at the border (N).
-    stresses
-        Von Mises' stress (T, 2) of every triangle at its lower and upper face (force per area).
-    principal
-        The larger and the smaller principal stress (T, 2) of both faces (force per area).
-    buckling
-        Factor of all loads at which the shell buckles, by linear theory; None if it does not, and
-        the mode (N, 3), the largest displacement is 1.
-    frequencies
-        Lowest natural frequencies (M,), loaded as it is: ties that are slack are left out, and free
-        motions, which have none (Hz).
-    modes
-        Their modes (M, N, 3), the largest displacement is 1.
-    """
-
-    name: str
-    stiffness: float
-    loads: Array
+    name: str  # the case
+    stiffness: float  # of creases (force per radian); 0 free, infinite rigid
+    loads: Array  # forces on nodes (N, 3) (N)
+    # What nothing resists; None if the shell stands. Where it does not, the rest is not a number or
+    # None.
     motion: FreeMotion | None
-    balance: Balance
-    displacements: Array
+    balance: Balance  # loads against reactions
+    displacements: Array  # of nodes (N, 3) (length)
+    # forces on supported vertices (S, 3), in the order of ``Analysis.supported`` (N)
     reactions: Array
+    # the largest share of the friction of rough ground that a foot uses, which sticks as long as it
+    # presses; None where no ground is rough
     friction: float | None
-    tie_forces: Array
+    tie_forces: Array  # of ties (K,), 0 where they are slack (N)
+    # with which two neighbouring flaps keep the vertices at their outer corners apart (C,), in the
+    # order of ``Analysis.flaps``; 0 where they part (N)
     flap_forces: Array
-    crease_moments: Array
+    crease_moments: Array  # largest moment per length (E,) about every edge, 0 at the border (N)
+    # von Mises' stress (T, 2) of every triangle at its lower and upper face (force per area)
     stresses: Array
+    # the larger and the smaller principal stress (T, 2) of both faces (force per area)
     principal: Array
+    # factor of all loads at which the shell buckles, by linear theory; None if it does not, and the
+    # mode (N, 3), the largest displacement is 1
     buckling: tuple[float, Array] | None
+    # lowest natural frequencies (M,), loaded as it is: ties that are slack are left out, and free
+    # motions, which have none (Hz)
     frequencies: Array
-    modes: Array
+    modes: Array  # their modes (M, N, 3), the largest displacement is 1
 
 
 @record
 class Analysis:
-    """A shell as a structure, and what was found of it.
+    """A shell as a structure, and what was found of it."""
 
-    Parameters
-    ----------
-    grid
-        The grid of the sheet between its flaps.
-    before
-        Number of columns of folded flaps before its first column: the column of a vertex of the
-        folding sheet is that of this grid and these.
-    mesh
-        Nodes, in the design's frame, and triangles; the vertices of the grid come first.
-    section
-        Sections of the triangles.
-    supported
-        Supported vertices, rows and columns of the folding sheet.
-    ties
-        Its ties, rows and columns of the folding sheet.
-    flaps
-        What two neighbouring panels of a flap keep apart: vertices of the folding sheet.
-    mass
-        Of all panels (kg).
-    cases
-        All load cases, those with the least stiffness of creases first.
-    exposure
-        What was loaded, and how it stands.
-    held
-        Supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation
-        along x, y, z; feet on the ground as if they were pinned.
-    change
-        By what share the largest displacement of a case changed when cells were halved for the last
-        time.
-    """
-
-    grid: Grid
+    grid: Grid  # the grid of the sheet between its flaps
+    # number of columns of folded flaps before its first column: the column of a vertex of the
+    # folding sheet is that of this grid and these
     before: int
+    # nodes, in the design's frame, and triangles; the vertices of the grid come first
     mesh: SheetMesh
-    section: Section
-    supported: tuple[Vertex, ...]
-    ties: tuple[VertexPair, ...]
+    section: Section  # sections of the triangles
+    supported: tuple[Vertex, ...]  # supported vertices, rows and columns of the folding sheet
+    ties: tuple[VertexPair, ...]  # its ties, rows and columns of the folding sheet
+    # what two neighbouring panels of a flap keep apart: vertices of the folding sheet
     flaps: tuple[VertexPair, ...]
-    mass: float
-    cases: tuple[CaseResult, ...]
-    exposure: Exposure
+    mass: float  # of all panels (kg)
+    cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
+    exposure: Exposure  # what was loaded, and how it stands
+    # supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation along
+    # x, y, z; feet on the ground as if they were pinned
     held: Integers
+    # by what share the largest displacement of a case changed when cells were halved for the last
+    # time
     change: float

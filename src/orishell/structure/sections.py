@@ -19,28 +19,15 @@ from orishell.structure.settings import Structure
 
 @record
 class Section:
-    """Sections of triangles (T,), or one for all, isotropic.
+    """Sections of triangles (T,), or one for all, isotropic."""
 
-    Parameters
-    ----------
-    membrane
-        Force per length by strain (T,), E t/(1 - nu^2) of a solid plate (force per length).
-    bending
-        Moment per length by curvature (T,), E t^3/12/(1 - nu^2) of a solid plate (force times
-        length).
-    poisson
-        Poisson's ratio.
-    modulus
-        Young's modulus at the outermost fibres (force per area).
-    reach
-        Distance (T,) of the outermost fibres from the middle (length).
-    """
-
+    # force per length by strain (T,), E t/(1 - nu^2) of a solid plate (force per length)
     membrane: ArrayLike
+    # moment per length by curvature (T,), E t^3/12/(1 - nu^2) of a solid plate (force times length)
     bending: ArrayLike
-    poisson: float
-    modulus: float
-    reach: ArrayLike
+    poisson: float  # Poisson's ratio
+    modulus: float  # Young's modulus at the outermost fibres (force per area)
+    reach: ArrayLike  # distance (T,) of the outermost fibres from the middle (length)
 
     @classmethod
     def solid(cls, modulus: float, thickness: float, poisson: float) -> Section:

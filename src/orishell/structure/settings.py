@@ -205,49 +205,28 @@ OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
 
 
 class StructureTable(Table):
-    """What a structure is made of, and what holds it.
+    """What a structure is made of, and what holds it."""
 
-    Parameters
-    ----------
-    modulus
-        Young's modulus of panels or boards, of their section as a whole (force per area).
-    supports
-        What holds it.
-    poisson
-        Poisson's ratio of panels.
-    strength
-        What panels bear; None if that is not known (force per area).
-    thickness
-        Of panels, where the design has none; else None (length).
-    membrane_modulus
-        Young's modulus of the membrane between boards; 0 if it is not counted (force per area).
-    crease_stiffness
-        Least and largest moment per length and angle of creases: 0 for free hinges, infinite for
-        rigid ones (force per radian).
-    crease_strength
-        What creases bear: moment per length; None if that is not known (force).
-    tie_stiffness
-        Force by strain of a tie; infinite if it does not stretch (N).
-    tie_strength
-        What a tie bears; None if that is not known (N).
-    cells
-        Cells along every side of a panel, of two triangles each.
-    refine
-        Cells are halved until the largest displacement changes by less than this share; 0 to leave
-        them as they are.
-    """
-
+    # Young's modulus of panels or boards, of their section as a whole (force per area)
     modulus: Positive
-    supports: Annotated[Several[Support], Field(min_length=1)]
-    poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3
-    strength: Positive | None = None
-    thickness: Positive | None = None
+    supports: Annotated[Several[Support], Field(min_length=1)]  # what holds it
+    poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3  # Poisson's ratio of panels
+    strength: Positive | None = None  # what panels bear; None if that is not known (force per area)
+    thickness: Positive | None = None  # of panels, where the design has none; else None (length)
+    # Young's modulus of the membrane between boards; 0 if it is not counted (force per area)
     membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    # least and largest moment per length and angle of creases: 0 for free hinges, infinite for
+    # rigid ones (force per radian)
     crease_stiffness: StiffnessRange = (0.0, math.inf)
+    # what creases bear: moment per length; None if that is not known (force)
     crease_strength: Positive | None = None
+    # force by strain of a tie; infinite if it does not stretch (N)
     tie_stiffness: Positive = math.inf
-    tie_strength: Positive | None = None
+    tie_strength: Positive | None = None  # what a tie bears; None if that is not known (N)
+    # cells along every side of a panel, of two triangles each
     cells: Annotated[int, Field(ge=1, le=32)] = 4
+    # cells are halved until the largest displacement changes by less than this share; 0 to leave
+    # them as they are
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
 
     def under(self, cases: tuple[LoadCase, ...]) -> Structure:

@@ -21,21 +21,11 @@ CELLS = 4
 
 @record
 class SheetMesh:
-    """A meshed shell.
+    """A meshed shell."""
 
-    Parameters
-    ----------
-    facets
-        Its nodes (N) and triangles.
-    nodes
-        Nodes (F, cells+1, cells+1) of every panel, downwards and to the right.
-    places
-        Corners (T, 3) of every triangle, as places among all nodes of all panels one after the
-        other.
-    """
-
-    facets: Facets
-    nodes: Integers
+    facets: Facets  # its nodes (N) and triangles
+    nodes: Integers  # nodes (F, cells+1, cells+1) of every panel, downwards and to the right
+    # corners (T, 3) of every triangle, as places among all nodes of all panels one after the other
     places: Integers
 
     @property

@@ -32,21 +32,11 @@ ACCURACY = 1e-8
 
 @record
 class Inverse:
-    """A structure some of whose rows act, as they are in a state that it moves about.
+    """A structure some of whose rows act, as they are in a state that it moves about."""
 
-    Parameters
-    ----------
-    held
-        The structure.
-    acting
-        Which rows act (M,), in both directions.
-    motions
-        What nothing resists (n, k), orthonormal: it is left out.
-    """
-
-    held: Held
-    acting: Booleans
-    motions: Array
+    held: Held  # the structure
+    acting: Booleans  # which rows act (M,), in both directions
+    motions: Array  # what nothing resists (n, k), orthonormal: it is left out
     _law: Array
 
     @classmethod

@@ -14,18 +14,10 @@ MIDDLE = 1 / 3, 1 / 3
 
 @record
 class FacetStresses:
-    """What triangles bear, in their own axes.
+    """What triangles bear, in their own axes."""
 
-    Parameters
-    ----------
-    forces
-        Membrane forces xx, yy, xy (T, 3) (force per length).
-    faces
-        Stresses xx, yy, xy (T, 2, 3) at the lower and the upper face (force per area).
-    """
-
-    forces: Array
-    faces: Array
+    forces: Array  # membrane forces xx, yy, xy (T, 3) (force per length)
+    faces: Array  # stresses xx, yy, xy (T, 2, 3) at the lower and the upper face (force per area)
 
     def von_mises(self) -> Array:
         """Von Mises' stress (T, 2) at both faces."""

@@ -24,21 +24,11 @@ HELD: dict[SupportKind, range] = {
 
 @record
 class Supports:
-    """What holds a shell.
+    """What holds a shell."""
 
-    Parameters
-    ----------
-    held
-        Vertices (H, 2) that are held, and in which of 6 directions.
-    ground
-        Vertices (G,) that stand on the ground.
-    friction
-        Its coefficient of friction (G,).
-    """
-
-    held: Integers
-    ground: Integers
-    friction: Array
+    held: Integers  # vertices (H, 2) that are held, and in which of 6 directions
+    ground: Integers  # vertices (G,) that stand on the ground
+    friction: Array  # its coefficient of friction (G,)
 
     def vertices(self) -> Integers:
         """All supported vertices (S,), ascending."""

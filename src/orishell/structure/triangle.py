@@ -33,18 +33,10 @@ IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
 
 @record
 class Facets:
-    """Triangles in space.
+    """Triangles in space."""
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3).
-    triangles
-        Corners (T, 3).
-    """
-
-    points: Array
-    triangles: Integers
+    points: Array  # nodes (N, 3)
+    triangles: Integers  # corners (T, 3)
 
     def axes(self) -> Array:
         """Axes (T, 3, 3) of every triangle, as rows: along its first side, in its plane, normal."""

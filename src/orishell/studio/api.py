@@ -24,15 +24,7 @@ NAME = "shell"
 
 
 class Parameter(TypedDict):
-    """A parameter of a family, or a setting of the workshop, as a control shows it.
-
-    Parameters
-    ----------
-    default
-        Null: the design must give it.
-    slider
-        How far the slider reaches; left out where that depends on the curves.
-    """
+    """A parameter of a family, or a setting of the workshop, as a control shows it."""
 
     key: str
     label: str
@@ -41,9 +33,10 @@ class Parameter(TypedDict):
     auto: bool
     unit: Measure
     choices: list[str]
-    default: float | str | bool | None
+    default: float | str | bool | None  # null: the design must give it
+    # how far the slider reaches; left out where that depends on the curves
     slider: NotRequired[tuple[float, float]]
-    step: NotRequired[float]
+    step: NotRequired[float]  # between two of its places
 
 
 class Family(TypedDict):
@@ -55,31 +48,18 @@ class Family(TypedDict):
 
 
 class KeyWords(TypedDict):
-    """A key of the design file in words.
-
-    Parameters
-    ----------
-    help
-        One line on what it does.
-    choices
-        Its values and their labels, the default first; empty where they are not listed.
-    """
+    """A key of the design file in words."""
 
     label: str
-    help: str
+    help: str  # one line on what it does
+    # its values and their labels, the default first; empty where they are not listed
     choices: dict[str, str]
 
 
 class TableWords(TypedDict):
-    """A table of the design file in words.
+    """A table of the design file in words."""
 
-    Parameters
-    ----------
-    label
-        The section of the page that has its controls; empty where there is none.
-    """
-
-    label: str
+    label: str  # the section of the page that has its controls; empty where there is none
     keys: dict[str, KeyWords]
 
 
@@ -131,46 +111,29 @@ class Info(TypedDict):
 
 
 class Remedy(TypedDict):
-    """A change of the design that was tried and works.
-
-    Parameters
-    ----------
-    changes
-        Values of keys of the design file, the tables in front of them; null removes a key.
-    """
+    """A change of the design that was tried and works."""
 
     text: str
+    # values of keys of the design file, the tables in front of them; null removes a key
     changes: dict[str, Any]
 
 
 class Fault(TypedDict):
-    """What is wrong with a request or its design.
-
-    Parameters
-    ----------
-    message
-        All of it in one text.
-    keys
-        The keys of the design file that it is about, the tables in front of them.
-    limit
-        What stands in the way, where nothing was found that works.
-    remedies
-        What was tried and works, the nearest first.
-    """
+    """What is wrong with a request or its design."""
 
     kind: FaultKind
-    message: str
+    message: str  # all of it in one text
     what: str
     where: str
-    keys: list[str]
+    keys: list[str]  # the keys of the design file that it is about, the tables in front of them
     got: str
     expected: str
     remedy: str
     detail: str
     place: str
     size: str
-    limit: str
-    remedies: list[Remedy]
+    limit: str  # what stands in the way, where nothing was found that works
+    remedies: list[Remedy]  # what was tried and works, the nearest first
 
 
 class Refusal(TypedDict):
@@ -181,20 +144,11 @@ class Refusal(TypedDict):
 
 
 class Range(TypedDict):
-    """Values of a parameter that were tried, and those that work.
+    """Values of a parameter that were tried, and those that work."""
 
-    Parameters
-    ----------
-    span
-        Those that were tried.
-    intervals
-        Those that work.
-    below, above
-        Why values below the lowest interval, or above the highest, fail; empty at the span's end.
-    """
-
-    span: tuple[float, float]
-    intervals: list[tuple[float, float]]
+    span: tuple[float, float]  # those that were tried
+    intervals: list[tuple[float, float]]  # those that work
+    # why values below the lowest interval, or above the highest, fail; empty at the span's end
     below: str
     above: str
 
@@ -233,39 +187,22 @@ class DroppedCurve(TypedDict):
 
 
 class Verified(TypedDict):
-    """A shell that has been verified: its report, contact and distances.
-
-    Parameters
-    ----------
-    distance
-        Distances of the vertices from the surface: single precision, in base64.
-    refusal
-        Why the design is refused although its shell can be shown: panels meet before it locks.
-    view
-        A view in base64 that takes the place of the one shown; null: that one stays.
-    """
+    """A shell that has been verified: its report, contact and distances."""
 
     report: Report
     contact: FirstContact | None
-    distance: str
+    distance: str  # distances of the vertices from the surface: single precision, in base64
+    # why the design is refused although its shell can be shown: panels meet before it locks
     refusal: Fault | None
-    view: str | None
+    view: str | None  # A view in base64 that takes the place of the one shown; null: that one stays
 
 
 class DrawnSheet(TypedDict):
-    """One drawing for the workshop.
+    """One drawing for the workshop."""
 
-    Parameters
-    ----------
-    file
-        The name of the file that it is exported to, without its ending.
-    svg
-        The drawing; its lines are wider than in the file, where that makes them visible.
-    """
-
-    file: str
+    file: str  # the name of the file that it is exported to, without its ending
     title: str
-    svg: str
+    svg: str  # the drawing; its lines are wider than in the file, where that makes them visible
 
 
 class LayerPen(TypedDict):
@@ -277,29 +214,15 @@ class LayerPen(TypedDict):
 
 
 class Sheets(TypedDict):
-    """The drawings that a workshop gets, and what they come to.
-
-    Parameters
-    ----------
-    layers
-        Those that are drawn somewhere, in the order of work.
-    palette
-        What the palette is for.
-    stock
-        Sheets, waste, and length of cuts and creases, boards not counted.
-    boards
-        Sheets of stock for boards; null if there are none, or no stock.
-    paper
-        The paper model in words; why there is none, if it takes too many pages.
-    """
+    """The drawings that a workshop gets, and what they come to."""
 
     sheets: list[DrawnSheet]
     unit: str
-    layers: list[LayerPen]
-    palette: str
-    stock: Waste
-    boards: int | None
-    paper: str
+    layers: list[LayerPen]  # those that are drawn somewhere, in the order of work
+    palette: str  # what the palette is for
+    stock: Waste  # sheets, waste, and length of cuts and creases, boards not counted
+    boards: int | None  # sheets of stock for boards; null if there are none, or no stock
+    paper: str  # the paper model in words; why there is none, if it takes too many pages
 
 
 class Advance(TypedDict):

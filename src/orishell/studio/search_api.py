@@ -6,68 +6,34 @@ from typing import Any, TypedDict
 
 
 class SearchFigure(TypedDict):
-    """A figure that a search can make small, or keep within limits.
-
-    Parameters
-    ----------
-    words
-        Its name in words.
-    unit
-        Its unit, "{unit}" standing for that of lengths; empty where it has none.
-    of_structure
-        Whether it is there only where the design has a table [structure].
-    most
-        Its limit where the table [search] sets none; null if it has none then.
-    """
+    """A figure that a search can make small, or keep within limits."""
 
     name: str
-    words: str
-    unit: str
-    of_structure: bool
-    most: float | None
+    words: str  # its name in words
+    unit: str  # its unit, "{unit}" standing for that of lengths; empty where it has none
+    of_structure: bool  # whether it is there only where the design has a table [structure]
+    most: float | None  # its limit where the table [search] sets none; null if it has none then
 
 
 class SearchInfo(TypedDict):
-    """What a search can be for.
-
-    Parameters
-    ----------
-    install
-        The command that installs what a search needs; empty where that is installed.
-    """
+    """What a search can be for."""
 
     figures: list[SearchFigure]
-    install: str
+    install: str  # the command that installs what a search needs; empty where that is installed
 
 
 class SearchedDesign(TypedDict):
-    """A design that was made.
+    """A design that was made."""
 
-    Parameters
-    ----------
-    values
-        What keys of the design file have in it, the tables in front of them.
-    figures
-        Its figures, by name.
-    """
-
-    values: dict[str, Any]
-    figures: dict[str, float]
+    values: dict[str, Any]  # what keys of the design file have in it, the tables in front of them
+    figures: dict[str, float]  # its figures, by name
 
 
 class FrontMember(TypedDict):
-    """A design that no other beats.
+    """A design that no other beats."""
 
-    Parameters
-    ----------
-    number
-        Which it is of all designs that were sent, from 0.
-    costs
-        What a step to it from the knee gains and costs, in words; empty for the knee.
-    """
-
-    number: int
-    costs: str
+    number: int  # which it is of all designs that were sent, from 0
+    costs: str  # what a step to it from the knee gains and costs, in words; empty for the knee
 
 
 class Objective(TypedDict):
@@ -78,31 +44,17 @@ class Objective(TypedDict):
 
 
 class SearchState(TypedDict):
-    """How far a search has come.
-
-    Parameters
-    ----------
-    begun_with
-        The design as it was opened; null if it cannot be made.
-    designs
-        Those that keep all limits and were not sent before.
-    front
-        Those that no other beats, by their first objective.
-    knee
-        Place of the knee in the front; -1 where nothing is in it.
-    made, total
-        Designs that were made, or cannot be, and of how many at most.
-    refused
-        Why designs cannot be made or break limits, the commonest reason first, and how many do.
-    """
+    """How far a search has come."""
 
     objectives: list[Objective]
-    begun_with: SearchedDesign | None
-    designs: list[SearchedDesign]
-    front: list[FrontMember]
-    knee: int
+    begun_with: SearchedDesign | None  # the design as it was opened; null if it cannot be made
+    designs: list[SearchedDesign]  # those that keep all limits and were not sent before
+    front: list[FrontMember]  # those that no other beats, by their first objective
+    knee: int  # place of the knee in the front; -1 where nothing is in it
+    # designs that were made, or cannot be, and of how many at most
     made: int
     total: int
+    # why designs cannot be made or break limits, the commonest reason first, and how many do
     refused: list[tuple[str, int]]
 
 

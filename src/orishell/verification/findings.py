@@ -15,24 +15,12 @@ from orishell.numerics.arrays import Array, Integers
 
 @record
 class Check:
-    """The outcome of one test.
+    """The outcome of one test."""
 
-    Parameters
-    ----------
-    name
-        The test, as in the report.
-    passed
-        Whether everything is within its limit.
-    text
-        What was found, in one line.
-    facts
-        The same for the report: ``worst``, ``limit``, ``frame`` and the place.
-    """
-
-    name: str
-    passed: bool
-    text: str
-    facts: dict[str, Any]
+    name: str  # the test, as in the report
+    passed: bool  # whether everything is within its limit
+    text: str  # what was found, in one line
+    facts: dict[str, Any]  # the same for the report: ``worst``, ``limit``, ``frame`` and the place
 
     def as_dict(self) -> dict[str, Any]:
         """The fields of the report."""
@@ -41,18 +29,10 @@ class Check:
 
 @record
 class Contacts:
-    """Panels that touch in one frame.
+    """Panels that touch in one frame."""
 
-    Parameters
-    ----------
-    frame
-        The frame's number.
-    pairs
-        Numbers (P, 2) of the panels.
-    """
-
-    frame: int
-    pairs: Integers
+    frame: int  # the frame's number
+    pairs: Integers  # numbers (P, 2) of the panels
 
 
 class Place(NamedTuple):

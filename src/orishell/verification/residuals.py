@@ -55,41 +55,25 @@ coordinates turns it by so much."""
 
 @dataclass(frozen=True, slots=True)
 class Residuals:
-    """Worst departures from a rigid folding of a flat sheet, over the states measured.
+    """Worst departures from a rigid folding of a flat sheet, over the states measured."""
 
-    Parameters
-    ----------
-    panel_length
-        Change of the six distances of a panel's corners against the flat sheet, relative to the
-        sheet's diagonal.
-    planarity
-        Distance between a panel's two diagonals, relative to the sheet's diagonal.
-    sector_sum_rad
-        Difference of the four sector angles at an inner vertex from 2 pi (radians).
-    fold_angle_rad
-        Difference of the fold angles measured from the positions from the closed form (radians).
-    """
-
+    # change of the six distances of a panel's corners against the flat sheet, relative to the
+    # sheet's diagonal
     panel_length: float
-    planarity: float
+    planarity: float  # distance between a panel's two diagonals, relative to the sheet's diagonal
+    # difference of the four sector angles at an inner vertex from 2 pi (radians)
     sector_sum_rad: float
+    # difference of the fold angles measured from the positions from the closed form (radians)
     fold_angle_rad: float
 
 
 @dataclass(frozen=True, slots=True)
 class AssignmentCheck:
-    """Whether mountains and valleys stay so over the states, and meet Maekawa's condition.
+    """Whether mountains and valleys stay so over the states, and meet Maekawa's condition."""
 
-    Parameters
-    ----------
-    constant
-        Whether no crease is a mountain in one state and a valley in another.
-    maekawa
-        Whether each inner vertex meets Maekawa's condition: it has three creases of one sign and
-        one of the other; a vertex with unfolded creases has two of one sign.
-    """
-
-    constant: bool
+    constant: bool  # whether no crease is a mountain in one state and a valley in another
+    # whether each inner vertex meets Maekawa's condition: it has three creases of one sign and one
+    # of the other; a vertex with unfolded creases has two of one sign
     maekawa: bool
 
 

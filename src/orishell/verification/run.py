@@ -39,25 +39,13 @@ class FrameTest(Protocol):
 
 @record
 class Inspection:
-    """The outcome of all tests, and what could not be tested.
-
-    Parameters
-    ----------
-    sheet
-        The reference frame.
-    tolerance
-        Allowed error of lengths relative to the sheet's diagonal.
-    checks
-        The outcome of every test that could be made.
-    not_checked
-        What could not be tested.
-    """
+    """The outcome of all tests, and what could not be tested."""
 
     file: FoldFile
-    sheet: Sheet
-    tolerance: float
-    checks: tuple[Check, ...]
-    not_checked: tuple[str, ...]
+    sheet: Sheet  # the reference frame
+    tolerance: float  # allowed error of lengths relative to the sheet's diagonal
+    checks: tuple[Check, ...]  # the outcome of every test that could be made
+    not_checked: tuple[str, ...]  # what could not be tested
 
     @property
     def passed(self) -> bool:

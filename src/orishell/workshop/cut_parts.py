@@ -22,27 +22,15 @@ from orishell.workshop.tabs import find_owners, tab_shapes
 
 @record
 class CutPart:
-    """A piece of the flat sheet, in the sheet's own coordinates.
+    """A piece of the flat sheet, in the sheet's own coordinates."""
 
-    Parameters
-    ----------
-    number
-        Its number, from 1; 0 if the sheet is not split.
-    panels
-        Numbers (P,) of its panels.
-    creases
-        Numbers (C,) of the edges that fold in it, those at the root of tabs too.
-    outlines
-        Closed polylines (k, 2) that are cut: the outer one first, counter-clockwise; holes
-        clockwise. Tabs are part of the outline.
-    marks
-        What else is drawn on it, for instance the names of its joints.
-    """
-
-    number: int
-    panels: Integers
-    creases: Integers
+    number: int  # its number, from 1; 0 if the sheet is not split
+    panels: Integers  # numbers (P,) of its panels
+    creases: Integers  # numbers (C,) of the edges that fold in it, those at the root of tabs too
+    # Closed polylines (k, 2) that are cut: the outer one first, counter-clockwise; holes clockwise.
+    # Tabs are part of the outline.
     outlines: tuple[Array, ...]
+    # what else is drawn on it, for instance the names of its joints
     marks: tuple[Line | Text, ...] = ()
 
 

@@ -32,36 +32,19 @@ Anchor = Literal["middle", "start", "end"]
 
 @record
 class Line:
-    """A polyline in a layer.
+    """A polyline in a layer."""
 
-    Parameters
-    ----------
-    layer
-        Its layer.
-    points
-        Points (k, 2), x to the right, y up.
-    closed
-        Whether the last point is joined to the first.
-    """
-
-    layer: Layer
-    points: Array
-    closed: bool = False
+    layer: Layer  # its layer
+    points: Array  # points (k, 2), x to the right, y up
+    closed: bool = False  # whether the last point is joined to the first
 
 
 @dataclass(frozen=True, slots=True)
 class Circle:
-    """A circle in a layer.
+    """A circle in a layer."""
 
-    Parameters
-    ----------
-    layer
-        Its layer.
-    x, y, radius
-        Its middle and radius, in the unit of the drawing.
-    """
-
-    layer: Layer
+    layer: Layer  # its layer
+    # its middle and radius, in the unit of the drawing
     x: float
     y: float
     radius: float
@@ -69,54 +52,29 @@ class Circle:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """Words in a layer.
+    """Words in a layer."""
 
-    Parameters
-    ----------
-    layer
-        Its layer.
-    x, y
-        Where its anchor lies, half the height above the baseline.
-    height
-        Height of its capitals, in the unit of the drawing.
-    words
-        One line of text.
-    angle
-        Direction of the baseline, counter-clockwise from x (radians).
-    anchor
-        Which point of the line of text lies at (x, y).
-    """
-
-    layer: Layer
+    layer: Layer  # its layer
+    # where its anchor lies, half the height above the baseline
     x: float
     y: float
-    height: float
-    words: str
-    angle: float = 0.0
-    anchor: Anchor = "middle"
+    height: float  # height of its capitals, in the unit of the drawing
+    words: str  # one line of text
+    angle: float = 0.0  # direction of the baseline, counter-clockwise from x (radians)
+    anchor: Anchor = "middle"  # which point of the line of text lies at (x, y)
 
 
 @record
 class Drawing:
-    """One sheet for a machine.
+    """One sheet for a machine."""
 
-    Parameters
-    ----------
-    title
-        One line that says what it is.
-    unit
-        Unit of length: mm, cm, m, in or ft.
-    width, height
-        Size of the page; everything lies between (0, 0) and it.
-    lines, circles, texts
-        What is drawn, in the order in which a machine should do it: marks and creases first,
-        holes then, the outer cut last.
-    """
-
-    title: str
-    unit: str
+    title: str  # one line that says what it is
+    unit: str  # unit of length: mm, cm, m, in or ft
+    # size of the page in that unit; everything lies between (0, 0) and it
     width: float
     height: float
+    # what is drawn, in the order in which a machine should do it: marks and creases first, holes
+    # then, the outer cut last
     lines: tuple[Line, ...]
     circles: tuple[Circle, ...] = ()
     texts: tuple[Text, ...] = ()
@@ -128,43 +86,22 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 
 @dataclass(frozen=True, slots=True)
 class Pen:
-    """How the lines of a layer look.
+    """How the lines of a layer look."""
 
-    Parameters
-    ----------
-    colour
-        "#rrggbb", in small letters.
-    aci
-        AutoCAD colour index, 1 ... 255.
-    width_mm
-        Width of the lines (mm).
-    """
-
-    colour: str
-    aci: int
-    width_mm: float
+    colour: str  # "#rrggbb", in small letters
+    aci: int  # AutoCAD colour index, 1 ... 255
+    width_mm: float  # width of the lines (mm)
 
 
 @record
 class Palette:
-    """The pens of all layers, as one shop or machine expects them.
+    """The pens of all layers, as one shop or machine expects them."""
 
-    Parameters
-    ----------
-    name
-        Its name.
-    note
-        What it is for, in one line.
-    pens
-        Pen of every layer that is drawn; the others are left out of files.
-    page_mm
-        Longer side of the page for which the pens' widths are meant: on larger ones they grow
-        with it, so that a picture of it looks the same (mm). None if machines read the widths.
-    """
-
-    name: str
-    note: str
-    pens: Mapping[Layer, Pen]
+    name: str  # its name
+    note: str  # what it is for, in one line
+    pens: Mapping[Layer, Pen]  # pen of every layer that is drawn; the others are left out of files
+    # Longer side of the page for which the pens' widths are meant: on larger ones they grow with
+    # it, so that a picture of it looks the same (mm). None if machines read the widths.
     page_mm: float | None = None
 
     def width_mm(self, layer: Layer, page_mm: float) -> float:

@@ -19,72 +19,36 @@ from orishell.workshop.sheets import Waste, measure_waste
 
 @dataclass(frozen=True, slots=True)
 class BoardCount:
-    """Number of boards by the face that they lie on.
+    """Number of boards by the face that they lie on."""
 
-    Parameters
-    ----------
-    top, bottom
-        Boards on the upper and on the lower face of the membrane.
-    solid
-        Solid panels.
-    """
-
+    # boards on the upper and on the lower face of the membrane
     top: int
     bottom: int
-    solid: int
+    solid: int  # solid panels
 
 
 @dataclass(frozen=True, slots=True)
 class PanelMass:
-    """Mass of panels with a thickness (kg).
+    """Mass of panels with a thickness (kg)."""
 
-    Parameters
-    ----------
-    boards
-        Of boards, or of solid panels; None if their density is not known.
-    membrane
-        Of the membrane; None if its density is not known, 0 if there is none.
-    total
-        Of both; None if one is not known.
-    """
-
-    boards: float | None
-    membrane: float | None
-    total: float | None
+    boards: float | None  # of boards, or of solid panels; None if their density is not known
+    membrane: float | None  # of the membrane; None if its density is not known, 0 if there is none
+    total: float | None  # of both; None if one is not known
 
 
 @dataclass(frozen=True, slots=True)
 class PanelBill:
-    """What panels with a thickness are made of; lengths and areas in the document's unit.
+    """What panels with a thickness are made of; lengths and areas in the document's unit."""
 
-    Parameters
-    ----------
-    boards
-        How many boards there are, those that are clipped on included.
-    board_area
-        Area of all boards, each at its largest.
-    membrane_area
-        Area of the membrane, without tabs and strips; 0 if there is none.
-    glue_area
-        Area of the boards' faces on the membrane.
-    hinge_length
-        Length of the creases that fold.
-    mass_kg
-        Mass by part.
-    centre_of_mass
-        Of the shell at its target, in the world; None if its mass is not known.
-    stock_sheets
-        Number of sheets of stock for the boards; None if there is no stock, or that was not asked
-        for.
-    """
-
-    boards: BoardCount
-    board_area: float
-    membrane_area: float
-    glue_area: float
-    hinge_length: float
-    mass_kg: PanelMass
+    boards: BoardCount  # how many boards there are, those that are clipped on included
+    board_area: float  # area of all boards, each at its largest
+    membrane_area: float  # area of the membrane, without tabs and strips; 0 if there is none
+    glue_area: float  # area of the boards' faces on the membrane
+    hinge_length: float  # length of the creases that fold
+    mass_kg: PanelMass  # mass by part
+    # of the shell at its target, in the world; None if its mass is not known
     centre_of_mass: tuple[float, float, float] | None
+    # number of sheets of stock for the boards; None if there is no stock, or that was not asked for
     stock_sheets: int | None
 
 
@@ -175,14 +139,9 @@ def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
 
 @record
 class CreaseLength:
-    """Length of all creases of a kind, in the document's unit.
+    """Length of all creases of a kind, in the document's unit."""
 
-    Parameters
-    ----------
-    mountain, valley, unfolded
-        The kinds.
-    """
-
+    # the kinds
     mountain: float
     valley: float
     unfolded: float
@@ -190,37 +149,18 @@ class CreaseLength:
 
 @record
 class Quantities:
-    """Totals of the sheet and its clipped boards; lengths and areas in the document's unit.
+    """Totals of the sheet and its clipped boards; lengths and areas in the document's unit."""
 
-    Parameters
-    ----------
-    panels
-        Number of panels.
-    clipped
-        How many of them are panels of boards that are clipped on at the target.
-    area
-        Area of all panels.
-    crease_length
-        Length of the creases by their assignment.
-    outline_length
-        Length of the outlines and of cuts within them.
-    stock
-        Sheets of stock for the sheet, or for panels that are solid, and what of them is not used;
-        None if that was not asked for.
-    mass_kg
-        Mass of the panels; None if the areal density is not known.
-    built
-        Boards, membrane and hinges; None if panels have no thickness.
-    """
-
-    panels: int
-    clipped: int
-    area: float
-    crease_length: CreaseLength
-    outline_length: float
+    panels: int  # number of panels
+    clipped: int  # how many of them are panels of boards that are clipped on at the target
+    area: float  # area of all panels
+    crease_length: CreaseLength  # length of the creases by their assignment
+    outline_length: float  # length of the outlines and of cuts within them
+    # sheets of stock for the sheet, or for panels that are solid, and what of them is not used;
+    # None if that was not asked for
     stock: Waste | None
-    mass_kg: float | None
-    built: PanelBill | None = None
+    mass_kg: float | None  # mass of the panels; None if the areal density is not known
+    built: PanelBill | None = None  # boards, membrane and hinges; None if panels have no thickness
 
 
 def measure_quantities(

@@ -36,30 +36,15 @@ from orishell.workshop.title_block import program_and_palette, quoted_size
 
 @dataclass(frozen=True, slots=True)
 class Waste:
-    """How much stock is used, and the length of cuts and creases, in the document's unit.
+    """How much stock is used, and the length of cuts and creases, in the document's unit."""
 
-    Parameters
-    ----------
-    sheets
-        Number of sheets of stock.
-    stock_area
-        Their area; without stock, that of the sheet's bounding rectangle along the axes.
-    used_area
-        Area of all parts, with tabs and strips.
-    waste
-        Share of the stock that is not used.
-    cut_length
-        Length of all outlines that are cut.
-    crease_length
-        Length of all creases, those of tabs and strips too.
-    """
-
-    sheets: int
+    sheets: int  # number of sheets of stock
+    # their area; without stock, that of the sheet's bounding rectangle along the axes
     stock_area: float
-    used_area: float
-    waste: float
-    cut_length: float
-    crease_length: float
+    used_area: float  # area of all parts, with tabs and strips
+    waste: float  # share of the stock that is not used
+    cut_length: float  # length of all outlines that are cut
+    crease_length: float  # length of all creases, those of tabs and strips too
 
 
 def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:

@@ -65,45 +65,25 @@ class Orthodiagonal(FlapSheet):
     """A folding sheet of the orthodiagonal type.
 
     Points and directions in g's plane are complex numbers x + iy.
-
-    Parameters
-    ----------
-    lengths
-        Edge lengths d of the first column (m+1,), m odd, in the unit of the curves.
-    angles
-        Angles beta (m,) at its inner vertices at lock, in (0, pi) (radians).
-    first
-        +1 if it turns right at vertex 1 at lock, seen with n pointing away, -1 if left.
-    tilt
-        Angle by which the middle row's plane rises along t at lock (radians).
-    points
-        The middle row at lock (n,), n at least 2: vertices of g's polyline.
-    heading
-        Angle from f's plane to the x axis of the points, eps of a segment along x (radians).
-    flaps
-        Widths of the left and the right flap in the flat sheet; 0 where there is none.
-    flap_sides
-        To which end of f each flap folds: "end" is along +t, "start" along -t.
-    trims
-        Growth by K of the first and of the last edge of a column.
-    kept
-        Share (2, m+2) of its width that the left and the right flap keep at every row, in (0, 1]:
-        less than 1 where a flap is cut off at an end of f.
-    stop
-        By how much flaps stop short of folding flat at the target (radians).
     """
 
-    lengths: Array
-    angles: Array
-    first: int
-    tilt: float
-    points: Complex
+    lengths: Array  # edge lengths d of the first column (m+1,), m odd, in the unit of the curves
+    angles: Array  # angles beta (m,) at its inner vertices at lock, in (0, pi) (radians)
+    first: int  # +1 if it turns right at vertex 1 at lock, seen with n pointing away, -1 if left
+    tilt: float  # angle by which the middle row's plane rises along t at lock (radians)
+    points: Complex  # the middle row at lock (n,), n at least 2: vertices of g's polyline
+    # angle from f's plane to the x axis of the points, eps of a segment along x (radians)
     heading: float
+    # widths of the left and the right flap in the flat sheet; 0 where there is none
     flaps: tuple[float, float]
+    # to which end of f each flap folds: "end" is along +t, "start" along -t
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
+    # growth by K of the first and of the last edge of a column
     trims: tuple[float, float] = (0.0, 0.0)
+    # share (2, m+2) of its width that the left and the right flap keep at every row, in (0, 1]:
+    # less than 1 where a flap is cut off at an end of f
     kept: Array = field(default_factory=lambda: np.ones((2, 1)))
-    stop: float = 0.0
+    stop: float = 0.0  # by how much flaps stop short of folding flat at the target (radians)
     _columns: Columns = field(init=False, repr=False)
 
     __repr__ = mechanism_in_one_line

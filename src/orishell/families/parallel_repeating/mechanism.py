@@ -60,36 +60,20 @@ class ParallelRepeating(FlapSheet):
     """A folding sheet of the parallel repeating type.
 
     Directions and points in the horizontal plane are complex numbers x + iy.
-
-    Parameters
-    ----------
-    xi
-        Angle of the first column's zigzag at lock (radians).
-    lengths
-        Edge lengths of the first column (m+1,), m odd, in the unit of the curves.
-    first
-        +1 if the first edge rises at lock, -1 if it falls.
-    points
-        The middle row at lock (n,), n at least 2: vertices of g's polyline.
-    axes
-        Unit direction t of every column's plane (n,), to the right of the row: every row segment
-        must lie counter-clockwise of the axes at both its ends by an angle in (0, pi).
-    flaps
-        Lengths of the row creases across the left and the right flap; 0 where there is none.
-    flap_sides
-        To which end of f each flap folds: "end" is along +t, "start" along -t.
-    stop
-        By how much flaps stop short of folding flat at the target (radians).
     """
 
-    xi: float
-    lengths: Array
-    first: int
-    points: Complex
+    xi: float  # angle of the first column's zigzag at lock (radians)
+    lengths: Array  # edge lengths of the first column (m+1,), m odd, in the unit of the curves
+    first: int  # +1 if the first edge rises at lock, -1 if it falls
+    points: Complex  # the middle row at lock (n,), n at least 2: vertices of g's polyline
+    # unit direction t of every column's plane (n,), to the right of the row: every row segment must
+    # lie counter-clockwise of the axes at both its ends by an angle in (0, pi)
     axes: Complex
+    # lengths of the row creases across the left and the right flap; 0 where there is none
     flaps: tuple[float, float]
+    # to which end of f each flap folds: "end" is along +t, "start" along -t
     flap_sides: tuple[FlapSide, FlapSide] = ("end", "end")
-    stop: float = 0.0
+    stop: float = 0.0  # by how much flaps stop short of folding flat at the target (radians)
     _columns: Columns = field(init=False, repr=False)
 
     __repr__ = mechanism_in_one_line

@@ -116,21 +116,11 @@ SAMPLES = 65
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """What may have been meant otherwise.
+    """What may have been meant otherwise."""
 
-    Parameters
-    ----------
-    words
-        What is so, as a clause.
-    meant
-        What else may have been meant, the likeliest first: it is tried.
-    warning
-        What a shell that is made of it is warned of; "" if of nothing.
-    """
-
-    words: str
-    meant: tuple[Remedy, ...]
-    warning: str
+    words: str  # what is so, as a clause
+    meant: tuple[Remedy, ...]  # what else may have been meant, the likeliest first: it is tried
+    warning: str  # what a shell that is made of it is warned of; "" if of nothing
 
 
 def forgiving(

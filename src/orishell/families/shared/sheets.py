@@ -62,27 +62,17 @@ ALIKE = 1e-14
 
 
 class FlapSheet:
-    """A grid whose first and last column of panels are flaps, or which has none there.
-
-    Parameters
-    ----------
-    lengths
-        Edge lengths of the first column (m+1,), m odd, in the unit of the curves.
-    points
-        The middle row at lock (n,), n at least 2: vertices of g's polyline.
-    flaps
-        Size of the left and the right flap (length); 0 where there is none.
-    stop
-        By how much flaps stop short of folding flat at the target: half of what the row crease of
-        a flap that folds most lacks to pi there (radians).
-    """
+    """A grid whose first and last column of panels are flaps, or which has none there."""
 
     __slots__ = ()
     __dataclass_fields__: ClassVar[dict[str, Any]]  # every sheet is a dataclass
 
-    lengths: Array
-    points: Complex
+    lengths: Array  # edge lengths of the first column (m+1,), m odd, in the unit of the curves
+    points: Complex  # the middle row at lock (n,), n at least 2: vertices of g's polyline
+    # size of the left and the right flap (length); 0 where there is none
     flaps: tuple[float, float]
+    # by how much flaps stop short of folding flat at the target: half of what the row crease of a
+    # flap that folds most lacks to pi there (radians)
     stop: float
 
     @property

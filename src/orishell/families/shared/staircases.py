@@ -31,30 +31,18 @@ ROOM = (0.95, 0.8, 0.6)
 
 @dataclass(frozen=True, slots=True)
 class Followed:
-    """How a family speaks of a curve that a staircase follows.
+    """How a family speaks of a curve that a staircase follows."""
 
-    Parameters
-    ----------
-    name
-        "f" or "g".
-    xi, theta
-        Keys of the angle between the staircase's edges and of the curve's rotation.
-    unturned, farthest
-        What the key of the rotation says where there is none, and how far it reaches from that
-        to either side (radians).
-    axis
-        What the staircase's axis is.
-    instead
-        What else takes a curve that turns too much for it.
-    """
-
-    name: str
+    name: str  # "f" or "g"
+    # keys of the angle between the staircase's edges and of the curve's rotation
     xi: str
     theta: str
+    # what the key of the rotation says where there is none, and how far it reaches from that to
+    # either side (radians)
     unturned: float
     farthest: float
-    axis: str
-    instead: Remedy
+    axis: str  # what the staircase's axis is
+    instead: Remedy  # what else takes a curve that turns too much for it
 
     def interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
         """The rotations that its key can say at which a curve has a staircase.

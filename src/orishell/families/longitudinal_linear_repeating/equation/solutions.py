@@ -39,19 +39,14 @@ class Sectors:
     """Deviations of a column's four sector angles from pi/2, in (-pi/2, pi/2) (radians).
 
     Red in the paper's Figure 3(a) for column 1.
-
-    Parameters
-    ----------
-    alpha, beta
-        Of F vertices, which are flat-foldable: (LU, LD, RD, RU) is
-        (pi - beta, alpha, beta, pi - alpha).
-    gamma, delta
-        Of S vertices, whose column creases are straight: (LU, LD, RD, RU) is
-        (pi - delta, delta, gamma, pi - gamma).
     """
 
+    # of F vertices, which are flat-foldable: (LU, LD, RD, RU) is (pi - beta, alpha, beta, pi -
+    # alpha)
     alpha: float
     beta: float
+    # of S vertices, whose column creases are straight: (LU, LD, RD, RU) is (pi - delta, delta,
+    # gamma, pi - gamma)
     gamma: float
     delta: float
 
@@ -111,22 +106,13 @@ ROUNDING = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """A solution of equation (4).
+    """A solution of equation (4)."""
 
-    Parameters
-    ----------
-    version
-        Which version of the last line of (4) it solves.
-    first, second
-        Sectors of columns 1 and 2.
-    c
-        tan(v_2/2) / tan(v_1/2), the columns' fold angles, throughout the motion.
-    """
-
-    version: Version
+    version: Version  # which version of the last line of (4) it solves
+    # sectors of columns 1 and 2
     first: Sectors
     second: Sectors
-    c: float
+    c: float  # tan(v_2/2) / tan(v_1/2), the columns' fold angles, throughout the motion
 
 
 def find_solutions(first: Sectors, *, inside: bool = True) -> tuple[Solution, ...]:

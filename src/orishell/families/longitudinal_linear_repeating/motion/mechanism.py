@@ -44,18 +44,12 @@ from orishell.numerics.arrays import Array, Booleans
 
 @record
 class Pose:
-    """Where a sheet stands: the middle row's centroid, and a turn that grows with the drive.
+    """Where a sheet stands: the middle row's centroid, and a turn that grows with the drive."""
 
-    Parameters
-    ----------
-    centroid
-        Centroid of the middle row's inner vertices, in every state (3,).
-    turn
-        Rotation vector (3,) of the sheet's middle panel at the target (radians); in the flat sheet
-        it is not turned, elsewhere in proportion to the drive.
-    """
-
+    # centroid of the middle row's inner vertices, in every state (3,)
     centroid: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    # rotation vector (3,) of the sheet's middle panel at the target (radians); in the flat sheet it
+    # is not turned, elsewhere in proportion to the drive
     turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
@@ -64,29 +58,15 @@ class LongitudinalLinearRepeating:
     """A folding sheet of the longitudinal linear repeating type.
 
     The drive is v_1, the size of the fold angle of column 1's creases.
-
-    Parameters
-    ----------
-    columns
-        Sectors and multipliers of the columns (n).
-    first_row
-        Kind of row 1; F and S rows alternate.
-    lengths
-        Lengths of all creases, border included.
-    side
-        Sign of v_1 below row 1.
-    stop
-        Drive at which the target is met, at most :attr:`end_drive`, or None for that.
-    pose
-        Where it stands.
     """
 
-    columns: Columns
-    first_row: RowKind
-    lengths: EdgeLengths
-    side: int = 1
+    columns: Columns  # sectors and multipliers of the columns (n)
+    first_row: RowKind  # kind of row 1; F and S rows alternate
+    lengths: EdgeLengths  # lengths of all creases, border included
+    side: int = 1  # sign of v_1 below row 1
+    # drive at which the target is met, at most :attr:`end_drive`, or None for that
     stop: float | None = None
-    pose: Pose = Pose()
+    pose: Pose = Pose()  # where it stands
 
     __repr__ = mechanism_in_one_line
 

@@ -156,33 +156,15 @@ AT_ONCE = 200_000
 
 @record
 class Sheet:
-    """The parts of a mechanism from which the bounds are found.
+    """The parts of a mechanism from which the bounds are found."""
 
-    Parameters
-    ----------
-    columns
-        Sectors and multipliers.
-    directions
-        Directions of the creases in the flat sheet.
-    flat_foldable
-        Which rows are F rows (m,).
-    signs
-        Signs of the column creases (m+1,).
-    flat
-        Vertices x + iy of the flat sheet (m+2, n+2).
-    turn
-        Angular velocity (3,) of the middle panel, the same in all states.
-    panels
-        Rotations (S, m+1, n+1) of all panels at drives (S,).
-    """
-
-    columns: Columns
-    directions: Directions
-    flat_foldable: Booleans
-    signs: Array
-    flat: Complex
-    turn: Array
-    panels: Callable[[Array], Rotations]
+    columns: Columns  # sectors and multipliers
+    directions: Directions  # directions of the creases in the flat sheet
+    flat_foldable: Booleans  # which rows are F rows (m,)
+    signs: Array  # signs of the column creases (m+1,)
+    flat: Complex  # vertices x + iy of the flat sheet (m+2, n+2)
+    turn: Array  # angular velocity (3,) of the middle panel, the same in all states
+    panels: Callable[[Array], Rotations]  # rotations (S, m+1, n+1) of all panels at drives (S,)
 
     @property
     def anchor(self) -> tuple[int, int]:

@@ -18,14 +18,9 @@ Index = int | slice | EllipsisType | None
 
 @record
 class Rotations:
-    """An array of rotations.
+    """An array of rotations."""
 
-    Parameters
-    ----------
-    a, b
-        The two complex numbers of every quaternion (...).
-    """
-
+    # the two complex numbers of every quaternion (...)
     a: Complex
     b: Complex
 

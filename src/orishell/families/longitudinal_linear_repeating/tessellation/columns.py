@@ -33,21 +33,11 @@ KEPT = 2
 
 @record
 class Columns:
-    """The columns of a sheet.
+    """The columns of a sheet."""
 
-    Parameters
-    ----------
-    version
-        Version of (4) that couples them.
-    sectors
-        Deviations of alpha, beta, gamma, delta of every column (n, 4) (radians).
-    multipliers
-        tan(v_j/2) / tan(v_1/2) of every column (n,), constant through the motion.
-    """
-
-    version: Version
-    sectors: Array
-    multipliers: Array
+    version: Version  # version of (4) that couples them
+    sectors: Array  # deviations of alpha, beta, gamma, delta of every column (n, 4) (radians)
+    multipliers: Array  # tan(v_j/2) / tan(v_1/2) of every column (n,), constant through the motion
 
     def __post_init__(self) -> None:
         for array in (self.sectors, self.multipliers):

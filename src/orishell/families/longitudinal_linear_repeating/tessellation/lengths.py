@@ -24,18 +24,10 @@ those beside them."""
 
 @record
 class EdgeLengths:
-    """Lengths of all creases.
+    """Lengths of all creases."""
 
-    Parameters
-    ----------
-    row
-        Of the row creases (m, n+1), from the left border to the right.
-    column
-        Of the column creases (m+1, n), from the top border to the bottom.
-    """
-
-    row: Array
-    column: Array
+    row: Array  # of the row creases (m, n+1), from the left border to the right
+    column: Array  # of the column creases (m+1, n), from the top border to the bottom
 
     def __post_init__(self) -> None:
         for array in (self.row, self.column):
