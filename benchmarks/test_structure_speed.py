@@ -49,7 +49,7 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20)
 
 
 def shelter() -> Shell:
-    return make_shell(read_design_file(SHELTER), clash="unexamined", leave_out=(*MEASURES, "stock"))
+    return make_shell(read_design_file(SHELTER), clash="unexamined", skip=(*MEASURES, "stock"))
 
 
 @pytest.mark.benchmark(min_rounds=1, max_time=0.0)

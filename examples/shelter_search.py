@@ -25,7 +25,7 @@ from orishell.search import (
     search_designs,
 )
 from orishell.shell.make import make_shell
-from orishell.shell.steps import PARTS
+from orishell.shell.steps import STEPS
 
 DESIGN = Path(__file__).with_suffix(".toml")
 MADE = DESIGN.with_suffix("") / "journal.jsonl"
@@ -53,7 +53,7 @@ def chosen(problem: Problem, found: Found) -> dict[str, Outcome]:
 def design(problem: Problem, outcome: Outcome) -> Shell:
     """The shell of a design that was found, its sheet and motion only, to be drawn."""
     file = check_design(with_values(problem.tables, outcome.values), problem.path)
-    return make_shell(file, clash="unexamined", leave_out=PARTS)
+    return make_shell(file, clash="unexamined", skip=STEPS)
 
 
 HEAD = f"{'':15}{'rows':>5}{'depth':>9}{'panels':>9}{'mass':>8}{'pack':>9}{'gives way':>11}"

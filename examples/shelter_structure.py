@@ -90,7 +90,7 @@ def design(panel: Panel | None = None) -> Shell:
         )
         file = replace(file, panel=None, workshop=workshop, structure=structure)
     unloaded: tuple[Part, ...] = () if panel is None else ("structure",)
-    return make_shell(file, clash="unexamined", leave_out=(*MEASURES, "stock", *unloaded))
+    return make_shell(file, clash="unexamined", skip=(*MEASURES, "stock", *unloaded))
 
 
 def with_creases(shell: Shell, stiffness: float = inf, cells: int = 4) -> Analysis:

@@ -29,7 +29,7 @@ def formula(text: str | list[str], start: float, stop: float) -> Tables:
 
 def made(design: Tables) -> Shell:
     """The shell, its proof included; distances are not measured."""
-    return make_shell(check_design(design, Path("shell.toml")), leave_out=MEASURES)
+    return make_shell(check_design(design, Path("shell.toml")), skip=MEASURES)
 
 
 def refused(design: Tables) -> DesignError | None:

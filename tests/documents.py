@@ -129,7 +129,7 @@ def pack_document() -> Document:
     """A shell that is opened from its pack over its target, with its report."""
     tables = tomllib.loads(starter_file("orthodiagonal")) | {"deployment": {"from": "pack"}}
     file = check_design(tables, Path("pack.toml"), files=False)
-    return make_shell(file, clash="unexamined", leave_out=(*MEASURES, "stock")).document
+    return make_shell(file, clash="unexamined", skip=(*MEASURES, "stock")).document
 
 
 def flat_only(document: Document) -> Document:

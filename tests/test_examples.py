@@ -69,9 +69,7 @@ class Example:
         # The distance from the surface takes longest, and no other example's sizes need what goes
         # with it.
         file = read_design_file(EXAMPLES / f"{name}.toml")
-        self.shell: Shell = make_shell(
-            file, leave_out=() if name.startswith("shelter") else MEASURES
-        )
+        self.shell: Shell = make_shell(file, skip=() if name.startswith("shelter") else MEASURES)
         self.size: dict[str, float] = self.module.measure(self.shell)
 
 
@@ -143,7 +141,7 @@ def test_shelter_travels() -> None:
     assert size["pack width"] == pytest.approx(1.229, abs=1e-3)
     assert size["pack height"] < 0.0002
     assert size["layers"] == 72  # of 10 mm: 0.72 m, as its design file says
-    assert shell.motion.pack == shell.lock.pack
+    assert shell.motion.pack == shell.lock.closes_to
     assert shell.lock.proof is not None
     assert shell.report.warnings == ()
 
@@ -236,7 +234,7 @@ def test_figure_1_card(
         "pattern-boards-1.svg",
         "pattern.svg",
     ]
-    shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), leave_out=MEASURES)
+    shell = make_shell(read_design_file(EXAMPLES / "figure1_card.toml"), skip=MEASURES)
     assert shell.report.feasible
     assert (shell.report.lock.cause, shell.lock.early) == ("boards", False)
 

@@ -60,7 +60,7 @@ def shell(family: str, at: float) -> Shell:
         "pattern": pattern,
         "motion": {"frames": 5},
     }
-    return make_shell(check_design(tables, Path("far.toml")), leave_out=MEASURES)
+    return make_shell(check_design(tables, Path("far.toml")), skip=MEASURES)
 
 
 def written(shell: Shell, name: str, directory: Path) -> Path:

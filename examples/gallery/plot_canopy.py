@@ -17,7 +17,7 @@ from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 
 file = read_design_file(EXAMPLES / "canopy.toml")
-shell = make_shell(file, leave_out=MEASURES)
+shell = make_shell(file, skip=MEASURES)
 sheet = shell.design.mechanism
 print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees")
 

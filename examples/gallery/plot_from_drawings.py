@@ -28,7 +28,7 @@ from orishell.shell.steps import MEASURES
 
 def draw(name: str, view: Camera) -> None:
     """The locked shell of a design file with its curves, and its crease pattern."""
-    shell = make_shell(read_design_file(EXAMPLES / name), leave_out=MEASURES)
+    shell = make_shell(read_design_file(EXAMPLES / name), skip=MEASURES)
     sheet = shell.design.mechanism
     _, (left, right) = plt.subplots(1, 2, figsize=(13, 4.6), layout="constrained")
     draw_pattern(left, shell.motion.flat.positions, find_assignment(sheet))

@@ -22,7 +22,7 @@ from orishell.shell.make import make_shell
 from orishell.shell.pictures import weight_of
 
 shell = make_shell(read_design_file(EXAMPLES / "shelter.toml"))
-sheet, pack = shell.design.mechanism, shell.lock.pack
+sheet, pack = shell.design.mechanism, shell.lock.closes_to
 deployment = shell.report.deployment
 slack = sum(tie.slack is True for tie in deployment.ties)
 print(f"at its target: {shell.report.deployed}")

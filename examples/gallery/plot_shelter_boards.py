@@ -50,7 +50,7 @@ draw_hinge_section(figure, section, "m")
 # The pack that boards allow, where set-backs take half of the way across a panel, and the target.
 
 figure, frames = plt.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
-for axes, drive in zip(frames, (shell.lock.pack, sheet.target_drive), strict=True):
+for axes, drive in zip(frames, (shell.lock.closes_to, sheet.target_drive), strict=True):
     draw_shell(axes, sheet.positions(drive), camera(-40, 24))
     axes.set_title(f"{np.rad2deg(drive):.1f}°")
 same_scale(list(frames))

@@ -101,7 +101,7 @@ asked = plywood.file.structure.having(crease_stiffness=(2e4, 2e4))
 shell = make_shell(
     replace(plywood.file, structure=asked),
     clash="unexamined",
-    leave_out=(*MEASURES, "stock"),
+    skip=(*MEASURES, "stock"),
 )
 show(shell)
 report = shell.report.structure

@@ -19,7 +19,7 @@ from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 
 file = read_design_file(EXAMPLES / "vault.toml")
-shell = make_shell(file, leave_out=MEASURES)
+shell = make_shell(file, skip=MEASURES)
 sheet = shell.design.mechanism
 lock = shell.report.lock
 print(f"meets f at {lock.target_drive_deg:.3f} degrees")

@@ -50,7 +50,7 @@ def test_no_array_is_printed() -> None:
 def shell(request: pytest.FixtureRequest, tmp_path: Path) -> Shell:
     path = tmp_path / "shell.toml"
     path.write_text(starter_file(request.param), encoding="utf-8")
-    return make_shell(read_design_file(path), clash="unexamined", leave_out=MEASURES)
+    return make_shell(read_design_file(path), clash="unexamined", skip=MEASURES)
 
 
 def parts(thing: Any, found: dict[int, Any]) -> Iterator[Any]:

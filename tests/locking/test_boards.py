@@ -98,7 +98,7 @@ def check(design: Design) -> Lock:
     if lock.built is None:
         reject()  # its panels meet before the target, whatever boards do
     boards = lock.built.boards
-    for drive in np.linspace(0.0, lock.pack, STATES):
+    for drive in np.linspace(0.0, lock.closes_to, STATES):
         assert overlap(mechanism, boards, drive) < NOTHING
     meet = lock.first_contact is not None and lock.first_contact.kind == "boards"
     event("boards meet" if meet else "clear to the end")

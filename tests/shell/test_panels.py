@@ -152,7 +152,7 @@ def test_without_a_target_boards_end_the_motion(tmp_path: Path) -> None:
     lock, panel = shell.lock, shell.report.panel
     assert lock.cause == "boards"
     assert lock.built is not None
-    assert lock.target == lock.pack < np.deg2rad(8)
+    assert lock.target == lock.closes_to < np.deg2rad(8)
     assert panel is not None
     assert shell.design.panel is not None
     room = 0.5 * shell.design.panel.thickness * np.tan(np.deg2rad(panel.largest_fold_deg) / 2)

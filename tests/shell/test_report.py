@@ -14,7 +14,7 @@ from orishell.locking import find_lock
 from orishell.locking.report import describe_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
-from orishell.shell.steps import MEASURES, PARTS, Part
+from orishell.shell.steps import MEASURES, STEPS, Step
 from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.workshop import Workshop
 from planted import clear
@@ -41,7 +41,7 @@ def test_what_the_report_says_of_a_lock() -> None:
 def test_the_report_says_what_was_left_out() -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
     file = replace(file, workshop=Workshop(stock=(6.0, 5.0)))
-    report = make_shell(file, clash="unexamined", leave_out=(*MEASURES, "stock")).report
+    report = make_shell(file, clash="unexamined", skip=(*MEASURES, "stock")).report
     assert (report.feasible, report.lock.path) == (None, None)
     assert report.deviation is not None
     assert (report.deviation.surface, report.quantities.stock) == (None, None)
@@ -69,8 +69,8 @@ def test_each_part_is_left_out_by_itself() -> None:
         frames=2,
     )
 
-    def lacking(*parts: Part) -> set[str]:
-        report = make_shell(file, clash="unexamined", leave_out=parts).report
+    def lacking(*parts: Step) -> set[str]:
+        report = make_shell(file, clash="unexamined", skip=parts).report
         assert report.deviation is not None
         found = {
             "residuals": report.residuals,
@@ -83,7 +83,7 @@ def test_each_part_is_left_out_by_itself() -> None:
         }
         return {name for name, value in found.items() if value is None}
 
-    cost: dict[Part, set[str]] = {
+    cost: dict[Step, set[str]] = {
         "remedies": set(),
         "verification": {"residuals"},
         "deviation": {"surface"},
@@ -92,8 +92,8 @@ def test_each_part_is_left_out_by_itself() -> None:
         "stock": {"stock"},
         "structure": {"structure"},
     }
-    assert {part: lacking(part) for part in PARTS} == cost
-    assert lacking(*PARTS) == set().union(*cost.values())
+    assert {part: lacking(part) for part in STEPS} == cost
+    assert lacking(*STEPS) == set().union(*cost.values())
 
 
 def test_a_refusal_without_its_remedies() -> None:
@@ -102,18 +102,18 @@ def test_a_refusal_without_its_remedies() -> None:
     with pytest.raises(DesignError) as mended:
         make_shell(file)
     with pytest.raises(DesignError) as plain:
-        make_shell(file, leave_out=["remedies"])
+        make_shell(file, skip=["remedies"])
     assert plain.value.condition == mended.value.condition
     assert mended.value.remedies
     assert not plain.value.remedies
     assert not plain.value.limit
 
 
-@pytest.mark.parametrize("leave_out", [["deviation", "everything"], "everything", "pack"])
-def test_a_part_that_there_is_not(leave_out: list[Part]) -> None:
+@pytest.mark.parametrize("skip", [["deviation", "everything"], "everything", "pack"])
+def test_a_part_that_there_is_not(skip: list[Step]) -> None:
     file = read_design_file(EXAMPLES / "figure1.toml")
-    with pytest.raises(InputError, match=r"leave_out: there is no such part"):
-        make_shell(file, leave_out=leave_out)
+    with pytest.raises(InputError, match=r"skip: there is no such part"):
+        make_shell(file, skip=skip)
 
 
 @pytest.mark.parametrize(

@@ -41,7 +41,7 @@ def arch(supports: Any = "pinned", **changes: Any) -> dict[str, Any]:
 
 def analysed(design: dict[str, Any]) -> StructureReport:
     shell = make_shell(
-        check_design(design, Path("shell.toml")), clash="unexamined", leave_out=(*MEASURES, "stock")
+        check_design(design, Path("shell.toml")), clash="unexamined", skip=(*MEASURES, "stock")
     )
     assert shell.report.structure is not None
     return shell.report.structure

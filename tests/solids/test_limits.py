@@ -26,7 +26,7 @@ def shelter(thickness: float) -> Shell:
     thick = {"panel.thickness": thickness, "panel.membrane": 0.02 * thickness}
     return make_shell(
         file.changed(thick) if thickness else file,
-        leave_out=("deviation", "weight", "stock", "structure"),
+        skip=("deviation", "weight", "stock", "structure"),
     )
 
 
@@ -77,9 +77,9 @@ def test_boards_end_the_motion_of_the_shelter() -> None:
     shell = shelter(0.01)
     mechanism, deployment = shell.design.mechanism, shell.report.deployment
     assert shell.lock.cause == "boards"
-    widest = np.rad2deg(largest_fold(mechanism, np.array([shell.lock.pack]))[0])
+    widest = np.rad2deg(largest_fold(mechanism, np.array([shell.lock.closes_to]))[0])
     assert 177.0 < widest < 177.3
-    folds = largest_folds(mechanism, shell.lock.pack)
+    folds = largest_folds(mechanism, shell.lock.closes_to)
     assert largest_height(mechanism.positions(0.0), mechanism.grid, folds) == pytest.approx(0.005)
     assert deployment.packed is not None
     bare = shelter(0.0).report.deployment.packed

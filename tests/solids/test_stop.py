@@ -129,7 +129,7 @@ def shell(figure: int, panel: PanelSpec, *, clipped: bool = False) -> Shell:
         "panel.stop_deg": "auto" if panel.stop is None else float(np.rad2deg(panel.stop)),
         "deployment.flap_attachment": "clipped" if clipped else "folded",
     }
-    return make_shell(file.changed(changes), leave_out=("deviation", "weight", "stock"))
+    return make_shell(file.changed(changes), skip=("deviation", "weight", "stock"))
 
 
 @pytest.mark.parametrize("figure", [1, 2])

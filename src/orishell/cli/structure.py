@@ -178,7 +178,7 @@ def structure(
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
     with bar() as progress:
-        shell = make_shell(asked, progress, clash="unexamined", leave_out=(*MEASURES, "stock"))
+        shell = make_shell(asked, progress, clash="unexamined", skip=(*MEASURES, "stock"))
     report = shell.report.structure
     assert report is not None
     for warning in report.warnings:

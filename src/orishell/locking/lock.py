@@ -68,7 +68,7 @@ def find_lock(
         lock = replace(lock, clipped_contact=met and _at_target(met, lock))
     if design.panel is None or lock.early or flaps_only:
         return lock
-    end = lock.pack if beyond else min(lock.pack, lock.target)
+    end = lock.closes_to if beyond else min(lock.closes_to, lock.target)
     built, path = prove_boards(design, end, size, progress)
     lock = replace(lock, built=built, boards_proof=path.proof)
     if path.contact is not None:
@@ -146,7 +146,7 @@ def lock_without_clash(
     lock = _end_without_clash(sheet, design, proof, touching)
     if design.panel is None or proof is not None:
         return lock
-    return replace(lock, built=build_panels(design, lock.pack))
+    return replace(lock, built=build_panels(design, lock.closes_to))
 
 
 def _end_without_clash(

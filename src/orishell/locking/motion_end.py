@@ -165,7 +165,7 @@ def require_pack(design: Design, lock: Lock) -> None:
     DesignError
         If it does not.
     """
-    if lock.pack > lock.target * (1 + NO_PACK):
+    if lock.closes_to > lock.target * (1 + NO_PACK):
         return
     contact = lock.first_contact
     # From the flat sheet, flaps are part of it unless something else is said.
@@ -176,7 +176,7 @@ def require_pack(design: Design, lock: Lock) -> None:
         keys=("deployment.from",),
         size="" if contact is None else f"panels meet there ({contact.kind})",
         candidates=[*further, Remedy({"deployment.from": "flat", **clipped})],
-        excess=1 - (lock.pack / lock.target - 1) / NO_PACK,
+        excess=1 - (lock.closes_to / lock.target - 1) / NO_PACK,
     )
 
 

@@ -87,7 +87,7 @@ class Lock:
         return f"{type(self).__name__}({end}, {target}, {path})"
 
     @property
-    def pack(self) -> float:
+    def closes_to(self) -> float:
         """As far as the motion goes, proved free of contact if its path was examined (radians)."""
         if self.cause in {"clash", "boards"} and self.first_contact is not None:
             return self.first_contact.clear_until

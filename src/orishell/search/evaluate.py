@@ -20,7 +20,7 @@ from orishell.search.figures import figure
 from orishell.search.problem import Problem
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.report import Report
-from orishell.shell.steps import PARTS, Part
+from orishell.shell.steps import STEPS, Step
 
 Require = Callable[[DesignFile], None]
 STATES = 3
@@ -93,24 +93,24 @@ def report_of(job: Job, values: Values) -> Report:
     Raises InputError, DesignError if it cannot be made.
     """
     needed = {figure(name).part for name in job.figures}
-    left_out = [part for part in PARTS if part not in needed]
+    left_out = [part for part in STEPS if part not in needed]
     return shell_of(job, values, STATES, left_out).report
 
 
-def shell_of(job: Job, values: Values, states: int, leave_out: Collection[Part]) -> Shell:
+def shell_of(job: Job, values: Values, states: int, skip: Collection[Step]) -> Shell:
     """The shell of a variant.
 
     job: The design.
     values: What its keys have.
     states: States of its motion.
-    leave_out: What is not found out of it.
+    skip: What is not found out of it.
 
     Raises InputError, DesignError if it cannot be made.
     """
     file = check_design(with_values(job.tables, values), job.path, files=job.files)
     if job.require is not None:
         job.require(file)
-    return make_shell(replace(file, frames=states), leave_out=leave_out)
+    return make_shell(replace(file, frames=states), skip=skip)
 
 
 def _outcome(job: Job, values: Values) -> Outcome:

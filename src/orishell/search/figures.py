@@ -13,7 +13,7 @@ from typing import Any, Union, get_args, get_origin, get_type_hints
 from orishell.conventions.errors import InputError
 from orishell.design_file.search import Limit
 from orishell.shell.report import Report
-from orishell.shell.steps import Part
+from orishell.shell.steps import Step
 from orishell.structure.case_report import StandingReport
 
 Read = Callable[[Report], float | None]
@@ -27,7 +27,7 @@ class Figure:
     name: str  # its name or key, as the design file has it
     # its unit, "{unit}" standing for that of lengths; empty where it has none, or may have any
     unit: str
-    part: Part | None  # what a shell cannot leave out for it; None if it always has it
+    part: Step | None  # what a shell cannot leave out for it; None if it always has it
     read: Read  # gives it; None where the report does not say it
 
     def label(self, unit: str) -> str:
@@ -122,7 +122,7 @@ def _tie_force(standing: StandingReport) -> float:
     return max((tie.force for tie in standing.ties), default=0.0)
 
 
-_OF_SHELL: Mapping[str, tuple[str, Part | None, Read]] = {
+_OF_SHELL: Mapping[str, tuple[str, Step | None, Read]] = {
     "panels": ("", None, lambda report: float(report.quantities.panels)),
     "deviation": ("{unit}", "deviation", _deviation),
     "mass": ("kg", None, _mass),
@@ -146,7 +146,7 @@ BEARS: Mapping[str, Limit] = {"utilisation": Limit(most=1.0)}
 """What holds of a structure where nothing else is asked for: a shell that buckles or breaks under
 its loads is no choice."""
 
-_PARTS: Mapping[str, Part] = {
+_PARTS: Mapping[str, Step] = {
     "residuals": "verification",
     "deviation.surface": "deviation",
     "deviation.approached": "deviation",
@@ -160,7 +160,7 @@ _PARTS: Mapping[str, Part] = {
 """What a shell cannot leave out, by the beginning of the keys that it is told by."""
 
 
-def _part_of(name: str) -> Part | None:
+def _part_of(name: str) -> Step | None:
     begins = (part for key, part in _PARTS.items() if f"{name}.".startswith(f"{key}."))
     return next(begins, None)
 

@@ -26,7 +26,7 @@ from orishell.search.evaluate import Job, asked_of_loads, job_of, shell_of, viol
 from orishell.search.front import beaten, costs, scores
 from orishell.search.problem import Problem
 from orishell.search.run import Found
-from orishell.shell.steps import PARTS
+from orishell.shell.steps import STEPS
 
 PROGRAM = place_of("front.js")
 """The page's program, once it is built."""
@@ -136,7 +136,7 @@ def draw_shells(job: Job, numbered: Sequence[tuple[int, Values]]) -> list[Drawn]
 
 def _drawn(job: Job, number: int, values: Values) -> Drawn:
     try:
-        return number, dump_view(shell_of(job, values, STATES, PARTS).document), ""
+        return number, dump_view(shell_of(job, values, STATES, STEPS).document), ""
     except OrishellError as error:
         return number, None, str(error)
     except Exception as error:  # the front is worth more than one of its shells

@@ -27,7 +27,7 @@ from orishell.design_file import DesignFile
 from orishell.locking import Cause, Lock
 from orishell.motion import sheet_area
 from orishell.motion.grid import VertexPair
-from orishell.shell.steps import Part
+from orishell.shell.steps import Step
 from orishell.solids import BuiltPanels, largest_thickness
 
 PACKS = 9
@@ -109,21 +109,21 @@ def describe_deployment(
     design: Design,
     lock: Lock,
     feet: Feet | None,
-    leave_out: Collection[Part] = (),
+    skip: Collection[Step] = (),
 ) -> DeploymentReport:
     """How a shell is deployed, and what holds it at its target.
 
-    leave_out: What is not asked for: of pack and own weight.
+    skip: What is not asked for: of pack and own weight.
 
     Raises InputError if ties do not fit the sheet.
     """
     mechanism = design.mechanism
     clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
-    ties = find_ties(mechanism, pairs_of_ties(design, file.deployment, feet), lock.pack)
+    ties = find_ties(mechanism, pairs_of_ties(design, file.deployment, feet), lock.closes_to)
     packed = most = weight = None
-    if "pack" not in leave_out:
+    if "pack" not in skip:
         packed, most = _packed(design, lock), _largest_thickness(design)
-    if "weight" not in leave_out and feet is not None:
+    if "weight" not in skip and feet is not None:
         metres = conversion(file.unit, "m")
         density = areal_density(file, design, lock.built)
         weight = _weight(design, feet, lock, metres, density)
@@ -133,8 +133,12 @@ def describe_deployment(
         largest_fold_deg=tidy_degrees(design.largest_fold),
         thickness=_thickness(design),
         largest_thickness=most,
-        end_drive_deg=tidy_degrees(lock.pack),
-        closing="clipped flaps" if clipped else lock.cause if lock.pack <= lock.target else None,
+        end_drive_deg=tidy_degrees(lock.closes_to),
+        closing="clipped flaps"
+        if clipped
+        else lock.cause
+        if lock.closes_to <= lock.target
+        else None,
         opening="ties" if ties else None,
         packed=packed,
         ties=tuple(map(_tie, ties)),
@@ -173,7 +177,7 @@ def _largest_thickness(design: Design) -> float | None:
 
 
 def _packed(design: Design, lock: Lock) -> PackedReport:
-    found = find_pack(design.mechanism, max(lock.pack, lock.target), PACKS, _thickness(design))
+    found = find_pack(design.mechanism, max(lock.closes_to, lock.target), PACKS, _thickness(design))
     box = found.box
     return PackedReport(tidy_degrees(found.drive), box.length, box.width, box.height, found.layers)
 
@@ -202,7 +206,7 @@ def _weight(
         design.mechanism,
         feet.rows,
         GRAVITY * areal_density * metres**2 if known else 1.0,
-        pack=max(lock.pack, lock.target),
+        pack=max(lock.closes_to, lock.target),
     )
     unit = 1.0 if known else found.total
     return WeightReport(

@@ -15,7 +15,7 @@ from orishell.design_file import DesignFile
 from orishell.locking import Lock, find_lock
 from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
 from orishell.shell.designed import designed
-from orishell.shell.steps import Part
+from orishell.shell.steps import Step
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""
@@ -28,13 +28,13 @@ def warn_of_deployment(
     design: Design,
     lock: Lock,
     report: DeploymentReport,
-    leave_out: Collection[Part] = (),
+    skip: Collection[Step] = (),
 ) -> list[str]:
     """Warnings of a pack that is no bundle, and of what nothing holds.
 
-    leave_out: What is not asked for: of changes that would mend them.
+    skip: What is not asked for: of changes that would mend them.
     """
-    mended = "remedies" not in leave_out
+    mended = "remedies" not in skip
     return [
         *_of_pack(file, design, lock, report, mended=mended),
         *_of_ties(report),
@@ -55,7 +55,7 @@ def _of_pack(
     why = "its panel columns close one after another, not together"
     if lock.cause == "clash" and lock.first_contact is not None:
         first, second = (list(panel) for panel in lock.first_contact.panels)
-        why = f"panels {first} and {second} meet at drive {in_degrees(lock.pack)} degrees"
+        why = f"panels {first} and {second} meet at drive {in_degrees(lock.closes_to)} degrees"
     elif lock.cause == "boards" and design.panel is not None:
         why = f"boards {design.panel.thickness:g} {file.unit} thick close no further than that"
     elif lock.cause == "hinges":
@@ -75,9 +75,9 @@ def _closes_better(file: DesignFile, packed: PackedReport) -> Remedy | None:
     except (DesignError, InputError):
         return None
     lock = find_lock(design, tolerance=file.contact_tolerance)
-    if lock.early or lock.pack <= lock.target:
+    if lock.early or lock.closes_to <= lock.target:
         return None
-    box = find_pack(design.mechanism, lock.pack, 1).box
+    box = find_pack(design.mechanism, lock.closes_to, 1).box
     now = packed.length * packed.width
     flat = box.height < PLANE * box.length
     return remedy if flat and SMALLER * box.length * box.width < now else None

@@ -44,7 +44,7 @@ from orishell.shell.report import (
     describe_feet,
 )
 from orishell.shell.size_trials import Choice
-from orishell.shell.steps import Clock, Part, Question, not_checked, require_parts
+from orishell.shell.steps import Clock, Question, Step, not_checked, require_steps
 from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance
 from orishell.shell.verdict import find_verdict
@@ -102,7 +102,7 @@ def make_shell(
     progress: Progress = no_progress,
     *,
     clash: ClashPolicy = "refused",
-    leave_out: Collection[Part] = (),
+    skip: Collection[Step] = (),
 ) -> Shell:
     """Design a shell, verify its states and prove how its motion ends.
 
@@ -110,7 +110,7 @@ def make_shell(
     ----------
     clash
         What becomes of a shell whose panels meet.
-    leave_out
+    skip
         What is not found out of it; its report says so where a reader might think it was.
 
     Raises
@@ -122,11 +122,11 @@ def make_shell(
     VerificationError
         If the result is not rigid: a fault of the program.
     """
-    require_parts(leave_out)
+    require_steps(skip)
     try:
-        return _made(file, progress, clash, leave_out)
+        return _made(file, progress, clash, skip)
     except DesignError as error:
-        if clash == "unexamined" or "remedies" in leave_out:
+        if clash == "unexamined" or "remedies" in skip:
             raise
         raise with_remedies(file, error, _tried, progress) from None
 
@@ -137,7 +137,7 @@ def _tried(file: DesignFile, progress: Progress) -> Shell:
 
 
 def _made(
-    file: DesignFile, progress: Progress, clash: ClashPolicy, leave_out: Collection[Part]
+    file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
     """The shell of a file, which is refused without remedies."""
     clock = Clock()
@@ -148,7 +148,7 @@ def _made(
     motion = _motion(file, design, lock)
     flat = motion.flat
     residuals = assignment = None
-    if "verification" not in leave_out:
+    if "verification" not in skip:
         residuals, assignment = measure_residuals(
             followed(motion, len(motion), progress, "verifying"), flat
         )
@@ -156,16 +156,16 @@ def _made(
     clock.lap("fold")
 
     deviation = approach = None
-    if design.swept is not None and "deviation" not in leave_out:
+    if design.swept is not None and "deviation" not in skip:
         deviation, approach = measure_deviation(design), measure_approach(design)
     clock.lap("deviation")
 
     document = _document(file, design, lock, motion)
     try:
-        deployment = describe_deployment(file, design, lock, feet, leave_out)
-        quantities = measure_quantities(document, file.workshop, nested="stock" not in leave_out)
+        deployment = describe_deployment(file, design, lock, feet, skip)
+        quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
         structure = analysis = None
-        if "structure" not in leave_out and file.structure is not None:
+        if "structure" not in skip and file.structure is not None:
             found = load_shell(file, design, lock, file.structure, progress)
             analysis, structure = found.analysis, found.report
             document = replace(document, loaded=found.drawn)
@@ -195,7 +195,7 @@ def _made(
             *design.warnings,
             *warn_of_lock(lock),
             *find_caveats(design, lock, feet, file.unit, file.workshop),
-            *warn_of_deployment(file, design, lock, deployment, leave_out),
+            *warn_of_deployment(file, design, lock, deployment, skip),
             *([] if structure is None else structure.warnings),
         ),
         residuals=residuals,
@@ -250,7 +250,7 @@ def _designed(
 def _motion(file: DesignFile, design: Design, lock: Lock) -> FoldingMotion:
     if file.deployment.start == "flat":
         return FoldingMotion(design.mechanism, file.frames)
-    return FoldingMotion(design.mechanism, file.frames, lock.pack)
+    return FoldingMotion(design.mechanism, file.frames, lock.closes_to)
 
 
 def _document(file: DesignFile, design: Design, lock: Lock, motion: FoldingMotion) -> Document:

@@ -23,18 +23,18 @@ class Clock:
         self._last = now
 
 
-Part = Literal["remedies", "verification", "deviation", "pack", "weight", "stock", "structure"]
+Step = Literal["remedies", "verification", "deviation", "pack", "weight", "stock", "structure"]
 """What would mend a design that is refused, or that packs badly; whether panels stay rigid; the
 distance from the surface; the smallest box and the largest thickness; own weight; the layout on
 the stock; the structure, where the file asks for it."""
 
-PARTS: tuple[Part, ...] = get_args(Part)
+STEPS: tuple[Step, ...] = get_args(Step)
 """All of them: what is left is the design, how its motion ends, and its sizes."""
 
-MEASURES: tuple[Part, ...] = ("deviation", "pack", "weight")
+MEASURES: tuple[Step, ...] = ("deviation", "pack", "weight")
 """What is measured of a shell, and changes nothing of it."""
 
-Question = Part | Literal["clash", "clipping"]
+Question = Step | Literal["clash", "clipping"]
 """What may be found out of a shell: its parts, contact on its way, the way of clipped flaps."""
 
 _NOT_CHECKED: dict[Question, str] = {
@@ -47,18 +47,18 @@ _NOT_CHECKED: dict[Question, str] = {
 }
 
 
-def require_parts(leave_out: Collection[str]) -> None:
+def require_steps(skip: Collection[str]) -> None:
     """Refuse a part that there is not, which would be found out all the same.
 
     Raises InputError if there is one.
     """
-    unknown = [leave_out] if isinstance(leave_out, str) else sorted({*leave_out} - {*PARTS})
+    unknown = [skip] if isinstance(skip, str) else sorted({*skip} - {*STEPS})
     if unknown:
         raise InputError(
             "there is no such part to leave out",
-            where="leave_out",
+            where="skip",
             got=", ".join(map(repr, unknown)),
-            expected=f"some of {', '.join(PARTS)}",
+            expected=f"some of {', '.join(STEPS)}",
         )
 
 

@@ -16,9 +16,9 @@ from orishell.structure.loads import LoadKind
 Vector = tuple[float, float, float]
 Stiffness = float | Literal["free", "rigid"]
 """Of creases: moment per length and angle (N), 0 and infinite said in words."""
-Part = Literal["panels", "creases", "ties", "buckling"]
+Limiting = Literal["panels", "creases", "ties", "buckling"]
 """What may be at the end of what it bears."""
-GOVERNING: Mapping[Part, str] = {
+GOVERNING: Mapping[Limiting, str] = {
     "panels": "the stress in panels",
     "creases": "the moment of creases",
     "ties": "the force in a tie",
@@ -97,7 +97,7 @@ class UtilisationReport:
     creases: float | None
     ties: float | None
     buckling: float | None  # of the load at which the shell buckles; None if it does not
-    governs: Part | None  # the largest of these; None if there is none
+    governs: Limiting | None  # the largest of these; None if there is none
 
 
 @record

@@ -16,9 +16,9 @@ from orishell.structure.case_report import (
     CaseReport,
     CreaseReport,
     DisplacementReport,
+    Limiting,
     LoadReport,
     PairReport,
-    Part,
     ReactionReport,
     StandingReport,
     Stiffness,
@@ -83,7 +83,7 @@ def _standing(structure: Structure, analysis: Analysis, found: CaseResult) -> St
     stress, crease = _stress(analysis, found), _crease(analysis, found)
     ties = _pairs(analysis.ties, found.tie_forces)
     factor = None if found.buckling is None else found.buckling[0]
-    used: dict[Part, float | None] = {
+    used: dict[Limiting, float | None] = {
         "panels": _share(stress.size, structure.strength),
         "creases": _share(0.0 if crease is None else crease.moment, structure.crease_strength),
         "ties": _share(ties[0].force if ties else 0.0, structure.tie_strength),
@@ -168,7 +168,7 @@ def _share(found: float, strength: float | None) -> float | None:
     return None if strength is None else found / strength
 
 
-def _largest(shares: Mapping[Part, float | None]) -> Part | None:
+def _largest(shares: Mapping[Limiting, float | None]) -> Limiting | None:
     known = [(share, part) for part, share in shares.items() if share]
     return max(known)[1] if known else None
 

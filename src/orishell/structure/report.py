@@ -9,7 +9,7 @@ from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion.grid import Vertex
 from orishell.structure.build_warnings import NOT_COVERED, warn_of_structure
-from orishell.structure.case_report import CaseReport, Part, Stiffness
+from orishell.structure.case_report import CaseReport, Limiting, Stiffness
 from orishell.structure.cases import describe_case, height_of, stiffness_in_words
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Place, Structure, SupportKind
@@ -63,7 +63,7 @@ class ModelReport:
 class GoverningReport:
     """What is nearest to the end of what it bears, of all cases."""
 
-    part: Part  # what it is
+    part: Limiting  # what it is
     # the load case, and the stiffness of its creases
     case: str
     creases: Stiffness

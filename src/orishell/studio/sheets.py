@@ -41,7 +41,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
         replace(file, frames=2),
         progress,
         clash="allowed" if proved else "unexamined",
-        leave_out=(*MEASURES, "structure"),
+        skip=(*MEASURES, "structure"),
     )
     document, workshop = shell.document, file.workshop
     palette = load_palette(workshop.palette)

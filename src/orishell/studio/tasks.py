@@ -22,7 +22,7 @@ from orishell.io.view import Curves, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
 from orishell.shell.pictures import lay_surface
-from orishell.shell.steps import PARTS
+from orishell.shell.steps import STEPS
 from orishell.shell.tradeoff import Tradeoff, find_tradeoff
 from orishell.studio.api import (
     NAME,
@@ -86,7 +86,7 @@ class Task:
                 replace(file, frames=min(max(frames, FEWEST_STATES), MOST_STATES)),
                 self.progress,
                 clash="unexamined",
-                leave_out=PARTS,
+                skip=STEPS,
             )
         except OrishellError as error:
             raise RefusalError({**describe_error(error), "curves": curves}) from None
