@@ -15,7 +15,7 @@ import numpy as np
 from orishell import Shell, analyse_structure
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
-from orishell.shell.steps import MEASURES, Part
+from orishell.shell.steps import MEASURES, Step
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Support
 
@@ -89,7 +89,7 @@ def design(panel: Panel | None = None) -> Shell:
             poisson=0.3,
         )
         file = replace(file, panel=None, workshop=workshop, structure=structure)
-    unloaded: tuple[Part, ...] = () if panel is None else ("structure",)
+    unloaded: tuple[Step, ...] = () if panel is None else ("structure",)
     return make_shell(file, clash="unexamined", skip=(*MEASURES, "stock", *unloaded))
 
 
