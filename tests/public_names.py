@@ -23,13 +23,11 @@ ALSO = (
     "orishell.conventions.errors",
     "orishell.io.format",
     "orishell.io.formats",
-    "orishell.io.all_formats",
     "orishell.motion.boards",
     "orishell.motion.grid",
     "orishell.motion.mesh",
     "orishell.motion.quads",
     "orishell.studio.notebook",
-    "orishell.workshop.draw",
 )
 """Rooms of listed packages that their packages leave to those who ask for them by name."""
 

@@ -11,7 +11,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.design_file import read_design_file, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io import read_fold
-from orishell.io.all_formats import formats_for
+from orishell.io.formats import formats_for
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, design_shell
 from orishell.verification import inspect_fold

@@ -12,7 +12,7 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_reader import FoldFile, FoldFrame
-from orishell.io.format import DEFAULT_SETTINGS, Format, Settings
+from orishell.io.format import DEFAULT_SETTINGS, Settings
 from orishell.motion.mesh import measure_mesh_folds
 from orishell.numerics.arrays import Array
 
@@ -161,6 +161,3 @@ def _mesh(document: Document) -> dict[str, Any]:
         "faces_edges": mesh.faces_edges(),
         **({"orishell:grid_shape": list(shape)} if shape is not None else {}),
     }
-
-
-FORMAT = Format("fold", "shell.fold", (".fold",), "pattern and motion (FOLD 1.2)", write_fold)

@@ -17,7 +17,7 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io import Settings
-from orishell.io.all_formats import find_formats
+from orishell.io.formats import all_formats, find_formats
 from orishell.io.view import Curves, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
@@ -61,6 +61,7 @@ class Task:
 
     def warm_up(self) -> None:
         """Import what answers need, by answering: a small design of every family, and a proof."""
+        all_formats()
         designs = [parse_toml(starter_file(family)) for family in FAMILIES]
         for design in designs:
             replace(self, payload={"design": design, "states": FEWEST_STATES}).make_view()

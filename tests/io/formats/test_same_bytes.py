@@ -6,9 +6,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from documents import FAMILIES
 from orishell.io.all_formats import find_formats
 from orishell.io.registry import ALL
+
+from documents import FAMILIES
 
 TESTS = Path(__file__).parents[2]
 DRAWINGS = ["dxf", "svg", "origami-simulator"]
