@@ -1,14 +1,24 @@
-"""Records: what functions return and take, unchangeable, and shown in one line at a prompt."""
+"""Records: what functions return and take, unchangeable; how a prompt and files show them."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
-from typing import TypeVar, dataclass_transform
+from typing import (
+    Annotated,
+    Any,
+    NamedTuple,
+    TypeVar,
+    dataclass_transform,
+    get_args,
+    get_type_hints,
+)
 
 import numpy as np
+
+from orishell.conventions.formatting import tidy_degrees
 
 SHOWN = 60
 """Characters that a part may take in the line of the whole; else its type is shown."""
@@ -60,3 +70,66 @@ def _short(part: object) -> str:
         return text
     size = len(part) if isinstance(part, Collection) and not isinstance(part, str) else "..."
     return f"{type(part).__name__}({size})"
+
+
+Angle = Annotated[float, "degrees in files"]
+"""An angle of a record: in radians here, in degrees and with ``_deg`` behind its name in files."""
+
+
+class Written(NamedTuple):
+    """A field or a property of a record that files have."""
+
+    name: str
+    kind: Any
+    angle: bool
+
+
+@cache
+def written_fields(kind: Any) -> dict[str, Written]:
+    """What files say of a record, by their keys.
+
+    All its public fields, or those fields and properties that its ``WRITTEN`` names.
+    """
+    hints = get_type_hints(kind, include_extras=True)
+    names = getattr(kind, "WRITTEN", None) or [each.name for each in fields(kind)]
+    found = {}
+    for name in names:
+        given = getattr(kind, name, None)
+        type_ = hints.get(name)
+        if isinstance(given, property):
+            type_ = get_type_hints(given.fget, include_extras=True)["return"]
+        angle = _is_angle(type_)
+        if not name.startswith("_"):
+            found[f"{name}_deg" if angle else name] = Written(name, type_, angle)
+    return found
+
+
+def _is_angle(kind: Any) -> bool:
+    return kind == Angle or any(map(_is_angle, get_args(kind)))
+
+
+def as_table(thing: Any) -> Any:
+    """A record as files have it: nested tables, lists and plain values."""
+    match thing:
+        case np.ndarray() | np.generic():
+            return as_table(thing.tolist())
+        case tuple() | list():
+            return [as_table(each) for each in thing]
+        case Mapping():
+            return {key: as_table(each) for key, each in thing.items()}
+        case _ if is_dataclass(thing):
+            return {key: as_table(read_key(thing, key)) for key in written_fields(type(thing))}
+    return thing
+
+
+def read_key(thing: Any, key: str) -> Any:
+    """The value that files have under a key of a record."""
+    name, _, angle = written_fields(type(thing))[key]
+    value = getattr(thing, name)
+    return _tidy(value) if angle else value
+
+
+def _tidy(angles: Any) -> Any:
+    if isinstance(angles, tuple | list | np.ndarray):
+        return [_tidy(each) for each in angles]
+    return None if angles is None else tidy_degrees(angles)
