@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
 from typing import (
     Annotated,
@@ -84,24 +84,28 @@ class Written(NamedTuple):
     angle: bool
 
 
-@cache
+_KNOWN: dict[Any, dict[str, Written]] = {}
+
+
 def written_fields(kind: Any) -> dict[str, Written]:
     """What files say of a record, by their keys.
 
     All its public fields, or those fields and properties that its ``WRITTEN`` names.
     """
-    hints = get_type_hints(kind, include_extras=True)
-    names = getattr(kind, "WRITTEN", None) or [each.name for each in fields(kind)]
-    found = {}
-    for name in names:
-        given = getattr(kind, name, None)
-        type_ = hints.get(name)
-        if isinstance(given, property):
-            type_ = get_type_hints(given.fget, include_extras=True)["return"]
-        angle = _is_angle(type_)
-        if not name.startswith("_"):
-            found[f"{name}_deg" if angle else name] = Written(name, type_, angle)
-    return found
+    if kind not in _KNOWN:
+        names = getattr(kind, "WRITTEN", None) or [each.name for each in fields(kind)]
+        found = (_written(kind, name) for name in names if not name.startswith("_"))
+        _KNOWN[kind] = {f"{each.name}_deg" if each.angle else each.name: each for each in found}
+    return _KNOWN[kind]
+
+
+def _written(kind: type, name: str) -> Written:
+    found = getattr(kind, name, None)
+    if isinstance(found, property):
+        type_ = get_type_hints(found.fget, include_extras=True)["return"]
+    else:
+        type_ = get_type_hints(kind, include_extras=True)[name]
+    return Written(name, type_, _is_angle(type_))
 
 
 def _is_angle(kind: Any) -> bool:
