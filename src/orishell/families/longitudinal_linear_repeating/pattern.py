@@ -109,13 +109,11 @@ class LongitudinalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return forgiving(
-            self, lambda: design_longitudinal_linear_repeating(f, g, **self.arguments()), (f, g)
-        )
+        return forgiving(self, design_longitudinal_linear_repeating, f, g)
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
-        return forgiving(self, lambda: design_longitudinal_linear_repeating(**self.arguments()))
+        return forgiving(self, design_longitudinal_linear_repeating)
 
 
 FAMILY = Family(

@@ -20,7 +20,7 @@ from dataclasses import field
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.shared.sheets import other_side, target_drive
+from orishell.families.shared.sheets import other_side, running_sums, target_drive
 from orishell.numerics import FUNCTIONS, Enclosure, Interval, spinning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -128,8 +128,7 @@ class Columns:
 
 def running(steps: Array) -> Array:
     """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
-    sums = np.cumsum(steps[..., 1:], axis=-1)
-    return np.concatenate([-steps[..., :1], np.zeros_like(steps[..., :1]), sums], axis=-1)
+    return running_sums(steps, 1)
 
 
 def column_and_spread(
@@ -138,12 +137,8 @@ def column_and_spread(
     """P (..., m+2) from the middle vertex, and a (..., m+2) less its middle value.
 
     In complex numbers whose real axis is the middle row's t. The outermost rows continue a
-    column's end edges, trimmed.
-
-    kappa: Of every state (...).
-    tangents, turning: T = tan(beta/2) and the signs of the turns (m,).
-    lengths: Edge lengths of column 1 (m+1,), in the unit of the curves.
-    trims: Growth by K of the first and of the last edge of a column.
+    column's end edges, trimmed. ``tangents`` and ``turning`` (m,) are T = tan(beta/2) and the
+    signs of the turns.
     """
     kappa = kappa[..., None]
     middle = len(tangents) // 2
@@ -153,15 +148,7 @@ def column_and_spread(
     after = half[..., middle, None] * _product(turn[..., middle + 1 :])
     before = half[..., middle, None] * _product(turn[..., :middle][..., ::-1])
     direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
-    edges = lengths * direction
-    column = np.concatenate(
-        [
-            -np.cumsum(edges[..., : middle + 1][..., ::-1], axis=-1)[..., ::-1],
-            np.zeros((*edges.shape[:-1], 1)),
-            np.cumsum(edges[..., middle + 1 :], axis=-1),
-        ],
-        axis=-1,
-    )
+    column = running_sums(lengths * direction, middle + 1)
 
     spread = direction[..., 1:] * (tangents - 1j * (turning * kappa))
     spread -= np.hypot(tangents[middle], kappa)
@@ -177,7 +164,6 @@ def squared_distances(
     """Squared distances (S, P) of pairs of vertices, each pair in one column.
 
     whole: The angle 2 arctan(kappa) (S, 1).
-    tangents, turning: T = tan(beta/2) and the signs of the turns (m,).
     lengths: Edge lengths of the columns of the pairs (P, m+1), none negative.
     rows: Rows of the two vertices of every pair (P, 2).
     """
@@ -237,17 +223,11 @@ def bound_edges(
     lengths: Array,
     columns: Columns,
 ) -> tuple[Array, Array]:
-    """Bounds of the second derivative of edge vectors by the drive.
+    """Bounds of the second derivative of edge vectors by the drive: along rows, down columns.
 
-    drives: Ends (S,) of ranges of the drive (radians).
-    tangents: T = tan(beta/2) of the rows (m,).
-    turning: Sign of their turns (m,).
-    trims: Growth by K of the first and of the last edge of a column.
+    drives: Ends (S,) of ranges of the drive.
     tilt_rate: Angle by which f's plane turns in itself per drive.
     lengths: Lengths (m+1,) of the longest edges between two rows.
-    columns: Steps over the panel columns.
-
-    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     start, stop = (ends[..., None] for ends in drives)
     kappa, advance = columns.enclosures(start, stop)

@@ -30,19 +30,13 @@ SideChoice = FlapSide | None
 
 @record
 class HeadingConditions:
-    """The conditions that a heading must satisfy.
+    """The conditions that a heading must satisfy."""
 
-    points: Vertices (n,) of g's polyline, complex numbers in g's own axes.
-    gain: cos(beta_mid/2): K of a column by how far it lies along t.
-    limits: Open interval in which K of every column must lie; it holds 0.
-    flap: Width of the flaps, 0 if there are none, or None if it follows what room there is.
-    sides: To which end of f the left and the right flap fold, or None: where there is more room.
-    """
-
-    points: Complex
-    gain: float
-    limits: tuple[float, float]
-    flap: float | None
+    points: Complex  # vertices (n,) of g's polyline, in g's own axes
+    gain: float  # cos(beta_mid/2): K of a column by how far it lies along t
+    limits: tuple[float, float]  # open interval in which K of every column must lie; it holds 0
+    flap: float | None  # width of the flaps, 0 if there are none; None: as wide as there is room
+    # to which end of f the left and the right flap fold, or None: where there is more room
     sides: tuple[SideChoice, SideChoice]
 
     def of(self, zigzag: Zigzag) -> HeadingConditions:
@@ -140,7 +134,7 @@ class HeadingConditions:
         return _arcs(phase, _share(high - width, radius), _share(low + width, radius))
 
     def _polar(self) -> tuple[Array, Array]:
-        """Phases and radii of columns 2 ... n: K of a column is radius cos(heading + phase)."""
+        """Phase and radius of columns 2 ... n: K of a column is radius cos(heading + phase)."""
         from_first = self.gain * (self.points[1:] - self.points[0])
         return np.angle(from_first), np.abs(from_first)
 
@@ -155,9 +149,7 @@ def describe_heading(
 ) -> dict[str, Parameter]:
     """What the report says of a heading, and of the paper's alpha_0 (step 3).
 
-    heading: The heading (radians).
-    zigzag, headings: The zigzag of f that was taken, and its conditions.
-    demands: Those of all zigzags: a heading is admissible where one of them admits it.
+    demands: Conditions of all zigzags: a heading is admissible where one of them admits it.
     refitted: Whether g's polyline is another one at another heading, so that there is no interval.
     """
 

@@ -225,7 +225,6 @@ class Orthodiagonal(FlapSheet):
         return -self.first * alternating(len(self.angles))
 
     def _steps(self) -> Columns:
-        """The steps of every panel column along K and along n."""
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
         inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)

@@ -49,15 +49,13 @@ def refuse(
     """The error that names the first condition that fails at a heading, and what would work.
 
     zigzags, demands: Zigzags of f, that of the widest reach first, and what they ask of a heading.
-    heading: The heading that none of them admits (radians).
-    refitted: Whether g's polyline is another one at another heading, so that no limits can be
-        named.
+    refitted: Whether g's polyline is another one at another heading: no limits can be named.
     """
     zigzag, headings = zigzags[0], demands[0]
     crossing = nearest_interval(headings.crossing_intervals(), heading)
     if crossing is None:
         return _turns_too_far(g, headings)
-    search = _Search(f, g.curve, zigzag, headings, heading)
+    search = HeadingSearch(f, g.curve, zigzag, headings, heading)
     admissible = union(np.concatenate([each.intervals() for each in demands]))
     limits = "" if refitted else _limits(nearest_interval(admissible, heading))
     if not holds(crossing, heading):
@@ -91,8 +89,8 @@ def refuse(
 
 
 @record
-class _Search:
-    """The search for changes to a request that make it feasible, the nearest first."""
+class HeadingSearch:
+    """The search for changes with which a heading is admissible, the nearest first."""
 
     f: Trace
     g: Curve
@@ -110,7 +108,7 @@ class _Search:
             yield from self.at_another_depth()
             yield from self.smaller_at_the_best_depth()
 
-    def without_flaps(self) -> _Search:
+    def without_flaps(self) -> HeadingSearch:
         """The same search for flaps as wide as there is room for."""
         return replace(self, headings=replace(self.headings, flap=None))
 

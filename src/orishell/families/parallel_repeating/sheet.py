@@ -52,10 +52,7 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
 
 
 def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
-    """Refuse panels so small that the rounding of coordinates would bend them.
-
-    flap: Width of the flaps; 0 if there are none.
-    """
+    """Refuse panels so small that the rounding of coordinates would bend them."""
     rows = (0, len(mechanism.lengths))
     sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
     size = float(np.linalg.norm(np.ptp(sheet.reshape(-1, 3), axis=0)))
@@ -98,7 +95,6 @@ def require_flat_sheet(
 ) -> None:
     """Refuse a flat sheet that overlaps itself; all panels are convex, so its border decides.
 
-    flap: Width of the flaps; 0 if there are none.
     parameters: Parameters of g's vertices.
     staircase: The staircase of f for another xi.
     """
@@ -158,10 +154,7 @@ def warn_of_stretched_columns(mechanism: ParallelRepeating, plane: float) -> tup
 
 
 def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
+    """Whether the border never crosses itself; columns are straight, so their ends suffice."""
     flat = mechanism.positions(0.0)
-    return _is_simple(flat if flaps else flat[:, mechanism.inner_columns])
-
-
-def _is_simple(flat: Array) -> bool:
-    """Whether the border of the sheet never crosses itself; columns are straight: ends suffice."""
+    flat = flat if flaps else flat[:, mechanism.inner_columns]
     return is_simple_polygon(np.concatenate([flat[0, :, :2], flat[-1, ::-1, :2]]))

@@ -28,43 +28,20 @@ FARTHER = (1 + ROUNDING, 1.1, 1.4, 2.0)
 
 
 def values(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """Values of a key to try, within an open interval; none if it is empty.
-
-    Parameters
-    ----------
-    key
-        A key of the table [pattern].
-    low, high
-        The interval, in the unit of the file.
-    wanted
-        What was asked for.
-    """
+    """Values of a key of [pattern] to try, within an open interval; none if it is empty."""
     if low < high:
         yield from (Remedy({f"pattern.{key}": value}) for value in between(low, high, wanted))
 
 
 def angles(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """Values of an angle to try, as :func:`values` gives them.
-
-    Parameters
-    ----------
-    key
-        A key of the table [pattern] that is in degrees.
-    low, high, wanted
-        The interval and what was asked for (radians).
-    """
+    """The same for a key in degrees, the interval and what was asked for in radians."""
     yield from values(key, tidy_degrees(low), tidy_degrees(high), tidy_degrees(wanted))
 
 
 def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
-    """Sizes of a curve to try, beyond a limit that it must not reach.
+    """Sizes of f or g to try, beyond a limit that it must not reach.
 
-    Parameters
-    ----------
-    name
-        "f" or "g".
-    factor
-        How many times larger the curve would be at the limit: below 1 it must become smaller.
+    At the limit the curve is ``factor`` times as large: below 1 it must become smaller.
     """
     for farther in FARTHER:
         share = factor / farther if factor < 1 else factor * farther
@@ -72,32 +49,21 @@ def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
 
 
 def part(name: str, curve: Curve, start: float, stop: float) -> Remedy:
-    """The change that keeps only a part of a curve.
-
-    Parameters
-    ----------
-    name
-        "f" or "g".
-    start, stop
-        Its parameters.
-    """
+    """The change that keeps only a part of f or g, between two of its parameters."""
     low, high = curve.drawn_part(start, stop)
     return Remedy({f"target.{name}.{curve.key}": [rounded(low, 6), rounded(high, 6)]})
 
 
 def fewer(key: str, count: int) -> Iterator[Remedy]:
-    """Smaller odd numbers of rows or columns to try.
-
-    Parameters
-    ----------
-    key
-        "rows" or "columns".
-    count
-        Their number.
-    """
+    """Smaller odd numbers of "rows" or "columns" to try."""
     while count > 3:
         count = count // 4 * 2 + 1
         yield Remedy({f"pattern.{key}": count})
+
+
+def smaller(rows: int, columns: int) -> Iterator[Remedy]:
+    """Smaller sheets to try: fewer rows, then fewer columns."""
+    yield from chain(fewer("rows", rows), fewer("columns", columns))
 
 
 LARGE: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
@@ -123,28 +89,14 @@ class Slip:
     warning: str  # what a shell that is made of it is warned of; "" if of nothing
 
 
-def forgiving(
-    pattern: Pattern, make: Callable[[], Design], target: tuple[Curve, Curve] | None = None
-) -> Design:
-    """Design a pattern, and say what looks like a slip of the pen.
+def forgiving(pattern: Pattern, make: Callable[..., Design], *target: Curve) -> Design:
+    """Design a pattern, with f and g if it has a target, and say what looks like a slip of the pen.
 
-    Parameters
-    ----------
-    pattern
-        The table.
-    make
-        Designs it.
-    target
-        The curves f and g, if there are any.
-
-    Raises
-    ------
-    DesignError
-        As the family does; what may have been meant comes first among its candidates.
+    Where the family refuses, what may have been meant comes first among the candidates.
     """
-    slips = [*_radians(pattern), *(_units(*target) if target is not None else ())]
+    slips = [*_radians(pattern), *(_units(*target) if target else ())]
     try:
-        design = make()
+        design = make(*target, **pattern.arguments())
     except DesignError as error:
         if slips:
             error.size = "; ".join(filter(None, [error.size, *(slip.words for slip in slips)]))
@@ -192,6 +144,5 @@ def _units(f: Curve, g: Curve) -> Iterator[Slip]:
 
 
 def _size(curve: Curve) -> float:
-    """The extent of a curve, as some of its points have it."""
     points = curve.position(np.linspace(curve.start, curve.stop, SAMPLES))
     return float(np.hypot(*np.ptp(points, axis=0)))

@@ -1,4 +1,4 @@
-"""What sheets of the paper's sections 2 and 3 share: vertices, and flaps that end the motion.
+"""What sheets of the paper's sections 2 and 3 share: vertices, flaps, the place of f.
 
 Column-straight vertices (sections LU + LD = RU + RD = pi): with psi the angle between the two
 column creases, write c = cos(psi/2), and for a row crease with the sector angle a below it
@@ -17,11 +17,14 @@ from dataclasses import replace
 from typing import Any, ClassVar, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import between, in_degrees, tidy_degrees
+from orishell.curves import Trace
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Complex
+from orishell.polylines import Staircase, Zigzag
 
 
 def row_fold_angle(c: Array, w: Array) -> Array:
@@ -44,9 +47,9 @@ def column_fold_angle(
 ) -> Array:
     """Fold angle of the column creases at a column-straight vertex (radians).
 
-    Each side's panels make with the normal of the column's plane the angle arctan(c k/w), the
-    two of them together the fold angle. Its sign is that of cos eps_L + cos eps_R: zero where
-    the row is straight, the same through the whole motion.
+    Each side's panels make the angle arctan(c k/w) with the normal of the column's plane; together
+    these are the fold angle. Its sign is that of cos eps_L + cos eps_R: zero where the row is
+    straight, the same through the whole motion.
 
     Parameters
     ----------
@@ -69,8 +72,7 @@ class FlapSheet:
 
     lengths: Array  # edge lengths of the first column (m+1,), m odd, in the unit of the curves
     points: Complex  # the middle row at lock (n,), n at least 2: vertices of g's polyline
-    # size of the left and the right flap (length); 0 where there is none
-    flaps: tuple[float, float]
+    flaps: tuple[float, float]  # size of the left and the right flap; 0 where there is none
     # by how much flaps stop short of folding flat at the target: half of what the row crease of a
     # flap that folds most lacks to pi there (radians)
     stop: float
@@ -136,7 +138,7 @@ class FlapSheet:
 
     @property
     def _rest(self) -> float:
-        """How far the tightest panel column is open at the target, as the mechanism says."""
+        """How far the tightest panel column is open at the target."""
         raise NotImplementedError
 
     def _sharpest_angle(self) -> float:
@@ -161,7 +163,7 @@ class FlapSheet:
 
 
 def target_drive(rest: float) -> float:
-    """Return the drive at which the tightest panel column is as open as its rest says (radians).
+    """Drive at which the tightest panel column is as open as its rest says (radians).
 
     Parameters
     ----------
@@ -172,14 +174,29 @@ def target_drive(rest: float) -> float:
 
 
 def other_side(whole: Array, part: Array | float) -> Array:
-    """Return sqrt(whole**2 - part**2), 0 where they are alike but for rounding.
+    """sqrt(whole**2 - part**2), 0 where they are alike but for rounding.
 
     A rounding error would be as large as its square root: creases that close together would not.
-
-    Parameters
-    ----------
-    whole, part
-        Hypotenuse and one side of right triangles (...), in any unit of length.
     """
     side = np.sqrt(np.maximum((whole - part) * (whole + part), 0.0))
     return np.asarray(np.where(whole - part <= ALIKE * whole, 0.0, side))
+
+
+def running_sums(steps: NDArray[Any], start: int) -> NDArray[Any]:
+    """Running sums (..., K+1) of steps (..., K) from a place on, where they are 0."""
+    before = -np.cumsum(steps[..., :start][..., ::-1], axis=-1)[..., ::-1]
+    zero = np.zeros((*steps.shape[:-1], 1))
+    return np.concatenate([before, zero, np.cumsum(steps[..., start:], axis=-1)], axis=-1)
+
+
+def middle_vertex(polyline: Staircase | Zigzag) -> Array:
+    """The vertex (2,) of column 1 at lock that lies on g."""
+    vertex: Array = polyline.vertices[len(polyline.vertices) // 2]
+    return vertex
+
+
+def upright(f: Trace, middle: Array, start: complex, axis: complex) -> Array:
+    """f (N, 3) upright over an axis in g's plane, its point ``middle`` at g's start."""
+    relative = f.points - middle
+    across = start + relative[:, 0] * axis
+    return np.stack([across.real, across.imag, relative[:, 1]], axis=-1)
