@@ -27,22 +27,14 @@ from orishell.numerics.arrays import Array
 
 @record
 class Section:
-    """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive.
+    """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive."""
 
-    axis: Unit direction of the line (3,), to the right; the middle panel is not turned.
-    heading: Unit direction across the axis (3,) of column 1's first crease.
-    turns: Turns (m,) of column 1 at every row, seen along the line, positive to the left (radians).
-    beyond: Turns that a further row before the first and after the last would have.
-    across: Share of its length (m+1,) that every crease of column 1 has across the line.
-    advance: Share of its length (n-1,) that every crease of the middle row advances along the line.
-    """
-
-    axis: Array
-    heading: Array
-    turns: Array
-    beyond: tuple[float, float]
-    across: Array
-    advance: Array
+    axis: Array  # unit direction of the line (3,), to the right; the middle panel is not turned
+    heading: Array  # unit direction across the axis (3,) of column 1's first crease
+    turns: Array  # of column 1 at every row (m,), seen along the line, positive to the left
+    beyond: tuple[float, float]  # turns of a further row before the first and after the last
+    across: Array  # share of its length (m+1,) that every crease of column 1 has across the line
+    advance: Array  # share (n-1,) that every crease of the middle row advances along the line
 
     @property
     def turning(self) -> float:

@@ -14,9 +14,9 @@ from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end
 from orishell.families.longitudinal_linear_repeating.section import Section, turnings
-from orishell.families.longitudinal_linear_repeating.sheet import sheet_exists
 from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, RowKind
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import sheet_exists
 from orishell.families.shared.candidates import angles
 from orishell.numerics.arrays import Array
 
@@ -38,6 +38,11 @@ class TargetState:
     lengths: Array  # Lengths of column 1's creases (m+1,)
     side: int  # Sign of v_1 below row 1 that rolls the sheet to f's side
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Lengths of column 1's first and last crease."""
+        return float(self.lengths[0]), float(self.lengths[-1])
+
 
 def find_target_state(
     profile: Profile,
@@ -48,15 +53,10 @@ def find_target_state(
     drive: float | None = None,
     lengths: Array | None = None,
 ) -> TargetState:
-    """Choose the target state, and column 1's lengths.
+    """Choose the target state, and column 1's lengths; refuse rows that cannot follow f.
 
-    profile: The curve f.
-    columns, rows, first_row: The sheet.
-    drive: Its drive (radians), or None for the one at which column 1 turns as f does.
+    drive: None for the one at which column 1 turns as f does.
     lengths: Ratios of column 1's lengths (m+1,), or None for those that follow f.
-
-    Raises DesignError if the rows do not all turn the same way, or not as much as f, or f is bent
-    too sharply.
     """
     if drive is None:
         drive = _drive_for(profile, columns, rows, first_row)

@@ -102,38 +102,26 @@ def open_sectors() -> list[list[float]]:
 
 
 def open_stages(f: Curve, asked: dict[str, Any]) -> list[float]:
-    """Stages to try (degrees); none where column 1 has no stage of its own.
-
-    f: The swept curve.
-    asked: Arguments of the function that designs, with sector angles.
-    """
+    """Stages to try (degrees); none where column 1 has no stage of its own."""
     try:
-        own = _column(_profile(f), asked).drive
+        own = _column(f, asked)[1].drive
     except DesignError:
         return []
     return [float(np.rad2deg(share * own)) for share in STAGE_SHARES]
 
 
 def distance_from_f(f: Curve, asked: dict[str, Any]) -> float:
-    """Distance of column 1 from f.
-
-    f: The swept curve.
-    asked: Arguments of the function that designs, with sector angles.
-
-    Raises DesignError if no column 1 of these angles follows f.
-    """
-    profile = _profile(f)
-    return measure_closeness(profile.trace, _column(profile, asked).polygon).max
+    """Distance of column 1 from f; refuse angles of which no column follows f."""
+    profile, state = _column(f, asked)
+    return measure_closeness(profile.trace, state.polygon).max
 
 
-def _profile(f: Curve) -> Profile:
-    return Profile.of(trace_curve(f, "f").in_own_frame())
-
-
-def _column(profile: Profile, asked: dict[str, Any]) -> TargetState:
+def _column(f: Curve, asked: dict[str, Any]) -> tuple[Profile, TargetState]:
+    """Column 1 for arguments of the function that designs, sector angles among them."""
+    profile = Profile.of(trace_curve(f, "f").in_own_frame())
     sectors, stage, lengths = (asked[key] for key in ("sectors", "stage", "column_lengths"))
     assert isinstance(sectors, Sectors)
-    return find_target_state(
+    return profile, find_target_state(
         profile,
         repeat_columns(choose_solution(sectors, asked["solution"]), 2),
         asked["rows"],

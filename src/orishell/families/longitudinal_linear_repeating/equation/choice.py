@@ -46,10 +46,7 @@ def choose_auto(
 ) -> tuple[Solution, Made]:
     """The solution whose angles are farthest from 90 degrees while its sheet exists; the sheet.
 
-    make: Makes the sheet of a solution.
-    ratio: Its longest inner crease over the shortest.
-
-    Raises DesignError if none exists even with the angles nearest to 90 degrees.
+    ratio: The longest inner crease of a sheet over the shortest.
     """
     failure: DesignError | None = None
     for share in AUTO_SHARES:
@@ -72,10 +69,7 @@ def auto_solution(share: float) -> Solution:
 
 
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
-    """A solution by its number in :func:`find_solutions`.
-
-    Raises DesignError if there is no such solution: with the nearest sector angles that have one.
-    """
+    """A solution by its number in :func:`find_solutions`; refuse angles or numbers without one."""
     solutions = find_solutions(sectors)
     if not solutions:
         raise no_solution(sectors)
@@ -123,10 +117,7 @@ def _with_solution(sectors: Sectors) -> Iterator[Remedy]:
 
 
 def nearer_to_90(sectors: Array) -> Iterator[Remedy]:
-    """Sector angles nearer to 90 degrees to try, because larger sheets of them exist.
-
-    sectors: Deviations (4,) of the angles from 90 degrees (radians).
-    """
+    """Sector angles of smaller deviations (4,) to try, because larger sheets of them exist."""
     for share in (0.7, 0.5, 0.25, 0.1):
         angles = 90 + share * np.rad2deg(sectors)
         yield Remedy({"pattern.sector_deg": [rounded(float(angle), 6) for angle in angles]})

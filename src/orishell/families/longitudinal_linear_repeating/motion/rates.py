@@ -50,12 +50,7 @@ def fold_rates(
 ) -> tuple[FoldRates, FoldRates]:
     """Fold rates while the drive is in a range, for positive signs s of the mechanism's text.
 
-    columns: Sectors and multipliers of the columns (n).
-    flat_foldable: Which rows are F rows (m,).
-    start, stop: Ends (S,) of ranges of the drive, in [0, pi] (radians).
-
-    Returns tuple: Of column creases (S, 1, n), the same in all rows, and of row creases (S, m,
-        n+1).
+    Of column creases (S, 1, n), the same in all rows, and of row creases (S, m, n+1).
     """
     drives = start[:, None, None], stop[:, None, None]
     alpha, beta, gamma, delta = columns.sectors.T
@@ -174,13 +169,7 @@ class Sheet:
 
 
 def bound_edges(sheet: Sheet, start: Array, stop: Array) -> tuple[Array, Array]:
-    """Bounds of the second derivative of edge vectors by the drive.
-
-    sheet: The sheet.
-    start, stop: Ends (S,) of ranges of the drive (radians).
-
-    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
-    """
+    """Bounds of the second derivative of edge vectors by the drive: along rows, down columns."""
     rows, columns = (count - 1 for count in sheet.flat.shape)
     along, down = np.empty((len(start), columns)), np.empty((len(start), rows))
     count = max(AT_ONCE // (rows * columns), 1)

@@ -69,10 +69,7 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
     first solution; "parallel" by the degenerate one, which always exists. The paper's Figure 3(a)
     is solve, parallel, solve, parallel; other sequences make other sheets.
 
-    solution: The first solution, which the first "solve" takes if nothing is before it.
-    couplings: Couplings of each column with the next (n-1).
-
-    Raises DesignError: Naming the column where (4) has no further solution.
+    couplings: Of each column with the next (n-1); a "solve" that is the first takes the solution.
     """
     sectors, multipliers = [solution.first], [1.0]
     for number, coupling in enumerate(couplings):
@@ -124,7 +121,7 @@ class Directions:
 
     @classmethod
     def of(cls, columns: Columns, rows: int, first_row: RowKind) -> Directions:
-        """Directions in a sheet of the given columns."""
+        """The directions in a sheet."""
         return _directions(columns, rows, first_row)
 
 
