@@ -20,8 +20,7 @@ from orishell.curves import Curve, trace_curve
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
-    choose_auto,
-    choose_solution,
+    choose_sheet,
 )
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
@@ -166,19 +165,11 @@ def design_longitudinal_linear_repeating(
         )
     f_trace, g_trace = trace_curve(f, "f").in_own_frame(), trace_curve(g, "g").in_own_frame()
     target = _Target(Profile.of(f_trace), Line.along(g_trace), request)
-    if sectors == "auto":
-        chosen, made = choose_auto(target.build, lambda made: made[1].lengths.inner_ratio)
-    else:
-        chosen = choose_solution(sectors, solution)
-        made = target.build(chosen)
-    state, mechanism = made
-    return place(
-        mechanism,
-        target.profile,
-        target.line,
-        state,
-        lambda placed: request.describe(chosen, placed),
+    chosen, (state, mechanism) = choose_sheet(
+        sectors, solution, target.build, lambda made: made[1].lengths.inner_ratio
     )
+    described = request.describe(chosen, mechanism)
+    return place(mechanism, target.profile, target.line, state, described)
 
 
 @record
@@ -194,8 +185,8 @@ class _Target:
         request = self.request
         if solution.version == "sine":
             raise DesignError(
-                "a solution of (4) in its sine version folds its S rows to alternate sides, so "
-                "that no column follows a convex curve",
+                "a solution of (4) in the sine version folds S rows to alternate sides, so no "
+                "column follows a convex curve",
                 candidates=[Remedy({"pattern.solution": 0}), AUTO_SECTORS],
             )
         columns = request.coupled(solution)
@@ -209,7 +200,8 @@ class _Target:
                 lengths=request.column_lengths,
             )
             inner = self._lengths(columns, state)
-        return state, request.completed(columns, inner, state.ends, side=state.side)
+        sheet = request.completed(columns, inner, state.ends, side=state.side)
+        return state, replace(sheet, stop=state.drive)
 
     def _lengths(self, columns: Columns, state: TargetState) -> InnerLengths:
         """Lengths of the inner creases: column 1 follows f, the middle row is as long as g."""

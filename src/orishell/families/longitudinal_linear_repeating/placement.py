@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -30,14 +30,12 @@ def place(
     profile: Profile,
     line: Line,
     state: TargetState,
-    describe: Callable[[LongitudinalLinearRepeating], Mapping[str, Parameter]],
+    parameters: Mapping[str, Parameter],
 ) -> Design:
     """Put the sheet so that at its target state column 1 lies on f, upright on g's start.
 
     The middle vertex of column 1's polygon, seen along g, is on g. In other states the middle
     row's centroid is where it is there, and the middle panel's turn grows with the drive.
-
-    describe: Says what was used and found, of the placed sheet.
     """
     forward = np.array([*line.direction, 0.0])
     right = np.array([line.direction[1], -line.direction[0], 0.0])
@@ -51,7 +49,7 @@ def place(
     there = np.stack([forward, heading, np.cross(forward, heading)])
     rotation = there.T @ here
 
-    free = replace(mechanism, stop=state.drive, pose=Pose())
+    free = replace(mechanism, pose=Pose())
     sheet = free.positions(state.drive) @ rotation.T
     middle = sheet.shape[0] // 2
     column = sheet[:, 1]
@@ -81,7 +79,7 @@ def place(
     return Design(
         mechanism=placed,
         parameters={
-            **describe(placed),
+            **parameters,
             **describe_radii(radii),
             "row_span": [float(along_row.min()), float(along_row.max())],
             "column_1_depth": float(np.ptp(relative[:, 1] @ forward)),
@@ -99,8 +97,8 @@ def place(
             trace, state.polygon[middle], Sliding(Path.of(line.trace), complex(*right[:2]))
         ),
         approached=Approached(
-            f"the rows are not parallel: the radius of the sections goes from {plain(radii[0])} at "
-            f"column 1 to {plain(radii[1])} at the last",
+            f"the rows are not parallel: the radius of the cross-section goes from "
+            f"{plain(radii[0])} at column 1 to {plain(radii[1])} at the last column",
             None,
         ),
         origin=np.append(line.trace.origin, 0.0),
@@ -162,10 +160,7 @@ def circle_radius(points: Array) -> float:
 
 
 def section_radii(seen: Array) -> list[float]:
-    """Radii of the sections of column 1 and of the last column, of vertices (m+2, n+2, 2).
-
-    They are seen along the line that the sheet rolls about.
-    """
+    """Radii of the first and last column of vertices (m+2, n+2, 2), seen along the rolling axis."""
     return [circle_radius(seen[:, j]) for j in (1, -2)]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -11,10 +12,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.families.longitudinal_linear_repeating.equation.choice import (
-    choose_auto,
-    choose_solution,
-)
+from orishell.families.longitudinal_linear_repeating.equation.choice import choose_sheet
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
@@ -54,15 +52,9 @@ def design_without_target(
 
     solution: Which solution of (4), of either version.
     """
-
-    def build(solution: Solution) -> LongitudinalLinearRepeating:
-        return _build(request, solution)
-
-    if sectors == "auto":
-        chosen, sheet = choose_auto(build, lambda made: made.lengths.inner_ratio)
-    else:
-        chosen = choose_solution(sectors, solution)
-        sheet = build(chosen)
+    chosen, sheet = choose_sheet(
+        sectors, solution, partial(_build, request), lambda made: made.lengths.inner_ratio
+    )
 
     def stopped(drive: float) -> Design:
         placed = _level(sheet, drive)

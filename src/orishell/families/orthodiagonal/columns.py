@@ -74,11 +74,7 @@ class Columns:
         N is hypot(fixed, u k) over the tightest column's share along K, with u = cos(rho/2)/omega.
         """
         rest, turn = self._tightest
-        sine, cosine = (
-            each(start, stop).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
-        )
-        omega = cosine.through(lambda ends: np.hypot(turn, rest * ends))
-        cube = omega.through(lambda ends: 2 * ends**3)
+        sine, cosine, omega, cube = self._halves(start, stop)
         swing = cosine.over(omega).squared().times(3 * rest**2)
         lag = sine.over(omega).squared().times(3 * rest**2)
         kappa = Enclosure(
@@ -94,6 +90,14 @@ class Columns:
         share = np.abs(self.k) / (turn or 1.0)
         return kappa, u.times(share).hypot(self._fixed / turn if turn else self.step)
 
+    def _halves(self, start: Array, stop: Array) -> tuple[Interval, Interval, Interval, Interval]:
+        """Sine and cosine of rho/2, omega, and 2 omega^3."""
+        rest, turn = self._tightest
+        cosine = Enclosure.half_cosine(start, stop).value
+        omega = cosine.through(lambda ends: np.hypot(turn, rest * ends))
+        cube = omega.through(lambda ends: 2 * ends**3)
+        return Enclosure.half_sine(start, stop).value, cosine, omega, cube
+
     def whole_angle(self, start: Array, stop: Array) -> Enclosure:
         """The angle 2 arctan(kappa) (S, 1) over ranges (S, 1) of the drive (radians).
 
@@ -103,11 +107,7 @@ class Columns:
         """
         if (turn := self._tightest[1]) <= SLIM:
             return Enclosure.variable(start, stop)
-        sine, cosine = (
-            each(start, stop).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
-        )
-        omega = cosine.through(lambda ends: np.hypot(turn, self.rest * ends))
-        cube = omega.through(lambda ends: 2 * ends**3)
+        sine, cosine, omega, cube = self._halves(start, stop)
         share = Interval(1 / (1 + (turn * sine.high) ** 2), 1 / (1 + (turn * sine.low) ** 2))
         bend = cosine.squared().over(omega) * share + Interval(1 / cube.high, 1 / cube.low)
         return Enclosure(
@@ -124,11 +124,6 @@ class Columns:
         if rest > turn:
             whole, part = turn * self.step, np.abs(self.k)
         return other_side(whole, part)
-
-
-def running(steps: Array) -> Array:
-    """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
-    return running_sums(steps, 1)
 
 
 def column_and_spread(
@@ -188,9 +183,8 @@ def _turns(whole: Enclosure, tangents: Array) -> Enclosure:
     g = T/(T^2 c^2 + s^2) and (T^2 - 1) s c g^2/T.
     """
     y = whole.value
-    sine, cosine = (
-        each(y.low, y.high).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
-    )
+    sine = Enclosure.half_sine(y.low, y.high).value
+    cosine = Enclosure.half_cosine(y.low, y.high).value
     ends = [
         tangents / ((tangents * c) ** 2 + s**2)
         for s, c in ((sine.low, cosine.high), (sine.high, cosine.low))

@@ -37,8 +37,8 @@ def tilted(g: Array, tilt: float) -> str:
     if high <= STRAIGHT * float(np.ptp(g, axis=0).max()):
         return ""
     return (
-        f"g's plane is tilted by {in_degrees(abs(tilt))} degrees about the columns' "
-        f"normal, as the axis of f's zigzag is: g is {high:.4g} high"
+        f"g's plane is tilted by {in_degrees(abs(tilt))} degrees with the axis of f's zigzag, "
+        f"so g rises by {high:.4g}"
     )
 
 

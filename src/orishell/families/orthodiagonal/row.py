@@ -169,9 +169,9 @@ class Row:
         """
         if columns < FEWEST:
             raise DesignError(
-                'row = "zigzag" needs a corner',
+                f'row = "zigzag" needs a corner, so at least {FEWEST} columns',
                 keys=("pattern.columns",),
-                size=f"there are {columns} columns, and must be at least {FEWEST}",
+                size=f"there are {columns}",
                 candidates=(Remedy({"pattern.columns": count}) for count in MORE),
                 excess=1 - columns / FEWEST,
             )

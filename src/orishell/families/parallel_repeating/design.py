@@ -22,8 +22,8 @@ from orishell.families.parallel_repeating.profile import (
     fit_profile,
 )
 from orishell.families.parallel_repeating.sheet import (
+    require_flap_resolution,
     require_flat_sheet,
-    require_resolution,
     require_row_edges,
     warn_of_stretched_columns,
 )
@@ -36,7 +36,9 @@ from orishell.families.pattern import (
     Width,
     in_radians,
 )
+from orishell.families.shared.candidates import smaller
 from orishell.families.shared.sheets import middle_vertex, upright
+from orishell.motion import require_resolution
 from orishell.polylines import (
     Placement,
     Spacing,
@@ -144,7 +146,7 @@ def design_parallel_repeating(
 
     g_trace = trace_curve(g, "g").in_own_frame()
     row = Row.on(g_trace, columns, plane, planes, spacing=spacing, placement=placement)
-    row.require_crossing(g_trace, spacing, placement)
+    row.require_crossing()
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
     mechanism = ParallelRepeating(
         xi=xi,
@@ -156,7 +158,8 @@ def design_parallel_repeating(
         flap_sides=(flap_sides[0], flap_sides[1]),
     ).with_flaps(width)
     require_row_edges(mechanism, f, g)
-    require_resolution(mechanism, width)
+    require_flap_resolution(mechanism, width)
+    require_resolution(mechanism.without_flaps(), smaller(rows, columns))
     require_flat_sheet(
         mechanism,
         width,

@@ -8,13 +8,13 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.design import Approached, Path, Surface, Turning
 from orishell.families.pattern import Auto
-from orishell.families.shared.candidates import angles
+from orishell.families.shared.candidates import angles, does_not_cross
 from orishell.families.shared.staircases import Followed
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers
@@ -98,8 +98,8 @@ def approach(f: Trace, origin: Array, g: Trace, plane: float) -> Approached | No
     if max(abs(low - 1), abs(high - 1)) < STRETCHED:
         return None
     return Approached(
-        f"f is not swept rigidly, for its plane is not square to g: it is stretched along its "
-        f"plane to between {low:.4g} and {high:.4g} of its width",
+        "f's plane is not square to g, so f is not swept rigidly but stretched along its plane, "
+        f"to between {low:.4g} and {high:.4g} of its width",
         Surface(f, origin, rail),
     )
 
@@ -122,6 +122,10 @@ class Row:
     plane: float  # angle from f's plane to these (radians)
     planes: Planes  # which of the two
     off: float  # the largest angle between these and g's own (radians)
+    # how g's vertices were placed
+    trace: Trace
+    spacing: Spacing
+    placement: Placement
 
     @classmethod
     def on(
@@ -142,7 +146,8 @@ class Row:
             edge = np.diff(chords.vertices @ np.array([1, 1j]))
             turn = np.angle(edge[1:] * edge[:-1].conj())
             off[1:-1] = _wrapped(np.angle(edge[:-1]) + turn / 2 - heading[1:-1])
-        return cls(chords, heading + off, plane, planes, float(np.abs(off).max()))
+        most = float(np.abs(off).max())
+        return cls(chords, heading + off, plane, planes, most, trace, spacing, placement)
 
     def turns(self) -> Array:
         """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
@@ -150,14 +155,13 @@ class Row:
         direction = np.arctan2(chord[:, 1], chord[:, 0])
         return _wrapped(direction - np.stack([self.heading[:-1], self.heading[1:]]))
 
-    def require_crossing(self, trace: Trace, spacing: Spacing, placement: Placement) -> None:
+    def require_crossing(self) -> None:
         """Refuse chords that do not run from one column plane to the next (0 < delta < pi)."""
         delta = self.turns() + self.plane
         outside = np.maximum(-delta, delta - np.pi)
         worst = np.unravel_index(int(outside.argmax()), outside.shape)
         if outside[worst] < 0:
             return
-        column = int(worst[1]) + 1
         low, high = _planes_that_cross(self.turns())
         turnable = self.planes == "tangent" and low < high
         limits = (
@@ -165,28 +169,23 @@ class Row:
             if turnable
             else "; no plane_deg fits all columns"
         )
-        raise DesignError(
-            "f's plane does not cross the chord of g",
-            place=f"between columns {column} and {column + 1}",
-            size=f"the angle between them is {in_degrees(delta[worst])} degrees, and must lie "
-            "between 0 and 180" + (limits if self.planes == "tangent" else ""),
-            candidates=angles("plane_deg", low, high, self.plane)
-            if turnable
-            else self._enough_columns(trace, spacing, placement),
-            excess=outside[worst] / np.pi,
+        raise does_not_cross(
+            int(worst[1]),
+            delta[worst],
+            limits if self.planes == "tangent" else "",
+            angles("plane_deg", low, high, self.plane) if turnable else self._enough_columns(),
         )
 
-    def _enough_columns(
-        self, trace: Trace, spacing: Spacing, placement: Placement
-    ) -> Iterator[Remedy]:
+    def _enough_columns(self) -> Iterator[Remedy]:
         count = len(self.heading)
 
-        def turns(columns: int, spacing: Spacing = spacing) -> Array:
+        def turns(columns: int, spacing: Spacing = self.spacing) -> Array:
+            how = self.placement
             return Row.on(
-                trace, columns, self.plane, self.planes, spacing=spacing, placement=placement
+                self.trace, columns, self.plane, self.planes, spacing=spacing, placement=how
             ).turns()
 
-        def works(columns: int, spacing: Spacing = spacing) -> bool:
+        def works(columns: int, spacing: Spacing = self.spacing) -> bool:
             delta = turns(columns, spacing) + self.plane
             return bool((delta > 0).all() and (delta < np.pi).all())
 
@@ -203,7 +202,7 @@ class Row:
             columns *= 2
         columns //= 2
         for more in (count, columns):
-            if spacing == "equal" and works(more, "curvature"):
+            if self.spacing == "equal" and works(more, "curvature"):
                 yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
         if self.planes == "bisector":
             return

@@ -1,4 +1,4 @@
-"""Changes to the design file that are worth trying after a refusal (not in the paper).
+"""Refusals that families share, and changes to the design file worth trying (not in the paper).
 
 Among them are slips of the pen that are legal: radians for degrees, a curve in another unit than
 the other. A shell that is made of them draws a warning; where one is refused, what may have been
@@ -7,7 +7,7 @@ meant is tried first.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy, Value
-from orishell.conventions.formatting import ROUNDING, between, rounded, tidy_degrees
+from orishell.conventions.formatting import ROUNDING, between, in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
-from orishell.curves import Curve
+from orishell.curves import Curve, Trace
 from orishell.design import Design
 
 if TYPE_CHECKING:
@@ -66,12 +66,33 @@ def smaller(rows: int, columns: int) -> Iterator[Remedy]:
     yield from chain(fewer("rows", rows), fewer("columns", columns))
 
 
+def turned_to(trace: Trace, spread: float) -> float:
+    """The parameter up to which a curve's tangents spread over less than this (radians)."""
+    both = np.stack([trace.heading, trace.arriving])
+    so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
+    return float(trace.t[np.flatnonzero(so_far < spread)[-1]])
+
+
+def does_not_cross(
+    column: int, angle: float, limits: str, candidates: Iterable[Remedy]
+) -> DesignError:
+    """The refusal of a chord of g, after a column from 0, at an angle to f's plane."""
+    return DesignError(
+        "f's plane does not cross the chord of g",
+        place=f"between columns {column + 1} and {column + 2}",
+        size=f"the angle between them is {in_degrees(angle)} degrees, and must lie between 0 and "
+        f"180{limits}",
+        candidates=candidates,
+        excess=max(-angle, angle - np.pi) / np.pi,
+    )
+
+
 LARGE: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
 """Keys of angles that are tens of degrees: less than half a turn in radians is hardly any."""
 EITHER: tuple[str, ...] = ("heading_deg",)
 """Keys of angles that are as small where g runs along y."""
 UNLIKE, ABSURD = 30.0, 100.0
-"""A curve so many times as large as the other may be in another unit; and is worth a warning."""
+"""A curve this many times as large as the other may be in another unit; and draws a warning."""
 UNITS = (1000.0, 100.0, 25.4, 10.0)
 """How many times larger numbers are in another unit, the likeliest first: millimetres for metres,
 centimetres for metres, millimetres for inches, millimetres for centimetres."""

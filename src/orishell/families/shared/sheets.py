@@ -114,7 +114,7 @@ class FlapSheet:
             raise DesignError(
                 "flaps cannot stop so far short of folding flat",
                 keys=("panel.stop_deg",),
-                size=f"they are to stop {in_degrees(stop)} degrees short, and must less than "
+                size=f"they would stop {in_degrees(stop)} degrees short, and may by less than "
                 f"{in_degrees(limit)}, half of the sharpest angle of the columns beside them",
                 candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
                 excess=(stop - limit) / np.pi,

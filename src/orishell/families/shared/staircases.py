@@ -14,7 +14,7 @@ from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Trace
-from orishell.families.shared.candidates import angles, part
+from orishell.families.shared.candidates import angles, part, turned_to
 from orishell.polylines import (
     Staircase,
     choose_xi,
@@ -74,8 +74,8 @@ class Followed:
         if staircase.balanced:
             return ()
         return (
-            f"a staircase closer to {self.name} than {plain(staircase.distance)} may exist; it was "
-            "not found",
+            f"a staircase closer to {self.name} than {plain(staircase.distance)} may exist, but "
+            "was not found",
         )
 
     def _require(self, trace: Trace, xi: float | None, theta: float) -> None:
@@ -114,15 +114,13 @@ class Followed:
 
     def _too_much_turning(self, trace: Trace, spread: float, xi: float | None) -> DesignError:
         allowed = np.pi - (xi or 0.0)
-        both = np.stack([trace.heading, trace.arriving])
-        so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
         rotated = Remedy({f"pattern.{self.theta}": "auto"})
         candidates = []
         if xi is not None and np.pi - spread > NARROWEST_XI:
             candidates += [each | rotated for each in angles(self.xi, 0.0, np.pi - spread, xi)]
         for room in ROOM:
-            k = int(np.flatnonzero(so_far < room * allowed)[-1])
-            candidates.append(part(self.name, trace.curve, trace.t[0], trace.t[k]) | rotated)
+            end = turned_to(trace, room * allowed)
+            candidates.append(part(self.name, trace.curve, trace.t[0], end) | rotated)
         walls = spread >= np.pi
         candidates.insert(0 if walls else len(candidates), self.instead)
         return DesignError(

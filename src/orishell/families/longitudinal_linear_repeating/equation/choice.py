@@ -18,6 +18,7 @@ from orishell.families.longitudinal_linear_repeating.equation.solutions import (
     find_solutions,
     is_free,
 )
+from orishell.families.pattern import Auto
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 
@@ -41,13 +42,19 @@ def auto_sectors(share: float) -> Sectors:
     return Sectors.from_degrees(90 + share * np.array([-5.0, -10.0, 5.0, 10.0]))
 
 
-def choose_auto(
-    make: Callable[[Solution], Made], ratio: Callable[[Made], float]
+def choose_sheet(
+    sectors: Sectors | Auto,
+    number: int,
+    make: Callable[[Solution], Made],
+    ratio: Callable[[Made], float],
 ) -> tuple[Solution, Made]:
-    """The solution whose angles are farthest from 90 degrees while its sheet exists; the sheet.
+    """A solution of given angles, or that farthest from 90 degrees which has a sheet; the sheet.
 
     ratio: The longest inner crease of a sheet over the shortest.
     """
+    if sectors != "auto":
+        solution = choose_solution(sectors, number)
+        return solution, make(solution)
     failure: DesignError | None = None
     for share in AUTO_SHARES:
         solution = auto_solution(share)
@@ -93,13 +100,13 @@ def no_solution(sectors: Sectors) -> DesignError:
     outside = find_solutions(sectors, inside=False)
     if outside:
         angles = [f"{angle:.4f}" for angle in outside[0].second.degrees]
-        reason += f"; ({', '.join(angles)}) would solve it, but their sums close no panel"
+        reason += f"; ({', '.join(angles)}) would solve it, but not all are between 0 and 180"
     if abs(sectors.gamma + sectors.delta) <= ROUNDING:
         reason = "gamma + delta = 180: two straight creases cross at an S vertex; only one can fold"
     elif max(abs(sectors.alpha), abs(sectors.beta)) <= ROUNDING:
         reason = "alpha = beta = 90: two straight creases cross at an F vertex; only one can fold"
     elif is_free(sectors):
-        reason = "gamma = delta, and every delta_2 solves it, so that none is singled out"
+        reason = "gamma = delta: every delta_2 solves it, so none is singled out"
     elif abs(sectors.gamma - sectors.delta) <= ROUNDING:
         reason = "gamma = delta: column 2 would not fold (c = 0)"
     return DesignError(

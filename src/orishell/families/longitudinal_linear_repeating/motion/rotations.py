@@ -69,11 +69,6 @@ class Rotations:
         out[..., 2] = 2 * (across.imag * b.real - across.real * b.imag)
         return out
 
-    def matrix(self) -> Array:
-        """Rotation matrices (..., 3, 3)."""
-        x, y = (self.turned(np.array(axis, np.complex128)) for axis in (1, 1j))
-        return np.stack([x, y, np.cross(x, y)], axis=-1)
-
 
 def running_products(steps: Rotations) -> Rotations:
     """Products 1, q_1, q_1 q_2, ... (..., K+1) of rotations (..., K), by doubling."""

@@ -83,7 +83,7 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
             ends = ["parallel"] * (len(couplings) - number)
             shown = ", ".join(f"{angle:.4f}" for angle in sectors[-1].degrees)
             raise DesignError(
-                "equation (4) has no further solution, so that no column can follow",
+                "equation (4) has no further solution, so no column can follow",
                 place=f"at column {number + 2}",
                 size=f"column {number + 1} has the sector angles ({shown})",
                 candidates=[
@@ -120,20 +120,16 @@ class Directions:
     column: Array  # D (m+1, n) of every column crease, from the top border to the bottom
 
     @classmethod
+    @lru_cache(KEPT)
     def of(cls, columns: Columns, rows: int, first_row: RowKind) -> Directions:
         """The directions in a sheet."""
-        return _directions(columns, rows, first_row)
-
-
-@lru_cache(KEPT)
-def _directions(columns: Columns, rows: int, first_row: RowKind) -> Directions:
-    ru, lu, _, rd = np.moveaxis(sector_table(columns, rows, first_row), -1, 0)
-    down = np.concatenate([[0.0], -np.cumsum(rd[:-1, 0] + ru[1:, 0])])
-    # The crease right of column 1, and from it all others of its row.
-    turns = np.concatenate([np.zeros((rows, 1)), -np.cumsum(ru + lu, axis=1)], axis=1)
-    row = down[:, None] + turns - turns[:, 1:2]
-    row = row - row[rows // 2].mean()
-    column = np.concatenate([row[:1, 1:] + ru[:1], row[:, 1:] - rd])
-    for array in (row, column):
-        array.flags.writeable = False
-    return Directions(row, column)
+        ru, lu, _, rd = np.moveaxis(sector_table(columns, rows, first_row), -1, 0)
+        down = np.concatenate([[0.0], -np.cumsum(rd[:-1, 0] + ru[1:, 0])])
+        # The crease right of column 1, and from it all others of its row.
+        turns = np.concatenate([np.zeros((rows, 1)), -np.cumsum(ru + lu, axis=1)], axis=1)
+        row = down[:, None] + turns - turns[:, 1:2]
+        row = row - row[rows // 2].mean()
+        column = np.concatenate([row[:1, 1:] + ru[:1], row[:, 1:] - rd])
+        for array in (row, column):
+            array.flags.writeable = False
+        return cls(row, column)

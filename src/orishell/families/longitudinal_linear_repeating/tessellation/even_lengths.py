@@ -164,7 +164,8 @@ class LengthsProgram:
 def find_even_lengths(directions: Directions, wanted: Wanted) -> InnerLengths | None:
     """The most even lengths, or None if no sheet has positive ones.
 
-    Scaled as ``wanted.column`` if that is given, else to a mean column crease of 1.
+    Scaled as ``wanted.column`` if that is given, else so that the mean column crease is 1, or the
+    mean row crease if there is none.
     """
     m, n = directions.row.shape[0], directions.column.shape[1]
     if (m - 1) * (n - 1) > PROGRAM_PANELS:
@@ -188,7 +189,9 @@ def find_even_lengths(directions: Directions, wanted: Wanted) -> InnerLengths | 
     found = InnerLengths.marched(directions, row, column)
     if found.ratio > LARGEST_RATIO:
         return None
-    return found if wanted.column is not None else found.with_mean_column()
+    if wanted.column is not None:
+        return found
+    return found.scaled(float(1 / (found.column if found.column.size else found.row).mean()))
 
 
 def advance_range(

@@ -116,10 +116,6 @@ class InnerLengths:
         """All lengths times a factor."""
         return InnerLengths(self.row * factor, self.column * factor)
 
-    def with_mean_column(self) -> InnerLengths:
-        """Scaled so that the mean column crease is 1; the mean row crease if there is none."""
-        return self.scaled(float(1 / (self.column if self.column.size else self.row).mean()))
-
 
 def _across(factor: Array, gain: Array, first: float) -> Array:
     """The sequence (K+1,) of x_0 = first and x_{j+1} = factor_j x_j + gain_j.
