@@ -245,14 +245,10 @@ class _Target:
                 yield from sizes("g", self.line.trace.curve, found)
             yield AUTO_SECTORS
 
-        def excess() -> float | None:
-            found = share()
-            return None if found is None else max(found, 1 / found) - 1
-
         raise DesignError(
             "a sheet with a middle row as long as g would have creases of zero or negative length",
             size=f"g is {self.line.length:.6g} long, and with column 1 following f the middle row "
             f"may be {low:.6g} to {high:.6g} long",
             candidates=candidates(),
-            excess=excess,
+            excess=lambda: (found := share()) and max(found, 1 / found) - 1,
         )

@@ -151,17 +151,18 @@ def measure_departures(mechanism: LongitudinalLinearRepeating) -> dict[str, floa
     }
 
 
-def circle_radius(points: Array) -> float:
-    """Radius of the circle (least squares) through points (K, 2), K at least 3."""
-    x, y = (points - points.mean(axis=0)).T
-    system = np.stack([x, y, np.ones_like(x)], axis=-1)
-    a, b, c = np.linalg.lstsq(system, x**2 + y**2, rcond=None)[0]
-    return float(np.sqrt(max(c + (a * a + b * b) / 4, 0.0)))
-
-
 def section_radii(seen: Array) -> list[float]:
-    """Radii of the first and last column of vertices (m+2, n+2, 2), seen along the rolling axis."""
-    return [circle_radius(seen[:, j]) for j in (1, -2)]
+    """Radii of column 1 and of the last, of vertices (m+2, n+2, 2) seen along the rolling axis.
+
+    Each is that of a circle through the column, by least squares.
+    """
+    radii = []
+    for points in (seen[:, 1], seen[:, -2]):
+        x, y = (points - points.mean(axis=0)).T
+        system = np.stack([x, y, np.ones_like(x)], axis=-1)
+        a, b, c = np.linalg.lstsq(system, x**2 + y**2, rcond=None)[0]
+        radii.append(float(np.sqrt(max(c + (a * a + b * b) / 4, 0.0))))
+    return radii
 
 
 def describe_radii(radii: list[float]) -> dict[str, float | list[float]]:

@@ -20,7 +20,12 @@ from dataclasses import field
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.shared.sheets import other_side, running_sums, target_drive
+from orishell.families.shared.sheets import (
+    other_side,
+    running_products,
+    running_sums,
+    target_drive,
+)
 from orishell.numerics import FUNCTIONS, Enclosure, Interval, spinning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -42,19 +47,16 @@ class Columns:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "step", np.hypot(self.locked, self.k))
-        object.__setattr__(self, "_tightest", self._shares())
+        step = self.step[self.existing]
+        along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
+        # Nearly straight rows differ in what they take across only, the others along only.
+        tightest = int(along.argmin() if along.min() < across.max() else across.argmax())
+        object.__setattr__(self, "_tightest", (float(along[tightest]), float(across[tightest])))
 
     @property
     def rest(self) -> float:
         """The smallest share of a step that is along n at the target: of the tightest columns."""
         return self._tightest[0]
-
-    def _shares(self) -> tuple[float, float]:
-        step = self.step[self.existing]
-        along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
-        # Nearly straight rows differ in what they take across only, the others along only.
-        tightest = int(along.argmin() if along.min() < across.max() else across.argmax())
-        return float(along[tightest]), float(across[tightest])
 
     def phase(self, drive: Array) -> tuple[Array, Array]:
         """Kappa (...) and the distances N (..., n+1) of column planes at drives (...) (radians)."""
@@ -140,8 +142,8 @@ def column_and_spread(
     half = tangents + 1j * (turning * kappa)
     half /= np.hypot(half.real, half.imag)
     turn = half * half
-    after = half[..., middle, None] * _product(turn[..., middle + 1 :])
-    before = half[..., middle, None] * _product(turn[..., :middle][..., ::-1])
+    after = half[..., middle, None] * running_products(turn[..., middle + 1 :])
+    before = half[..., middle, None] * running_products(turn[..., :middle][..., ::-1])
     direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
     column = running_sums(lengths * direction, middle + 1)
 
@@ -199,12 +201,6 @@ def _turns(whole: Enclosure, tangents: Array) -> Enclosure:
         (sine * cosine * slope.squared()).times(tangents - 1 / tangents),
     )
     return outer.of(whole)
-
-
-def _product(turns: Complex) -> Complex:
-    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
-    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
-    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))
 
 
 def bound_edges(

@@ -199,10 +199,6 @@ class Orthodiagonal(FlapSheet):
         lengths = self._whole_lengths()[:, columns].T
         return squared_distances(whole, self._tangents(), self._turning(), lengths, rows)
 
-    @property
-    def _rest(self) -> float:
-        return self._columns.rest
-
     def _sharpest_angle(self) -> float:
         return float(self.angles.min())
 

@@ -172,18 +172,16 @@ def trim_ends(
     chord = (trace.points[-1] - trace.points[0]) @ np.array([1, 1j])
     # a_1 and a_m of the mechanism, over the end edge's direction.
     cases = (
-        (edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], lengths[0], 1.0),
-        (edges[-1] / lengths[-1], np.tan(angles[-1] / 2) - 1j * turning[-1], lengths[-1], -1.0),
+        (edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], lengths[0]),
+        (edges[-1] / lengths[-1], np.tan(angles[-1] / 2) - 1j * turning[-1], -lengths[-1]),
     )
     square: tuple[End, complex] = ("square", complex(chord))
     level: tuple[End, complex] = ("level", 1j)
     ends: list[End] = []
     trims: list[float] = []
-    for slope, (direction, spread, length, sign) in zip(
-        (trace.heading[0], trace.arriving[-1]), cases, strict=True
-    ):
+    for slope, case in zip((trace.heading[0], trace.arriving[-1]), cases, strict=True):
         planes = (level, square) if abs(np.sin(slope)) > np.sin(STEEP) else (square,)
-        end, trim = _trim(direction, spread, length / sign, shifts, planes)
+        end, trim = _trim(*case, shifts, planes)
         ends.append(end)
         trims.append(trim)
     normals = {"level": level[1], "square": square[1], "untrimmed": None}

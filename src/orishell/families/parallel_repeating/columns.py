@@ -87,7 +87,11 @@ class Columns:
 
 def turned(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:
     """exp(i (eps - delta)); ``gain`` is w - tau sin(delta)."""
-    return _unit(tau * cosine**2 + w * sine + 1j * (cosine * gain))
+    z = tau * cosine**2 + w * sine + 1j * (cosine * gain)
+    size = np.hypot(z.real, z.imag)
+    unit = np.empty_like(z)  # exactly 1 where z is real and positive; complex division is not
+    unit.real, unit.imag = z.real / size, z.imag / size
+    return unit
 
 
 def interleaved(z: Complex) -> Array:
@@ -95,14 +99,6 @@ def interleaved(z: Complex) -> Array:
     coordinates = np.zeros((*z.shape, 3))
     coordinates[..., 0], coordinates[..., 1] = z.real, z.imag
     return coordinates.reshape(*z.shape[:-1], -1)
-
-
-def _unit(z: Complex) -> Complex:
-    """Numbers of modulus 1; exactly 1 where z is real and positive (complex division is not)."""
-    size = np.hypot(z.real, z.imag)
-    unit = np.empty_like(z)
-    unit.real, unit.imag = z.real / size, z.imag / size
-    return unit
 
 
 def squared_distances(

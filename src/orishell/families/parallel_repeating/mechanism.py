@@ -46,6 +46,7 @@ from orishell.families.shared.sheets import (
     FlapSheet,
     column_fold_angle,
     row_fold_angle,
+    running_products,
     running_sums,
 )
 from orishell.motion import mechanism_in_one_line
@@ -216,10 +217,6 @@ class ParallelRepeating(FlapSheet):
             existing=self._existing,
         )
 
-    @property
-    def _rest(self) -> float:
-        return self._columns.rest
-
     def _sharpest_angle(self) -> float:
         return float(2 * np.arctan(self._columns.tau[[0, -1]].min()))
 
@@ -234,7 +231,7 @@ class ParallelRepeating(FlapSheet):
 
         tight: The tightest w, (..., 1).
         """
-        columns, rest = self._columns, self._rest
+        columns, rest = self._columns, self._columns.rest
         there = tight == rest  # at the target what is known needs no square root
         w = np.where(there, columns.slope, np.hypot(columns.slope_beyond, tight))
         # Turns against the target state, of a segment from the column at its left, and of a
@@ -243,13 +240,11 @@ class ParallelRepeating(FlapSheet):
         gain = (tight - rest) * (tight + rest) / (inner + slope)
         turn = turned(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain)
         turn_next = turned(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
-        ones = np.ones((*tight.shape[:-1], 1), dtype=np.complex128)
-        of_axis = np.concatenate([ones, np.cumprod(turn * turn_next, axis=-1)], axis=-1)
+        of_axis = running_products(turn * turn_next)
         of_segment = of_axis[..., :-1] * turn
 
         edges = np.diff(self.points)
-        shift = np.cumsum(edges * (of_segment - 1), axis=-1)
-        row = self.points + np.concatenate([0 * ones, shift], axis=-1)
+        row = self.points + running_sums(edges * (of_segment - 1), 0)
 
         # Placement: no turn on average over the row's length, and the centroid kept.
         length = np.abs(edges) / np.abs(edges).sum()

@@ -76,6 +76,7 @@ class FlapSheet:
     # by how much flaps stop short of folding flat at the target: half of what the row crease of a
     # flap that folds most lacks to pi there (radians)
     stop: float
+    _columns: Any  # the family's columns; ``rest`` is how far the tightest is open at the target
 
     @property
     def grid(self) -> Grid:
@@ -114,7 +115,7 @@ class FlapSheet:
             raise DesignError(
                 "flaps cannot stop so far short of folding flat",
                 keys=("panel.stop_deg",),
-                size=f"they would stop {in_degrees(stop)} degrees short, and may by less than "
+                size=f"they would stop {in_degrees(stop)} degrees short, and the limit is "
                 f"{in_degrees(limit)}, half of the sharpest angle of the columns beside them",
                 candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
                 excess=(stop - limit) / np.pi,
@@ -129,17 +130,12 @@ class FlapSheet:
     @property
     def target_drive(self) -> float:
         """Where the tightest panel column has the fold angle that its rest leaves it: pi if 0."""
-        return target_drive(self._rest)
+        return target_drive(self._columns.rest)
 
     @property
     def end_drive(self) -> float:
         """The drive pi, at which the tightest row creases are folded flat."""
         return float(np.pi)
-
-    @property
-    def _rest(self) -> float:
-        """How far the tightest panel column is open at the target."""
-        raise NotImplementedError
 
     def _sharpest_angle(self) -> float:
         """The smallest angle of the first and the last column at the target (radians)."""
@@ -187,6 +183,12 @@ def running_sums(steps: NDArray[Any], start: int) -> NDArray[Any]:
     before = -np.cumsum(steps[..., :start][..., ::-1], axis=-1)[..., ::-1]
     zero = np.zeros((*steps.shape[:-1], 1))
     return np.concatenate([before, zero, np.cumsum(steps[..., start:], axis=-1)], axis=-1)
+
+
+def running_products(turns: Complex) -> Complex:
+    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
+    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
+    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))
 
 
 def middle_vertex(polyline: Staircase | Zigzag) -> Array:

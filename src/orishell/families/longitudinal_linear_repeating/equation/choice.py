@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import cache
 from typing import TypeVar
 
 import numpy as np
@@ -57,7 +56,7 @@ def choose_sheet(
         return solution, make(solution)
     failure: DesignError | None = None
     for share in AUTO_SHARES:
-        solution = auto_solution(share)
+        solution = choose_solution(auto_sectors(share))
         try:
             made = make(solution)
         except DesignError as error:
@@ -67,12 +66,6 @@ def choose_sheet(
             return solution, made
     assert failure is not None
     raise failure
-
-
-@cache
-def auto_solution(share: float) -> Solution:
-    """The first solution of (4) for the angles of :func:`auto_sectors`."""
-    return choose_solution(auto_sectors(share))
 
 
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:

@@ -81,17 +81,14 @@ def fold_rates(
 
 def _of_half(P: Array, C: Array, drives: tuple[Array, Array]) -> FoldRates:
     """Fold rates of column creases and of F rows."""
-    start, stop = drives
-    square = Interval.between(_squares(P, C, start), _squares(P, C, stop))
+    square = Interval.between(
+        *((P * np.sin(drive / 2)) ** 2 + (C * np.cos(drive / 2)) ** 2 for drive in drives)
+    )
     whole = Interval(np.ones_like(square.low), np.ones_like(square.low))
     return FoldRates(
         first=whole.over(square).times(P * C),
-        second=_sine(start, stop).over(square.squared()).times(-0.5 * P * C * (P**2 - C**2)),
+        second=_sine(*drives).over(square.squared()).times(-0.5 * P * C * (P**2 - C**2)),
     )
-
-
-def _squares(P: Array, C: Array, drive: Array) -> Array:
-    return np.asarray((P * np.sin(drive / 2)) ** 2 + (C * np.cos(drive / 2)) ** 2)
 
 
 def _of_whole(P: Array, A: Array, B: Array, drives: tuple[Array, Array]) -> FoldRates:

@@ -56,7 +56,7 @@ class Rotations:
 
     def normalised(self) -> Rotations:
         """The same rotations as unit quaternions, freed of rounding."""
-        size = np.sqrt(_square(self.a) + _square(self.b))
+        size = np.sqrt(sum(z.real**2 + z.imag**2 for z in (self.a, self.b)))
         return Rotations(self.a / size, self.b / size)
 
     def turned(self, planar: Complex) -> Array:
@@ -85,7 +85,3 @@ def running_products(steps: Rotations) -> Rotations:
         )
         reach *= 2
     return products
-
-
-def _square(z: Complex) -> Array:
-    return z.real**2 + z.imag**2
