@@ -18,11 +18,9 @@ from orishell.curves.formula_arithmetic import (
     apply,
     combine,
     lift,
-    named,
     the_variable,
 )
-from orishell.curves.jets import FUNCTIONS, Jet
-from orishell.numerics import Enclosure
+from orishell.numerics import FUNCTIONS, Enclosure, Jet, power
 from orishell.numerics.arrays import Array
 
 MAX_LENGTH = 500
@@ -90,27 +88,24 @@ class _Compiler:
             case ast.Name(id=name):
                 return self.name(node, name)
             case ast.UnaryOp(op=ast.USub() | ast.UAdd() as op, operand=operand):
-                return (
-                    self.negative(self.compile(operand, depth + 1))
-                    if isinstance(op, ast.USub)
-                    else self.compile(operand, depth + 1)
-                )
+                inner = self.compile(operand, depth + 1)
+                return combine(ast.Sub, 0.0, inner) if isinstance(op, ast.USub) else inner
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
                 return self.power(
                     self.compile(left, depth + 1), self.compile(right, depth + 1), right
                 )
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in JETS.operators:
+            case ast.BinOp(
+                left=left, op=ast.Add() | ast.Sub() | ast.Mult() | ast.Div() as op, right=right
+            ):
                 return combine(
-                    type(op),
-                    self.compile(left, depth + 1),
-                    self.compile(right, depth + 1),
+                    type(op), self.compile(left, depth + 1), self.compile(right, depth + 1)
                 )
             case ast.BinOp(op=ast.BitXor()):
                 raise self.fault("^ is not a power here", node.right, remedy="write ** for powers")
             case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if (
                 name in FUNCTIONS
             ):
-                return apply(named(name), self.compile(argument, depth + 1))
+                return apply(FUNCTIONS[name], self.compile(argument, depth + 1))
             case ast.Call(func=ast.Name(id=name)) if name in FUNCTIONS:
                 raise self.fault(f"{name} takes one argument", node)
             case ast.Call(func=ast.Name(id=name)):
@@ -146,16 +141,7 @@ class _Compiler:
         self.variable = name
         return the_variable
 
-    @staticmethod
-    def negative(operand: float | Run) -> float | Run:
-        return combine(ast.Sub, 0.0, operand)
-
-    def power(
-        self,
-        base: float | Run,
-        exponent: float | Run,
-        node: ast.expr,
-    ) -> float | Run:
+    def power(self, base: float | Run, exponent: float | Run, node: ast.expr) -> float | Run:
         if isinstance(exponent, float):
             if not abs(exponent) <= MAX_EXPONENT:
                 raise self.fault(
@@ -164,11 +150,9 @@ class _Compiler:
                     got=f"{exponent:g}",
                     expected=f"at most {MAX_EXPONENT:g} in size",
                 )
-            n = exponent
-            return apply(lambda rules: lambda value: rules.power(value, n), base)
+            return apply(power(exponent), base)
         if isinstance(base, float) and base > 0:
-            scaled = combine(ast.Mult, float(np.log(base)), exponent)
-            return apply(named("exp"), scaled)
+            return apply(FUNCTIONS["exp"], combine(ast.Mult, float(np.log(base)), exponent))
         raise self.fault(
             "the exponent varies",
             node,

@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.curves.pieces import Arc
-from orishell.numerics import FUNCTIONS, Enclosure, Interval, power_of
+from orishell.numerics import FUNCTIONS, Enclosure, Interval, power
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 RETRACTED = 1e-6
@@ -112,7 +112,7 @@ class Arcs:
         flat = Interval(np.zeros_like(sweep), np.zeros_like(sweep))
         turned = Interval.between(start + low * sweep, start + high * sweep)
         angle = Enclosure(turned, Interval(sweep, sweep), flat)
-        cos, sin = (FUNCTIONS[name](angle.value).of(angle) for name in ("cos", "sin"))
+        cos, sin = (FUNCTIONS[name].of(angle) for name in ("cos", "sin"))
         x, y = (
             cos.times(self.axes[row, 0, axis]) + sin.times(self.axes[row, 1, axis])
             for axis in (0, 1)
@@ -198,7 +198,7 @@ def _quotients(polynomials: list[Enclosure]) -> tuple[Enclosure, Enclosure]:
     x, y, weight = polynomials
     if (weight.value.low == 1).all() and (weight.value.high == 1).all():
         return x, y
-    inverse = power_of(weight.value, -1.0).of(weight)
+    inverse = power(-1.0).of(weight)
     return x * inverse, y * inverse
 
 
