@@ -67,12 +67,8 @@ class _Compiler:
         self.text = text
         self.variable: str | None = None
 
-    def fault(
-        self, what: str, node: ast.expr, *, got: str = "", expected: str = "", remedy: str = ""
-    ) -> FormulaError:
-        return FormulaError(
-            what, self.text, node.col_offset, got=got, expected=expected, remedy=remedy
-        )
+    def fault(self, what: str, node: ast.expr, **details: str) -> FormulaError:
+        return FormulaError(what, self.text, node.col_offset, **details)
 
     def compile(self, node: ast.expr, depth: int = 0) -> float | Run:
         """Return a number for a constant subtree, otherwise a function from t to its jet."""
@@ -233,7 +229,6 @@ def parse_formula(text: str) -> Formula:
 
 def _check_characters(text: str) -> None:
     """Refuse what a formula never holds, and unbalanced or too deep parentheses, by place."""
-    depth = 0
     opened: list[int] = []
     for column, character in enumerate(text):
         if not (character.isascii() and (character.isalnum() or character in " .+-*/()^,_")):
@@ -242,8 +237,7 @@ def _check_characters(text: str) -> None:
             )
         if character == "(":
             opened.append(column)
-            depth = len(opened)
-            if depth > MAX_DEPTH:
+            if len(opened) > MAX_DEPTH:
                 raise FormulaError(
                     "the formula is nested too deeply",
                     text,
