@@ -16,7 +16,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions, crease_signs
-from orishell.motion.quads import lengths
+from orishell.motion.quads import grid_corners, lengths, unit_normals
 from orishell.numerics.arrays import Array
 
 
@@ -207,11 +207,7 @@ def mechanism_in_one_line(mechanism: Mechanism) -> str:
 
 def panel_normals(positions: Positions) -> Array:
     """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet."""
-    p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
-    r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
-    normal = np.cross(r - p, s - q)
-    normal /= lengths(normal)[..., None]
-    return np.asarray(normal)
+    return unit_normals(grid_corners(positions))
 
 
 def measure_fold_angles(positions: Positions) -> CreaseValues:
