@@ -26,12 +26,10 @@ class Mechanism(Protocol):
     @property
     def grid(self) -> Grid:
         """The grid of vertices."""
-        ...
 
     @property
     def inner_columns(self) -> slice:
         """Columns 1 ... n: those that are to meet the target, without flaps or border strips."""
-        ...
 
     @property
     def flap_columns(self) -> tuple[int, ...]:
@@ -40,11 +38,9 @@ class Mechanism(Protocol):
         Where there is one, the motion ends at the target: there they are folded onto themselves,
         or, with a stop, their boards meet, although the sheet would go on.
         """
-        ...
 
     def without_flaps(self) -> Mechanism:
         """The sheet without its flaps, which goes on beyond its target; itself if it has none."""
-        ...
 
     def with_stop(self, stop: float) -> Mechanism:
         """The sheet whose flaps stop short of folding flat; itself if it has none.
@@ -57,7 +53,6 @@ class Mechanism(Protocol):
         DesignError
             If it is too large for the sheet.
         """
-        ...
 
     @property
     def still(self) -> Mechanism:
@@ -66,21 +61,17 @@ class Mechanism(Protocol):
         Panels touch or not however the sheet as a whole turns, and what turns less needs fewer
         states to be examined.
         """
-        ...
 
     @property
     def target_drive(self) -> float:
         """The drive angle at which the shell meets its target; the flat sheet is drive 0."""
-        ...
 
     @property
     def end_drive(self) -> float:
         """The drive angle at which a crease is folded flat, at the target or beyond it."""
-        ...
 
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., rows, columns, 3) of all vertices at drive angles (...) (radians)."""
-        ...
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), in closed form (radians).
@@ -88,7 +79,6 @@ class Mechanism(Protocol):
         Before ``end_drive`` all of them are below pi in size: the proof of the path rests on it,
         where panels share a vertex.
         """
-        ...
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of edges while the drive is between ``start`` and ``stop``.
@@ -98,7 +88,6 @@ class Mechanism(Protocol):
         radian squared: along rows (S, columns-1), the largest of all rows; down columns
         (S, rows-1), the largest of all columns.
         """
-        ...
 
 
 @record
