@@ -127,13 +127,9 @@ def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
         return place(np.round(point / grid) * grid + 0.0)
 
     first = _first_end(node, where, tolerance, rounded)
-    order, turned = _walk(node, first)
-    chain = tuple(
-        pieces[kept[k]].reversed() if back else pieces[kept[k]]
-        for k, back in zip(order, turned, strict=True)
-    )
-    stops = [node[0 if back else 1, k] for k, back in zip(order, turned, strict=True)]
-    return Chain(chain, where[[first, *stops]])
+    walk = _walk(node, first)
+    chain = tuple(pieces[kept[k]].reversed() if back else pieces[kept[k]] for k, back, _ in walk)
+    return Chain(chain, where[[first, *(stop for _, _, stop in walk)]])
 
 
 def require_pieces(pieces: Sequence[Piece]) -> None:
@@ -150,11 +146,10 @@ def require_pieces(pieces: Sequence[Piece]) -> None:
             expected=f"at most {MAX_PIECES}",
             remedy="simplify it",
         )
-    for piece in pieces:
-        if not piece.reach < LARGEST:  # nan, too
-            raise CurveError(
-                "a coordinate is not finite, or too large", expected=f"numbers up to {LARGEST:g}"
-            )
+    if not all(piece.reach < LARGEST for piece in pieces):  # nan, too
+        raise CurveError(
+            "a coordinate is not finite, or too large", expected=f"numbers up to {LARGEST:g}"
+        )
 
 
 def _cluster(points: Array, tolerance: float) -> Integers:
@@ -229,24 +224,20 @@ def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, i
     return int(free[k]), int(free[near[k, column]]), float(distances[k, column])
 
 
-def _walk(node: Integers, first: int) -> tuple[list[int], list[bool]]:
-    """The pieces from one end to the other, and whether each is run through backwards."""
+def _walk(node: Integers, first: int) -> list[tuple[int, bool, int]]:
+    """The pieces from one end on, whether each is run through backwards, and where it ends."""
     at: dict[int, list[int]] = {}
     for k, (a, b) in enumerate(node.T.tolist()):
         at.setdefault(a, []).append(k)
         at.setdefault(b, []).append(k)
-    order: list[int] = []
-    turned: list[bool] = []
+    walk: list[tuple[int, bool, int]] = []
     here, last = first, -1
-    while True:
-        ahead = [k for k in at[here] if k != last]
-        if not ahead:
-            return order, turned
+    while ahead := [k for k in at[here] if k != last]:
         last = ahead[0]
         back = int(node[1, last]) == here
-        order.append(last)
-        turned.append(back)
         here = int(node[0 if back else 1, last])
+        walk.append((last, back, here))
+    return walk
 
 
 def _parts(piece: Piece) -> int:

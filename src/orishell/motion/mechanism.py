@@ -56,10 +56,10 @@ class Mechanism(Protocol):
 
     @property
     def still(self) -> Mechanism:
-        """The same sheet, turning as little as may be while it folds: contact is looked for in it.
+        """The same sheet, turning as little as possible while it folds: for the proof of contact.
 
-        Panels touch or not however the sheet as a whole turns, and what turns less needs fewer
-        states to be examined.
+        Contact does not depend on how the sheet turns as a whole, and less turning needs fewer
+        states.
         """
 
     @property

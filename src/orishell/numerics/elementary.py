@@ -179,7 +179,13 @@ FUNCTIONS: dict[str, Elementary] = {
 
 
 def power(exponent: float) -> Elementary:
-    """The power of a constant ``exponent``; its derivatives end where those of a polynomial do."""
+    """The power of a constant exponent; derivatives of a constant or linear term are exactly 0.
+
+    Parameters
+    ----------
+    exponent
+        Any number; with a fraction, the power is defined for arguments that are not negative.
+    """
     n = exponent
     terms = (1.0, n), (n, n - 1), (n * (n - 1), n - 2)
 

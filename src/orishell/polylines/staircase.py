@@ -192,7 +192,7 @@ def _newton_step(side: Array, before: Array, after: Array, residual: Array) -> t
 
 
 def _solve(entries: Array, rows: Integers, columns: Integers, right: Array) -> Array:
-    """The solution (m,) of a sparse system, not a number where there is none."""
+    """The solution (m,) of a sparse system, nan where there is none."""
     if len(right) <= DENSE:
         matrix = np.zeros((len(right), len(right)))
         matrix[rows, columns] = entries
