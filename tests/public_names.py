@@ -29,7 +29,7 @@ ALSO = (
     "orishell.motion.quads",
     "orishell.studio.notebook",
 )
-"""Rooms of listed packages that their packages leave to those who ask for them by name."""
+"""Modules whose names are imported from them, not from the package around them."""
 
 
 @cache
