@@ -100,7 +100,7 @@ def test_boards_end_the_motion_of_the_shelter() -> None:
     assert deployment.packed.length == pytest.approx(bare.length, abs=0.02)
     assert shell.report.panel is not None
     assert shell.report.panel.path is not None
-    assert shell.report.panel.set_back_for_deg == deployment.end_drive_deg
+    assert np.rad2deg(shell.report.panel.set_back_for) == np.rad2deg(deployment.end_drive)
 
 
 def test_thicker_boards_pack_larger() -> None:

@@ -13,6 +13,7 @@ from typing import Any, Final
 from orishell.conventions.errors import ClashError, InputError, OrishellError
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.record import as_table
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.families.registry import FAMILIES
@@ -112,7 +113,7 @@ class Task:
         built = document.boards is not None or document.loaded is not None
         other = file.pattern.flap == "auto" or met or built
         return {
-            "report": shell.report,
+            "report": as_table(shell.report),
             "contact": document.contact,
             "distance": _text(document.distances.astype("<f4").tobytes()),
             "refusal": refusal,
