@@ -72,8 +72,11 @@ class Shell:
     document: Document  # what its files are written from
     report: Report  # what ``report.json`` says
     seconds: dict[str, float]  # time spent by step; printed, but not part of any file
-    # what was found of it as a structure; None if it was not analysed
-    analysis: Analysis | None = None
+
+    @property
+    def analysis(self) -> Analysis | None:
+        """What was found of it as a structure; None if it was not analysed."""
+        return self.report.structure
 
     def __repr__(self) -> str:
         file = self.file
@@ -164,11 +167,10 @@ def _made(
     try:
         deployment = describe_deployment(file, design, lock, feet, skip)
         quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
-        structure = analysis = None
+        analysis = None
         if "structure" not in skip and file.structure is not None:
-            found = load_shell(file, design, lock, file.structure, progress)
-            analysis, structure = found.analysis, found.report
-            document = replace(document, loaded=found.drawn)
+            analysis = load_shell(file, design, lock, file.structure, progress)
+            document = replace(document, loaded=analysis.loaded())
             clock.lap("structure")
     except InputError as error:
         raise error.located(f"{file.path}:") from None
@@ -179,7 +181,7 @@ def _made(
         "clipping": design.clipped is None,
         "deviation": deviation is not None or design.swept is None,
         "stock": quantities.stock is not None,
-        "structure": structure is not None or file.structure is None,
+        "structure": analysis is not None or file.structure is None,
     }
     report = Report(
         family=file.family,
@@ -196,7 +198,7 @@ def _made(
             *warn_of_lock(lock),
             *find_caveats(design, lock, feet, file.unit, file.workshop),
             *warn_of_deployment(file, design, lock, deployment, skip),
-            *([] if structure is None else structure.warnings),
+            *([] if analysis is None else analysis.warnings),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
@@ -210,14 +212,12 @@ def _made(
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
         panel=describe_panels(design, lock),
-        structure=structure,
+        structure=analysis,
         quantities=quantities,
     )
     report = replace(report, verdict=find_verdict(report))
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
-    return Shell(
-        file, design, lock, motion, deviation, choice, document, report, clock.seconds, analysis
-    )
+    return Shell(file, design, lock, motion, deviation, choice, document, report, clock.seconds)
 
 
 def _designed(

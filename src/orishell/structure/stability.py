@@ -6,7 +6,7 @@ With K_g the stiffness that forces in the plane of triangles, in ties and in fla
 
     (K + factor K_g) mode = 0.
 
-Ties, flaps and feet that act under the load are taken to go on acting.
+Ties, flaps and feet that act under the load are taken to go on active.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.elements import assemble
-from orishell.structure.held import Held
+from orishell.structure.factorised import Factorised
 from orishell.structure.triangle import Facets
 
 if TYPE_CHECKING:
@@ -34,26 +34,26 @@ ACCURACY = 1e-8
 class Inverse:
     """A structure some of whose rows act, as they are in a state that it moves about."""
 
-    held: Held  # the structure
-    acting: Booleans  # which rows act (M,), in both directions
+    structure: Factorised  # the structure
+    active: Booleans  # which rows act (M,), in both directions
     motions: Array  # what nothing resists (n, k), orthonormal: it is left out
     _law: Array
 
     @classmethod
-    def of(cls, held: Held, acting: Booleans, motions: Array) -> Inverse:
-        """The same, prepared, of rows that are acting (M,) and free motions (n, k)."""
-        return cls(held, acting, motions, held.law(acting))
+    def of(cls, structure: Factorised, active: Booleans, motions: Array) -> Inverse:
+        """The same, prepared, of rows that are active (M,) and free motions (n, k)."""
+        return cls(structure, active, motions, structure.law(active))
 
     def solve(self, loads: Array) -> Array:
         """Displacements (n,) under loads (n,) without those along free motions."""
-        held = self.held
-        direct = held.quick_solve(loads - self.motions @ (self.motions.T @ loads))
-        moved = direct + held.spread @ (self._law @ (held.rows @ direct))
+        structure = self.structure
+        direct = structure.quick_solve(loads - self.motions @ (self.motions.T @ loads))
+        moved = direct + structure.spread @ (self._law @ (structure.rows @ direct))
         return np.asarray(moved - self.motions @ (self.motions.T @ moved))
 
     def stiffness(self, moved: Array) -> Array:
         """Forces (n,) of a structure that is moved (n,) as rows which act allow."""
-        return np.asarray(self.held.soft_stiffness(moved, self.acting))
+        return np.asarray(self.structure.soft_stiffness(moved, self.active))
 
 
 def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tuple[Array, Array]:
@@ -68,7 +68,7 @@ def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tu
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    size = len(inverse.held.free)
+    size = len(inverse.structure.free)
     start = inverse.solve(np.random.default_rng(SEED).standard_normal(size))
     matrix, stiffness, solved = (
         LinearOperator((size, size), matvec=each, dtype=np.float64)
