@@ -12,7 +12,6 @@ import typer
 from orishell.cli.files import bar, directory, say, shortened
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
-from orishell.conventions.record import as_table
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
@@ -162,6 +161,7 @@ def structure(
 
     What it finds are displacements, forces, buckling and frequencies under its loads.
     """
+    from orishell.conventions.record import as_table
     from orishell.design_file import read_design_file
     from orishell.io import OutputDirectory
     from orishell.shell.export import write_structure

@@ -58,15 +58,8 @@ class Response:
 def respond(structure: Factorised, loads: Array) -> Response:
     """What loads do to a structure.
 
-    Parameters
-    ----------
-    loads
-        Loads (n,) on its free freedoms.
-
-    Raises
-    ------
-    VerificationError
-        If no set of active conditions is found: a fault of the program.
+    loads: Loads (n,) on its free freedoms.
+    Raises VerificationError: If no set of active conditions is found: a fault of the program.
     """
     moves = _moving(structure, loads)
     if moves is not None:
@@ -187,10 +180,8 @@ def describe_motion(
     forces: Forces (N, 3) on them.
     soft: Whether something resists it, but too little.
 
-    Raises
-    ------
-    VerificationError
-        If no set of ties, flaps and feet fits the loads: a fault of the program.
+    Raises VerificationError: If no set of ties, flaps and feet fits the loads: a fault of the
+    program.
     """
     drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
     near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))

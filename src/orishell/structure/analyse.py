@@ -42,19 +42,11 @@ def analyse(
 ) -> Analysis:
     """Analyse a shell at its target.
 
-    Parameters
-    ----------
-    structure
-        What holds and loads it.
-    frame
-        What else belongs to it.
-
-    Raises
-    ------
-    InputError
-        If supports or loads do not fit the sheet, or its own weight is asked for and not known.
-    VerificationError
-        If loads and reactions do not balance: a fault of the program.
+    structure: What holds and loads it.
+    frame: What else belongs to it.
+    Raises InputError: If supports or loads do not fit the sheet, or its own weight is asked for and
+    not known.
+    Raises VerificationError: If loads and reactions do not balance: a fault of the program.
     """
     if frame.areal_mass == 0 and any(case.self_weight for case in structure.cases):
         raise InputError(

@@ -217,7 +217,8 @@ class Equilibrium:
         if self.buckling is not None and self.buckling < LEAST_BUCKLING:
             yield (
                 f"the shell buckles under {plain(self.buckling, 3)} times its loads by linear "
-                f"theory, and earlier with imperfections: it should bear at least {LEAST_BUCKLING:g} times"
+                f"theory, and earlier with imperfections: at least {LEAST_BUCKLING:g} times are "
+                "asked for"
             )
         if self.friction is not None and self.friction > 1:
             yield (

@@ -32,25 +32,11 @@ def factorise(
 ) -> Factorised:
     """Factorise a structure.
 
-    Parameters
-    ----------
-    elements
-        Panels and hinges.
-    mesh
-        Its mesh.
-    supported
-        Freedoms (H,) that are supported.
-    conditions
-        The one-sided conditions.
-    grid
-        The grid of the sheet. Springs at its corners hold what nothing else does while the matrix
-        is factorised; at all its vertices, where that is not enough because some creases do not
-        fold and let their panels swing.
-
-    Raises
-    ------
-    DesignError
-        If it swings in so many ways.
+    supported: Freedoms (H,) that are supported.
+    grid: The grid of the sheet. Springs at its corners hold what nothing else does while the matrix
+    is factorised; at all its vertices, where that is not enough because some creases do not fold
+    and let their panels swing.
+    Raises DesignError: If it swings in so many ways.
     """
     vertices = grid.vertices()
     found = _sprung(elements, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])

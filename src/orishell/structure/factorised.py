@@ -153,12 +153,8 @@ class Factorised:
     def respond(self, loads: Array, active: Booleans) -> tuple[Array, Array, Array, Array]:
         """What loads do while some rows act.
 
-        Parameters
-        ----------
-        loads
-            Loads on free freedoms (n,).
-        active
-            Which rows act (M,).
+        loads: Loads on free freedoms (n,).
+        active: Which rows act (M,).
 
         Returns
         -------
@@ -182,10 +178,7 @@ class Factorised:
     def law(self, active: Booleans) -> Array:
         """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
 
-        Parameters
-        ----------
-        active
-            Which rows act (M,).
+        active: Which rows act (M,).
         """
         # g - C p = g_f; open rows: p - S g = 0; active ones: p = 0, or next to no g if hard.
         count = len(self.rows)

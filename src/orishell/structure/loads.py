@@ -121,11 +121,8 @@ def _called(words: str) -> Callable[[Effects], Effects]:
 def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
     """All loads of a case, also of those among all ``cases`` that it combines.
 
-    Raises
-    ------
-    InputError
-        If a vertex or a row of panels is not there, zones of wind leave one out, or snow on a
-        cylinder is asked for where there is no span.
+    Raises InputError: If a vertex or a row of panels is not there, zones of wind leave one out, or
+    snow on a cylinder is asked for where there is no span.
     """
     if case.combine:
         named = {each.name: each for each in cases}
@@ -172,10 +169,7 @@ FULL, NONE = np.deg2rad(30), np.deg2rad(60)
 def snow(exposure: Exposure, asked: Snow) -> Effect:
     """Down on the plan of panels, EN 1991-1-3.
 
-    Raises
-    ------
-    InputError
-        If a cylinder has no span.
+    Raises InputError: If a cylinder has no span.
     """
     level = np.clip(exposure.outer()[:, 2], 0, 1)
     slope = np.arccos(level)
@@ -235,10 +229,7 @@ def peak_pressure(mean: float, turbulence: float) -> float:
 def wind(exposure: Exposure, asked: Wind) -> Effect:
     """Square on panels, EN 1991-1-4.
 
-    Raises
-    ------
-    InputError
-        If zones leave a row of panels out, or take one twice.
+    Raises InputError: If zones leave a row of panels out, or take one twice.
     """
     metres = conversion(exposure.unit, "m")
     height = exposure.rise if asked.height is None else asked.height
@@ -292,10 +283,7 @@ def _coefficients(exposure: Exposure, asked: Wind) -> Array:
 def points(exposure: Exposure, asked: Sequence[PointLoad]) -> Effect:
     """At single vertices.
 
-    Raises
-    ------
-    InputError
-        If one of them is not there.
+    Raises InputError: If one of them is not there.
     """
     forces = np.zeros_like(exposure.mesh.points)
     grid, first = exposure.grid, exposure.before

@@ -255,10 +255,7 @@ class Model:
     def supports(self) -> Supports:
         """What holds it.
 
-        Raises
-        ------
-        InputError
-            If vertices that are to be held are not there.
+        Raises InputError: If vertices that are to be held are not there.
         """
         inner, feet = self.sheet.inner_columns, self.frame.feet
         return find_supports(self.structure.supports, self.grid, inner, feet, self.before)

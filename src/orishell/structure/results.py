@@ -160,7 +160,13 @@ class Analysis:
             yield from (f"load case {case.name}: {text}" for text in case.load_warnings())
 
     def name_of(self, case: CaseResult | Governing) -> str:
-        """What a case is called, the stiffness of creases said where there are several."""
+        """What a case is called, the stiffness of creases said where there are several.
+
+        Parameters
+        ----------
+        case
+            The case, or what governs.
+        """
         name = case.name if isinstance(case, CaseResult) else case.case
         if len({each.creases for each in self.cases}) < 2:
             return name

@@ -59,12 +59,7 @@ class Inverse:
 def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tuple[Array, Array]:
     """Largest values (count,) of a matrix relative to the stiffness, and their vectors (n, count).
 
-    Parameters
-    ----------
-    apply
-        Products of the symmetric matrix with vectors (n,).
-    count
-        How many.
+    apply: Products of the symmetric matrix with vectors (n,).
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
@@ -84,12 +79,7 @@ def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tu
 def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
     """Lowest frequencies (count,) but those of free motions, and their modes (n, count) (Hz).
 
-    Parameters
-    ----------
-    mass
-        Of every free freedom (n,), in force by acceleration in the unit of the sheet.
-    count
-        How many.
+    mass: Of every free freedom (n,), in force by acceleration in the unit of the sheet.
     """
     free = inverse.motions
     heavy = mass[:, None] * free
@@ -113,12 +103,8 @@ def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
 
     Displacements are linear in a triangle; freedoms begin with those of nodes.
 
-    Parameters
-    ----------
-    forces
-        Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
-    count
-        Number of all freedoms D.
+    forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
+    count: Number of all freedoms D.
     """
     flat, area = facets.flat(), facets.areas()
     ahead, behind = np.roll(flat, -1, axis=1), np.roll(flat, 1, axis=1)
@@ -133,16 +119,10 @@ def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
 def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) -> csr_array:
     """The matrix (D, D) of straight ties and struts.
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3).
-    pairs
-        Nodes (m, 2) between which they are.
-    pulls
-        With which force they pull (m,); struts push, less than 0 (N).
-    count
-        Number of all freedoms D.
+    points: Nodes (N, 3).
+    pairs: Nodes (m, 2) between which they are.
+    pulls: With which force they pull (m,); struts push, less than 0 (N).
+    count: Number of all freedoms D.
     """
     away = points[pairs[:, 1]] - points[pairs[:, 0]]
     length = np.linalg.norm(away, axis=1)
@@ -159,10 +139,7 @@ def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) 
 def find_buckling(inverse: Inverse, geometric: csr_array) -> tuple[float, Array] | None:
     """The factor at which the shell buckles, and the mode (n,); None if it does not.
 
-    Parameters
-    ----------
-    geometric
-        K_g (n, n) of free freedoms.
+    geometric: K_g (n, n) of free freedoms.
     """
     if not geometric.count_nonzero():  # nothing is loaded
         return None
