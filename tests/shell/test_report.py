@@ -140,7 +140,7 @@ def test_a_tilted_surface_is_called_so(f: str, slope: float | None) -> None:
         assert deviation.tilted == ""
         return
     assert f"tilted by {tilt:.4f}".rstrip("0").rstrip(".") in deviation.tilted
-    assert f"g is {np.ptp(shell.design.targets['g'][:, 2]):.4g} high" in deviation.tilted
+    assert f"g rises by {np.ptp(shell.design.targets['g'][:, 2]):.4g}" in deviation.tilted
     assert any(deviation.tilted in line for line in summarize(shell, [], []))
 
 
