@@ -19,13 +19,13 @@ copyright = author  # noqa: A001 # Sphinx's name for it
 version = release = __version__
 
 extensions = [
+    "architecture",
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
     "sphinx.ext.doctest",  # what it shows is run by pytest
     "sphinx.ext.viewcode",
-    "house",
     "lean_pictures",
     "live_shells",
     "mathml",

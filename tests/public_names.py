@@ -31,7 +31,7 @@ ALSO = (
     "orishell.studio.notebook",
     "orishell.workshop.draw",
 )
-"""Rooms of listed packages that their packages leave to those who ask for them by name."""
+"""Modules whose names are imported from them, not from the package around them."""
 
 
 @cache

@@ -12,6 +12,7 @@ import pytest
 
 from orishell import Shell
 from orishell.deployment import find_pack
+from orishell.design import Setback
 from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.numerics.arrays import Array
@@ -283,7 +284,10 @@ def test_shelter_of_boards(
     assert size["board area"] / (2.44 * 1.22) < size["sheets of board"] == 41
     # With shorter set-backs a larger one, as the design file says.
     sheet = shell.design.mechanism
-    box = find_pack(sheet, drive_for_height(sheet, 0.005, setback=0.05, gap=0.004), 5, 0.010).box
+    assert shell.design.panel is not None
+    build = shell.design.panel.having(largest_setback=Setback(length=0.05))
+    assert (build.height, build.gap) == (0.005, 0.004)
+    box = find_pack(sheet, drive_for_height(sheet, build), 5, 0.010).box
     assert [box.length, box.width, box.height] == pytest.approx([3.2, 2.2, 1.3], abs=0.05)
     # Flaps stop where set-backs of their boards take half of the way between their row creases.
     assert size["stop of flaps"] == pytest.approx(5.55, abs=1e-9)

@@ -2,8 +2,8 @@
 A covered way round a bend
 ==========================
 
-A ridged section swept along a circle of 8 m: ``examples/tunnel.toml``, parallel repeating. The
-rows of a locked shell of this family are level whatever g does, so it stands on even ground.
+A ridged section swept along a circle of 8 m: ``examples/tunnel.toml``, parallel repeating. In
+this family the rows of a locked shell are level for any g, so it stands on even ground.
 
 .. live:: tunnel
 """

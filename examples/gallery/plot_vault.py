@@ -3,8 +3,8 @@ A growing vault
 ===============
 
 Circular sections whose radius grows along the vault: ``examples/vault.toml``, of the third family.
-No flaps lock it; it is stopped where its first section meets f, and would roll on until its rims
-touch.
+No flaps lock it. Its supports hold it where its first section meets f; without them it would roll
+on until its rims touch.
 
 .. live:: vault
 """

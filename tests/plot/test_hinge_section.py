@@ -26,7 +26,7 @@ def section_of(
     """The section, its sheet with its boards, and the number of its crease."""
     file = read_design_file(EXAMPLES / f"{name}.toml")
     mechanism = file.pattern.design(file.f, file.g).mechanism.without_flaps()
-    pack = drive_for_height(mechanism, build.height) if packed else None
+    pack = drive_for_height(mechanism, build) if packed else None
     folds = largest_folds(mechanism, pack or mechanism.target_drive)
     boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
     section = find_hinge_section(FoldingMotion(mechanism, 5, pack), boards, build)

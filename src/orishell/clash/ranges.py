@@ -87,7 +87,7 @@ def search_ranges(
         start, stop, pending = stack.pop()
         if found is not None and start >= found[0]:
             break
-        # Ranges may be many that bring it no further: it is heard of, and can be ended, at each.
+        # Many ranges may bring no progress: it is told, and can be ended, at each.
         progress(clear / TICKS, LOOKING)
         outcome = examine(start, stop, pending)
         if outcome.at_start is not None:

@@ -173,7 +173,7 @@ def squared_distances(
     # Sums of intervals between two edges: differences of running sums of their ends.
     turns = _turns(whole, tangents).times(turning).running()
     angles = turns.each(lambda sums: sums.through(lambda ends: ends[:, k] - ends[:, i]))
-    cosines = FUNCTIONS["cos"](angles.value).of(angles)
+    cosines = FUNCTIONS["cos"].of(angles)
     products = cosines.each(lambda each: each.through(lambda ends: ends @ weights.T))
     return products.plus((spanned**2).sum(axis=1))
 
