@@ -129,11 +129,8 @@ export interface Contact {
 
 /** Length of all creases of a kind, in the document's unit. */
 export interface CreaseLength {
-  /** The kinds. */
   mountain: number;
-  /** The kinds. */
   valley: number;
-  /** The kinds. */
   unfolded: number;
 }
 
@@ -445,7 +442,7 @@ export interface Lock {
   cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
-  /** Mean distance of inner vertices from the line between those above and below, at the target. */
+  /** Mean distance of inner vertices from the line between those above and below, at the target state (length). */
   corrugation_depth: number;
   /** The panels that touch first, if any do. */
   first_contact: Contact | null;
@@ -701,7 +698,6 @@ export interface ProofRecord {
 
 /** Totals of the sheet and its clipped boards; lengths and areas in the document's unit. */
 export interface Quantities {
-  /** Number of panels. */
   panels: number;
   /** How many of them are panels of boards that are clipped on at the target. */
   clipped: number;
@@ -1003,11 +999,11 @@ export interface TableWords {
 export interface Tie {
   /** Its vertices by row and column of the whole grid. */
   ends: [[number, number], [number, number]];
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   length: number;
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   flat: number;
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   packed: number;
   /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
   grows: boolean | null;
