@@ -484,7 +484,7 @@ export interface Lock {
   cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
-  /** Mean distance of inner vertices from the line between those above and below, at the target. */
+  /** Mean distance of inner vertices from the line between those above and below, at the target state (length). */
   corrugation_depth: number;
   /** The panels that touch first, if any do. */
   first_contact: Contact | null;
@@ -999,11 +999,11 @@ export interface TableWords {
 export interface Tie {
   /** Its vertices by row and column of the whole grid. */
   ends: [[number, number], [number, number]];
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   length: number;
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   flat: number;
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   packed: number;
   /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
   grows: boolean | null;
