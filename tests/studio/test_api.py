@@ -49,7 +49,7 @@ MESSAGES: tuple[Any, ...] = (
     api.TradeoffResult,
     api.SheetsResult,
     search_api.SearchFound,
-    search_api.SearchResult,
+    search_api.SearchAnswer,
     api.Refusal,
 )
 
@@ -102,7 +102,7 @@ def test_answers_about_a_design(client: httpx.Client, family: str, more: str) ->
     assert all(
         fits(each, api.Advance if "progress" in each else search_api.SearchFound) for each in said
     )
-    assert fits(result, search_api.SearchResult)
+    assert fits(result, search_api.SearchAnswer)
     assert result["result"]["made"] == 2
     view = client.post("/api/design", json={"design": design}).content
     header = json.loads(view[4 : 4 + struct.unpack("<I", view[:4])[0]])

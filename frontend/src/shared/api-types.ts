@@ -316,7 +316,7 @@ export interface FrontPage {
   /** Objectives of designs that keep all limits and are not on the front. */
   beaten: number[][];
   /** Objectives of the design that the file has; null if it cannot be made. */
-  begun_with: number[] | null;
+  baseline: number[] | null;
 }
 
 /** What is nearest to the end of what it bears, of all cases. */
@@ -778,6 +778,11 @@ export interface Row {
   finding: string;
 }
 
+/** The last line of the answer: the search has come to its end. */
+export interface SearchAnswer {
+  result: SearchState;
+}
+
 /** A figure that a search can make small, or keep within limits. */
 export interface SearchFigure {
   name: string;
@@ -803,16 +808,11 @@ export interface SearchInfo {
   install: string;
 }
 
-/** The last line of the answer: the search has come to its end. */
-export interface SearchResult {
-  result: SearchState;
-}
-
 /** How far a search has come. */
 export interface SearchState {
   objectives: Objective[];
   /** The design as it was opened; null if it cannot be made. */
-  begun_with: SearchedDesign | null;
+  baseline: SearchedDesign | null;
   /** Those that keep all limits and were not sent before. */
   designs: SearchedDesign[];
   /** Those that no other beats, by their first objective. */

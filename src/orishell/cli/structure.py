@@ -174,7 +174,8 @@ def structure(
     if asked.structure is None:
         raise InputError(
             "there is no structure to analyse",
-            where=f"{file}: [structure]",
+            file=file,
+            keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
     with bar() as progress:

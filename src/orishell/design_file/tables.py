@@ -92,7 +92,7 @@ def read_workshop(path: Path) -> Workshop:
     try:
         return table.beside(path.parent)
     except InputError as error:
-        raise error.located(f"{path}:") from None
+        raise error.in_file(path) from None
 
 
 def structure_of(
@@ -110,6 +110,7 @@ def structure_of(
             raise InputError(
                 "load cases need a structure that they load",
                 where="[[load_case]]",
+                keys=("load_case",),
                 remedy="add the table [structure], or remove the load cases",
             )
         return None
@@ -125,6 +126,7 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
             raise InputError(
                 "two load cases have one name",
                 where=f"[[load_case]][{number}] name",
+                keys=("load_case",),
                 got=repr(case.name),
             )
     loaded = [case.name for case in cases if not case.combine]
@@ -134,6 +136,7 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
                 raise InputError(
                     "there is no such load case that has loads of its own",
                     where=f"[[load_case]][{number}] combine",
+                    keys=("load_case",),
                     got=repr(name),
                     expected="one of " + ", ".join(map(repr, loaded)) if loaded else "",
                     remedy="" if loaded else "add the cases that are to be combined",
@@ -144,20 +147,20 @@ def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> No
     if panel is None and table.thickness is None:
         raise InputError(
             "the thickness of panels is not known",
-            where="[structure] thickness",
+            keys=("structure.thickness",),
             remedy="write it here, or in [panel] if the motion is to leave room for it",
         )
     if panel is not None and table.thickness is not None:
         raise InputError(
             "panels have a thickness already",
-            where="[structure] thickness",
+            keys=("structure.thickness",),
             got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
             remedy="remove it here",
         )
     if table.membrane_modulus and (panel is None or panel.construction != "sandwich"):
         raise InputError(
             "there is no membrane between boards",
-            where="[structure] membrane_modulus",
+            keys=("structure.membrane_modulus",),
             got=f"{table.membrane_modulus:g}",
             expected='a table [panel] with a thickness and construction = "sandwich"',
             remedy="remove it",

@@ -190,7 +190,7 @@ class Targets(Table):
             try:
                 return target.curve(directory, unit)
             except InputError as error:
-                raise error.located(f"[target.{name}]") from None
+                raise error.at_key(f"target.{name}", f"[target.{name}]") from None
 
         return curve("f", self.f), curve("g", self.g)
 
@@ -219,24 +219,25 @@ def _pair(factors: list[float]) -> tuple[float, float]:
 def _numbers(key: str, ends: list[float | str]) -> tuple[float, float]:
     """The two ends as numbers."""
     first, last = (
-        _constant(end, f"{key}[{index}]") if isinstance(end, str) else end
+        _constant(end, key, index) if isinstance(end, str) else end
         for index, end in enumerate(ends)
     )
     return first, last
 
 
-def _constant(text: str, where: str) -> float:
+def _constant(text: str, key: str, index: int) -> float:
     """The value of a formula without a variable."""
     try:
         formula = parse_formula(text)
     except InputError as error:
-        raise error.located(where) from None
+        raise error.at_key(key, f"{key}[{index}]") from None
     value = float(formula.jet(np.zeros(()))[0])
     if formula.variable is None and np.isfinite(value):
         return value
     raise InputError(
         "this is no number" if formula.variable is None else "only constants are allowed here",
-        where=where,
+        where=f"{key}[{index}]",
+        keys=(key,),
         got=repr(text[:60]),
         expected='a number, or a formula of constants as in "pi/2"',
     )
@@ -246,4 +247,4 @@ def _formula(text: str) -> Formula:
     try:
         return parse_formula(text)
     except InputError as error:
-        raise error.located("formula") from None
+        raise error.at_key("formula", "formula") from None

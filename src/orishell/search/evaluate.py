@@ -7,7 +7,7 @@ import re
 import warnings
 from collections import Counter
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.quantities import plain
 from orishell.design_file import DesignFile, check_design
 from orishell.design_file.search import Limit
-from orishell.design_file.tables import Values, with_values
+from orishell.design_file.tables import Values
 from orishell.search.figures import figure
 from orishell.search.problem import Problem
 from orishell.shell.make import Shell, make_shell
@@ -107,10 +107,11 @@ def shell_of(job: Job, values: Values, states: int, skip: Collection[Step]) -> S
 
     Raises InputError, DesignError if it cannot be made.
     """
-    file = check_design(with_values(job.tables, values), job.path, files=job.files)
+    design = check_design(job.tables, job.path, files=job.files)
+    file = design.changed({**values, "motion.frames": states})
     if job.require is not None:
         job.require(file)
-    return make_shell(replace(file, frames=states), skip=skip)
+    return make_shell(file, skip=skip)
 
 
 def _outcome(job: Job, values: Values) -> Outcome:

@@ -19,12 +19,12 @@ from orishell.design_file.tables import Values, with_values
 from orishell.io.formats.tables import write_csv
 from orishell.io.output import OutputDirectory
 from orishell.plot.tradeoff import plot_front
-from orishell.search.crew import Crew
 from orishell.search.evaluate import Outcome
 from orishell.search.front import Front, beaten, scores
 from orishell.search.page import require_page, write_page
 from orishell.search.problem import Problem, files_named
-from orishell.search.run import Found
+from orishell.search.run import SearchResult
+from orishell.search.worker_pool import WorkerPool
 
 
 def variant_text(problem: Problem, values: Values, directory: Path) -> str:
@@ -109,9 +109,9 @@ def require_apart(problem: Problem, directory: Path) -> None:
 
 def write_found(
     problem: Problem,
-    found: Found,
+    found: SearchResult,
     directory: Path,
-    crew: Crew,
+    pool: WorkerPool,
     progress: Progress = no_progress,
     *,
     stop: threading.Event | None = None,
@@ -122,7 +122,7 @@ def write_found(
     found: What was found.
     directory: Where to; made if needed. Files of an earlier run that this one does not write are
         removed, unless somebody changed them; all others stay.
-    crew: Who makes the shells of the page.
+    pool: Who makes the shells of the page.
     stop: Set where the page is to be written with what it has.
 
     Raises InputError if the directory cannot be written to, or the page has not been built.
@@ -135,7 +135,7 @@ def write_found(
                 text, encoding="utf-8", newline="\n"
             )
         draw_front(draft / "front.png", problem, found)
-        write_page(draft / "front.html", problem, found, crew, progress, stop=stop)
+        write_page(draft / "front.html", problem, found, pool, progress, stop=stop)
         names = sorted(file.name for file in draft.iterdir())
     return [directory / name for name in names]
 
@@ -159,7 +159,7 @@ def _cell(value: Any) -> Any:
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
-def draw_front(path: Path, problem: Problem, found: Found) -> None:
+def draw_front(path: Path, problem: Problem, found: SearchResult) -> None:
     """Write the picture of the front: each pair of objectives.
 
     path: The PNG file.
@@ -171,12 +171,12 @@ def draw_front(path: Path, problem: Problem, found: Found) -> None:
         rows = [scores(problem, each) for each in outcomes]
         return np.array(rows, np.float64).reshape(-1, len(problem.objectives))
 
-    begun_with = [found.begun_with] if found.begun_with.figures else []
+    baseline = [found.baseline] if found.baseline.figures else []
     plot_front(
         path,
         points([*found.front.members]),
         points(beaten(problem, found.outcomes, found.front)),
-        points(begun_with),
+        points(baseline),
         knee=found.front.knee,
         labels=[each.label(problem.unit) for each in problem.objectives],
     )

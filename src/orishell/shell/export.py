@@ -100,7 +100,8 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
     if shell.report.structure is None:
         raise InputError(
             "the shell was not analysed",
-            where=f"{shell.file.path}: [structure]",
+            file=shell.file.path,
+            keys=("structure",),
             remedy="add the table [structure]",
         )
     directory = path_of(directory, "write_structure: directory")

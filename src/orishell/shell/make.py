@@ -171,7 +171,7 @@ def _made(
             document = replace(document, loaded=found.drawn)
             clock.lap("structure")
     except InputError as error:
-        raise error.located(f"{file.path}:") from None
+        raise error.in_file(file.path) from None
     width, height, _ = extents(flat.positions)
     found_out: dict[Question, bool] = {
         "verification": residuals is not None,
@@ -187,9 +187,7 @@ def _made(
         rows=file.pattern.rows,
         columns=file.pattern.columns,
         parameters=design.parameters,
-        chosen=None
-        if choice is None or file.tolerance is None
-        else describe_choice(choice, file.tolerance),
+        chosen=None if choice is None else describe_choice(choice),
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,
@@ -230,8 +228,7 @@ def _designed(
     choice: Choice | None = None
     try:
         if file.tolerance is not None:
-            pattern, choice = meet_tolerance(file, file.tolerance, progress)
-            file = file.sized(pattern)
+            file, choice = meet_tolerance(file, file.tolerance, progress)
             clock.lap("choose")
         design = designed(file)
         clock.lap("design")
@@ -243,7 +240,7 @@ def _designed(
         if file.deployment.start == "pack":
             require_pack(design, lock)
     except InputError as error:
-        raise error.located(f"{file.path}:") from None
+        raise error.in_file(file.path) from None
     return file, design, lock, choice
 
 

@@ -62,7 +62,7 @@ def with_remedies(
     file: The refused design.
     make: Makes the shell of a changed file.
     """
-    search = _Search(file, make, progress)
+    search = RemedySearch(file, make, progress)
     refusal.remedies = search.run(refusal)
     if not refusal.remedies:
         refusal.limit = search.limit
@@ -74,7 +74,7 @@ class _OutOfTimeError(Exception):
 
 
 @dataclass(slots=True)
-class _Search:
+class RemedySearch:
     file: DesignFile
     make: Make
     progress: Progress

@@ -16,7 +16,6 @@ from orishell.conventions.record import record
 from orishell.deployment.feet import Feet
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
-from orishell.families.pattern import Tolerance
 from orishell.locking.report import LockReport, PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.deployment_report import DeploymentReport
@@ -159,9 +158,9 @@ def describe_feet(design: Design, feet: Feet | None) -> StandsReport | None:
     )
 
 
-def describe_choice(choice: Choice, tolerance: Tolerance) -> ChosenReport:
+def describe_choice(choice: Choice) -> ChosenReport:
     """What rows and columns were chosen from."""
-    trial = choice.trial
+    trial, tolerance = choice.trial, choice.tolerance
     return ChosenReport(
         tolerance=tolerance.surface,
         panel_min=tolerance.panel_min,

@@ -108,7 +108,7 @@ class SizeSearch(Generic[V]):
             trials.careful = True
         trials.progress(1.0, CHOOSING)
         fitting = [trial if each is quick else each for _, each in trials.made if trials.fits(each)]
-        return variant, Choice(trial, unbeaten(fitting), len(trials.made))
+        return variant, Choice(trial, unbeaten(fitting), len(trials.made), trials.tolerance)
 
     @property
     def below(self) -> int:

@@ -51,6 +51,7 @@ class Choice:
     # of all trials those that no other beats in both error and number of panels, by panels
     tradeoff: tuple[Trial, ...]
     tried: int  # number of designs measured
+    tolerance: Tolerance  # what is met
 
 
 def unbeaten(trials: Iterable[Trial]) -> tuple[Trial, ...]:

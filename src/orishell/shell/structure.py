@@ -73,7 +73,8 @@ def analyse_structure(
     if structure is None:
         raise InputError(
             "there is no structure to analyse",
-            where=f"{shell.file.path}: [structure]",
+            file=shell.file.path,
+            keys=("structure",),
             remedy="add the table [structure], or pass a Structure",
         )
     try:
@@ -81,7 +82,7 @@ def analyse_structure(
             shell.design, structure, _frame(shell.file, shell.design, shell.lock), progress
         )
     except InputError as error:
-        raise error.located(f"{shell.file.path}:") from None
+        raise error.in_file(shell.file.path) from None
 
 
 def load_shell(

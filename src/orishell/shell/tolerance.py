@@ -12,7 +12,7 @@ from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design import Design
-from orishell.design_file import DesignFile, require_memory
+from orishell.design_file import DesignFile
 from orishell.deviation import SAMPLES as CAREFUL
 from orishell.deviation import find_excess, measure_deviation
 from orishell.document import Document
@@ -35,10 +35,8 @@ NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
 
 def meet_tolerance(
     file: DesignFile, tolerance: Tolerance, progress: Progress = no_progress
-) -> tuple[FamilyPattern, Choice]:
-    """Choose rows, columns and what else a design file leaves open.
-
-    Returns tuple: The pattern, and what it was chosen from.
+) -> tuple[DesignFile, Choice]:
+    """The file with rows, columns and what else it leaves open, and what they were chosen from.
 
     Raises DesignError if no pattern meets the tolerance; says what can be met.
     Raises InputError if the pattern would be too large for its frames.
@@ -54,25 +52,25 @@ def meet_tolerance(
         )
         raise
     pattern = pattern.sized(choice.trial.rows, choice.trial.columns)
-    require_memory(file.path, pattern, file.frames)
-    return pattern, choice
+    table = pattern.model_dump(exclude_unset=True)
+    sized = file.changed({"tolerance": None, "pattern": table})
+    return sized, replace(choice, tolerance=tolerance)
 
 
 def _with_any_stock(
     file: DesignFile, tolerance: Tolerance, progress: Progress
-) -> tuple[FamilyPattern, Choice]:
+) -> tuple[DesignFile, Choice]:
     """What meets a tolerance if stock is as large as needed: it is refused for that, or at all."""
-    anywhere = replace(file, workshop=file.workshop.having(stock=None))
-    pattern, choice = meet_tolerance(anywhere, tolerance, progress)
+    anywhere, choice = meet_tolerance(file.changed({"workshop.stock": None}), tolerance, progress)
     try:
-        require_stock(_document(file, pattern), file.workshop)
+        require_stock(_document(file, anywhere.pattern), file.workshop)
     except OversizeError as error:
         error.remedy = (
             "larger stock, or another distance in [tolerance]: no sheet was found that comes "
             f"within {tolerance.surface:g} of the surface and whose panels fit"
         )
         raise
-    return pattern, choice
+    return anywhere.changed({"workshop": file.tables["workshop"]}), choice
 
 
 def _document(file: DesignFile, pattern: FamilyPattern) -> Document:

@@ -39,20 +39,22 @@ class Tradeoff:
     settled: dict[str, Any]
 
 
-def find_tradeoff(file: DesignFile, progress: Progress = no_progress) -> Tradeoff:
+def find_tradeoff(
+    file: DesignFile, progress: Progress = no_progress, *, size: tuple[int, int] | None = None
+) -> Tradeoff:
     """Design sheets of many sizes, and measure how near they come to the surface.
 
     The sizes are those of the search that meets a tolerance, each number of rows with each number
-    of columns, and the pattern's own.
-
-    file: The design; of its tolerance only the limits of edges count.
+    of columns, and ``size``, which is the pattern's own if it is not given. Of the file's tolerance
+    only the limits of edges count.
 
     Raises DesignError if the family refuses all sizes, or no sheet has edges as long as they may
     be.
     """
     limits = file.tolerance or Tolerance.model_construct(surface=math.inf)
     free = limits.having(surface=math.inf)
-    pattern = file.pattern.variants(file.f, free).telling[0]
+    own = file.pattern if size is None else file.pattern.sized(*size)
+    pattern = own.variants(file.f, free).telling[0]
     left_open = pattern.model_fields_set - file.pattern.model_fields_set
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}
 
@@ -62,9 +64,9 @@ def find_tradeoff(file: DesignFile, progress: Progress = no_progress) -> Tradeof
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []
     refusal: OrishellError | None = None
-    for size in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
+    for each in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
         try:
-            tried.append(trial(size, careful=False))
+            tried.append(trial(each, careful=False))
         except OrishellError as error:  # lists of lengths fit their own size only
             refusal = refusal or error
     if refusal is not None and not tried:

@@ -94,6 +94,7 @@ def _require_mass(structure: Structure, frame: Frame) -> None:
         raise InputError(
             "own weight is a load, and what panels weigh is not known",
             where="[[load_case]] self_weight",
+            keys=("load_case",),
             remedy="give density in [panel], or areal_density in [workshop]",
         )
 

@@ -156,7 +156,7 @@ def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) ->
     try:
         return tuple(Load(case, 1.0, *part) for part in _parts(exposure, case))
     except InputError as error:
-        raise error.located(f'[[load_case]] "{case.name}":') from None
+        raise error.at_key("load_case", f'[[load_case]] "{case.name}":') from None
 
 
 def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> Array:

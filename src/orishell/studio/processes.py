@@ -38,7 +38,7 @@ def require_small(file: DesignFile) -> None:
     if vertices > MAX_VERTICES:
         raise InputError(
             "the sheet is too large for the studio",
-            where="[pattern] rows, columns",
+            keys=("pattern.rows", "pattern.columns"),
             got=f"{vertices} vertices",
             expected=f"at most {MAX_VERTICES}",
             remedy="use orishell design",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from orishell.conventions.errors import DesignError, InputError, OrishellError
@@ -49,12 +48,14 @@ def describe_error(error: OrishellError) -> Refusal:
                 remedies=remedies,
             )
         case InputError():
+            if error.file == f"{NAME}.toml":  # it has no name that anybody gave it
+                error.file = ""
             return make_refusal(
                 "input",
                 error.what,
-                message=str(error).removeprefix(f"{NAME}.toml: "),
+                message=str(error),
                 where=error.where,
-                keys=_keys_at(error.where),
+                keys=list(error.keys),
                 got=error.got,
                 expected=error.expected,
                 remedy=error.remedy,
@@ -62,12 +63,3 @@ def describe_error(error: OrishellError) -> Refusal:
             )
         case _:
             return make_refusal("fault", str(error))
-
-
-def _keys_at(where: str) -> list[str]:
-    """The keys in a place such as "shell.toml: [pattern] rows, columns"; if none, the table."""
-    found = re.search(r"\[(\w+(?:\.\w+)*)\] ?((?:\w+, )*\w*)", where)
-    if found is None:
-        return []
-    table, names = found.groups()
-    return [f"{table}.{name}".rstrip(".") for name in names.split(", ")]

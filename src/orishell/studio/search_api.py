@@ -47,7 +47,7 @@ class SearchState(TypedDict):
     """How far a search has come."""
 
     objectives: list[Objective]
-    begun_with: SearchedDesign | None  # the design as it was opened; null if it cannot be made
+    baseline: SearchedDesign | None  # the design as it was opened; null if it cannot be made
     designs: list[SearchedDesign]  # those that keep all limits and were not sent before
     front: list[FrontMember]  # those that no other beats, by their first objective
     knee: int  # place of the knee in the front; -1 where nothing is in it
@@ -64,7 +64,7 @@ class SearchFound(TypedDict):
     found: SearchState
 
 
-class SearchResult(TypedDict):
+class SearchAnswer(TypedDict):
     """The last line of the answer: the search has come to its end."""
 
     result: SearchState

@@ -13,7 +13,7 @@ from orishell.search import Front, Outcome, Problem, alone, journal_in_memory, s
 from orishell.search.evaluate import reasons, violation
 from orishell.search.figures import BEARS, NAMES, figure
 from orishell.search.front import costs, front_of
-from orishell.search.problem import pose
+from orishell.search.problem import parse_problem
 from orishell.search.space import key_of
 from orishell.studio.api import Tables
 from orishell.studio.processes import Send, require_small
@@ -57,12 +57,12 @@ def search_variants(tables: Tables, path: Path, progress: Progress, send: Send) 
     install = describe_search()["install"]
     if install:
         raise InputError("pymoo must be installed to search", remedy=install)
-    problem = pose(tables, path, files=False)
+    problem = parse_problem(tables, path, files=False)
     watch = _Watch(problem, send)
-    with alone() as crew:
+    with alone() as pool:
         search_designs(
             problem,
-            crew,
+            pool,
             journal_in_memory(),
             progress,
             seen=watch.seen,
@@ -78,7 +78,7 @@ class _Watch:
     def __init__(self, problem: Problem, send: Send) -> None:
         self._problem, self._send = problem, send
         self._told = time.perf_counter()
-        self._begun_with: Outcome | None = None
+        self._baseline: Outcome | None = None
         self._front: Front | None = None
         self._new: list[Outcome] = []
         self._numbers: dict[str, int] = {}
@@ -87,8 +87,8 @@ class _Watch:
 
     def seen(self, outcome: Outcome) -> None:
         """Another design was made; the first is the one that was opened."""
-        if self._begun_with is None:
-            self._begun_with = outcome
+        if self._baseline is None:
+            self._baseline = outcome
         else:
             self._made += 1
             if key_of(outcome.values) in self._numbers:
@@ -109,13 +109,13 @@ class _Watch:
         # What an earlier front beat is beaten still.
         kept = self._front.members if self._front else ()
         self._front = front = front_of(problem, [*kept, *new])
-        begun_with = self._begun_with
+        baseline = self._baseline
         return {
             "objectives": [
                 {"name": each.name, "label": each.label(problem.unit)}
                 for each in problem.objectives
             ],
-            "begun_with": _told(begun_with) if begun_with and begun_with.figures else None,
+            "baseline": _told(baseline) if baseline and baseline.figures else None,
             "designs": [_told(each) for each in new],
             "front": [
                 {

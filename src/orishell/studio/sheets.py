@@ -9,6 +9,7 @@ from pathlib import Path
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.design_file import DesignFile
+from orishell.design_file.file import FROM_PACK
 from orishell.document import Document
 from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
@@ -38,7 +39,7 @@ def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
     # The proof may make flaps narrower, and cut boards off.
     proved = file.pattern.flap == "auto" or file.panel is not None
     shell = make_shell(
-        replace(file, frames=2),
+        file.changed({"motion.frames": FROM_PACK}),
         progress,
         clash="allowed" if proved else "unexamined",
         skip=(*MEASURES, "structure"),

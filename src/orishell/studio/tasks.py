@@ -82,12 +82,9 @@ class Task:
                 "the number of states must be a whole number", where="states", got=repr(frames)[:40]
             )
         try:
-            shell = make_shell(
-                replace(file, frames=min(max(frames, FEWEST_STATES), MOST_STATES)),
-                self.progress,
-                clash="unexamined",
-                skip=STEPS,
-            )
+            states = min(max(frames, FEWEST_STATES), MOST_STATES)
+            shown = file.changed({"motion.frames": states})
+            shell = make_shell(shown, self.progress, clash="unexamined", skip=STEPS)
         except OrishellError as error:
             raise RefusalError({**describe_error(error), "curves": curves}) from None
         document = lay_surface(shell.document, shell.design, measured=False)
@@ -166,13 +163,14 @@ class Task:
         Raises DesignError if the family refuses all sizes.
         """
         file = self._design()
-        size = self.payload.get("size")
+        size, own = self.payload.get("size"), None
         if isinstance(size, dict):
             # Where sizes are to be chosen, those of the shell on the screen.
             shown = {f"pattern.{key}": size.get(key) for key in ("rows", "columns")}
-            file = replace(file.changed({"tolerance": None, **shown}), tolerance=file.tolerance)
-            require_small(file)
-        return find_tradeoff(file, self.progress)
+            sized = file.changed({"tolerance": None, **shown})
+            require_small(sized)
+            own = (sized.pattern.rows, sized.pattern.columns)
+        return find_tradeoff(file, self.progress, size=own)
 
     def search(self) -> SearchState:
         """What :func:`search_variants` finds, which raises as this does.

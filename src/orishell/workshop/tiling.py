@@ -120,7 +120,7 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     if min(rows * columns for columns, rows in counts) > MOST:
         raise InputError(
             f"the paper model needs more than {MOST} pages",
-            where="[workshop] paper_scale",
+            keys=("workshop.paper_scale",),
             got=f"{size_of:g}, {min(rows * columns for columns, rows in counts)} pages",
             expected='a smaller number, or "auto"',
         )
