@@ -42,14 +42,10 @@ def value_at(tables: Any, key: str) -> Any:
 
 
 def with_values(tables: Any, values: Mapping[str, Any]) -> Any:
-    """Tables of a design file with other values at some keys; what they name need not exist.
+    """Tables with other values at dotted keys, in lists a number from 0; None removes a key.
 
-    tables: The tables.
-    values: Values by dotted key; in lists a number, from 0, is the key. None for a key that is
-        removed.
-
-    Raises LookupError if a key names an entry that a list does not have, or stands in what is no
-    table.
+    What a key names need not exist. Raises LookupError if it names an entry that a list does not
+    have, or stands in what is no table.
     """
     for key, value in values.items():
         tables = _with_value(tables, key.split("."), value)
@@ -98,10 +94,7 @@ def read_workshop(path: Path) -> Workshop:
 def structure_of(
     table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelSpec | None
 ) -> Structure | None:
-    """The structure that a design file asks for; None without the table.
-
-    cases: Its load cases; none for its own weight.
-    panel: What the table [panel] says.
+    """The structure that a design file asks for, by default under own weight; None without table.
 
     Raises InputError if load cases or the thickness of panels do not fit.
     """
@@ -212,10 +205,7 @@ class FileTable(Table):
 
 
 def keys_of(pattern: type[BaseModel]) -> Callable[[Location], list[str]]:
-    """The keys that may stand beside the last one of a location.
-
-    pattern: The table [pattern] of the family.
-    """
+    """The keys that may stand beside the last one of a location, in a family with this pattern."""
 
     def keys(location: Location) -> list[str]:
         table: type[BaseModel] = FileTable

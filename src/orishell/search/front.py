@@ -48,11 +48,7 @@ class Front:
 
 
 def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
-    """The front of designs that were made; None if none keeps all limits.
-
-    problem: Objectives and limits.
-    outcomes: The designs.
-    """
+    """The front of designs that were made; None if none keeps all limits."""
     feasible = [each for each in outcomes if violation(problem, each) == 0.0]
     if not feasible:
         return None
@@ -62,12 +58,7 @@ def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
 
 
 def beaten(problem: Problem, outcomes: Sequence[Outcome], front: Front) -> list[Outcome]:
-    """The designs that keep all limits and are not on the front.
-
-    problem: The limits.
-    outcomes: The designs.
-    front: The front.
-    """
+    """The designs that keep all limits and are not on the front."""
     kept = {key_of(each.values) for each in front.members}
     return [
         each
@@ -84,7 +75,7 @@ def scores(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
 def unbeaten(points: Array) -> list[int]:
     """Which points no other is at least as good as; of equal ones the first.
 
-    points: Objectives, (count, objectives), in lexicographic order: none is beaten by a later one.
+    They are (count, objectives), in lexicographic order: none is beaten by a later one.
     """
     kept: list[int] = []
     for k, point in enumerate(points):
@@ -100,11 +91,7 @@ def _knee(points: Array) -> int:
 
 
 def costs(problem: Problem, before: Outcome, after: Outcome) -> str:
-    """What a step from one design to another gains, then what it costs, in words.
-
-    problem: The objectives.
-    before, after: The designs.
-    """
+    """What a step from one design to another gains, then what it costs, in words."""
     gained: list[str] = []
     paid: list[str] = []
     for each in problem.objectives:

@@ -84,10 +84,7 @@ class FrontPage(TypedDict):
 
 
 def require_page() -> None:
-    """Refuse to begin what would end for want of the page.
-
-    Raises InputError if it has not been built.
-    """
+    """Refuse to begin what would end because the page has not been built."""
     read_program(PROGRAM, NOT_BUILT)
 
 
@@ -100,17 +97,7 @@ def write_page(
     *,
     stop: threading.Event | None = None,
 ) -> None:
-    """Write ``front.html``: one file that needs no network and no other file.
-
-    path: The file.
-    problem: What was searched.
-    found: What was found.
-    pool: Who makes the shells.
-    progress: Is told the share of them that is made.
-    stop: Set where no further ones are to be drawn.
-
-    Raises InputError if the page has not been built.
-    """
+    """Write ``front.html``, which needs no other file; no shell is drawn once it is to stop."""
     program = read_program(PROGRAM, NOT_BUILT)
     shown = _page(problem, found, _draw(problem, found, pool, progress, stop or threading.Event()))
     page = program_page(
@@ -124,11 +111,7 @@ def write_page(
 
 
 def draw_shells(job: Job, numbered: Sequence[tuple[int, Values]]) -> list[Drawn]:
-    """The views of shells, as they were when they were evaluated.
-
-    job: The design.
-    numbered: Numbers of members, and what keys of each have.
-    """
+    """The views of shells, as they were when they were evaluated, by numbers of members."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         return [_drawn(job, number, values) for number, values in numbered]

@@ -144,10 +144,7 @@ def _figure(name: str, path: Path, key: str) -> Figure:
 
 
 def _axis(design: DesignFile, key: str, allowed: Range | tuple[Any, ...]) -> Interval | Choices:
-    """What a variable may be; its values are tried in the design file.
-
-    Raises InputError if one does not fit.
-    """
+    """What a variable may be; raises InputError if a value does not fit the design file."""
     if not isinstance(allowed, Range):
         for value in allowed:
             _require(design, key, value)
@@ -240,11 +237,7 @@ def _require_grid(search: Search, space: Space, path: Path) -> None:
 
 
 def files_named(tables: Any, directory: Path) -> dict[str, str]:
-    """The files that tables name, by key; what else is called as a file is, is none.
-
-    tables: Those of a design file.
-    directory: Where the files are found.
-    """
+    """The files that tables name, by key; only those that there are."""
     names = {key: value_at(tables, key) for key in FILE_KEYS}
     return {
         key: name

@@ -57,12 +57,8 @@ Make = Callable[[DesignFile, Progress], object]
 def with_remedies(
     file: DesignFile, refusal: DesignError, make: Make, progress: Progress = no_progress
 ) -> DesignError:
-    """Return the refusal with changes that were tried and work, or with why none does.
-
-    file: The refused design.
-    make: Makes the shell of a changed file.
-    """
-    search = RemedySearch(file, make, progress)
+    """Return the refusal with changes that were tried and work, or with why none does."""
+    search = _RemedySearch(file, make, progress)
     refusal.remedies = search.run(refusal)
     if not refusal.remedies:
         refusal.limit = search.limit
@@ -74,7 +70,7 @@ class _OutOfTimeError(Exception):
 
 
 @dataclass(slots=True)
-class RemedySearch:
+class _RemedySearch:
     file: DesignFile
     make: Make
     progress: Progress

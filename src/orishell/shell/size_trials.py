@@ -83,71 +83,48 @@ V = TypeVar("V")
 
 @record
 class Sizes(Generic[V]):
-    """The sheets that a tolerance is to be met with: variants with numbers of rows and columns.
+    """The sheets that a tolerance is to be met with: variants with numbers of rows and columns."""
 
-    variants: The variants for a number of rows.
-    distance_from_f: A distance at which column 1 of a variant is from f at least.
-    distance_from_g: A distance at which the middle row of so many columns is from g at least.
-    measure: Makes a variant with so many columns, and measures it, carefully or quickly.
-    oversize: How much larger than the boards the largest panel of it is: 1 or less if all fit.
-    most, step: The largest number of rows and of columns; the step from one number of rows to the
-        next.
-    ripple, orderly: By which factor a shell may be farther from its surface than one with fewer
-        columns; whether that holds for rows as well, and no shell is nearer whose column 1 is
-        farther from f.
-    """
-
-    variants: Callable[[int], Variants[V]]
-    distance_from_f: Callable[[V], float]
-    distance_from_g: Callable[[int], float]
-    measure: Callable[[V, int, bool], Measured]
+    variants: Callable[[int], Variants[V]]  # for a number of rows
+    distance_from_f: Callable[[V], float]  # of column 1, at least
+    distance_from_g: Callable[[int], float]  # of the middle row of so many columns, at least
+    measure: Callable[[V, int, bool], Measured]  # with so many columns, carefully or quickly
+    # how much larger than the boards the largest panel is: 1 or less if all fit
     oversize: Callable[[V, int], float] = lambda _variant, _columns: 0.0
-    most: int = MOST
-    step: int = 2
+    most: int = MOST  # rows and columns
+    step: int = 2  # from one number of rows to the next
+    # by which factor a shell may be farther from its surface than one with fewer columns
     ripple: float = 1.15
+    # whether that holds for rows as well, and none is nearer whose column 1 is farther from f
     orderly: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class Tried(Generic[V]):
-    """What was found out of a size: how far it is off with its best variant, as factors.
+    """What was found out of a size: how far it is off with its best variant, as factors."""
 
-    ``off`` is that of its distance from the surface and of edges or panels that are too long,
-    which more columns may mend, infinite where all variants are refused; ``small`` that of edges
-    that are too short. ``variant`` is one that does.
-    """
-
+    # of its distance from the surface and of edges or panels that are too long, which more columns
+    # may mend; infinite where all variants are refused
     off: float
-    small: float
-    variant: V | None = None
+    small: float  # of edges that are too short
+    variant: V | None = None  # one that does
 
 
 @dataclass(slots=True, eq=False)
 class Trials(Generic[V]):
-    """Makes sheets of one size after another.
-
-    sizes, tolerance, progress: What there is to choose from, what is to be met, and who is told.
-    made: All that could be made.
-    large: Those whose panels do not fit the boards.
-    found: Those that meet the tolerance.
-    refusal: Why the first was refused, if any was.
-    bounded: Whether sheets that f or g rule out are left out.
-    careful: Whether those that do are measured carefully at once.
-    reached: Numbers of columns, and whether g allows them.
-    refused, possible: How often each variant was refused, by its place among all; those that were
-        made.
-    """
+    """Makes sheets of one size after another."""
 
     sizes: Sizes[V]
     tolerance: Tolerance
     progress: Progress
     made: list[tuple[V, Trial]] = field(default_factory=list)
-    large: list[Trial] = field(default_factory=list)
-    found: list[tuple[V, Trial]] = field(default_factory=list)
-    refusal: DesignError | None = None
-    bounded: bool = True
-    careful: bool = False
-    reached: dict[int, bool] = field(default_factory=dict)
+    large: list[Trial] = field(default_factory=list)  # those whose panels do not fit the boards
+    found: list[tuple[V, Trial]] = field(default_factory=list)  # those that meet the tolerance
+    refusal: DesignError | None = None  # the first
+    bounded: bool = True  # whether sheets that f or g rule out are left out
+    careful: bool = False  # whether those that do are measured carefully at once
+    reached: dict[int, bool] = field(default_factory=dict)  # whether g allows so many columns
+    # how often each variant was refused, by its place among all; those that were made
     refused: Counter[int] = field(default_factory=Counter)
     possible: set[int] = field(default_factory=set)
 

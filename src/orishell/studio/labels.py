@@ -23,7 +23,10 @@ from orishell.workshop.palettes import Layer
 
 def describe_families() -> dict[str, Family]:
     """Names, parameters and defaults of all families."""
-    return {name: _describe(name) for name in FAMILIES}
+    return {
+        name: {"label": each.label, "what": each.what, "parameters": _parameters(each.pattern)}
+        for name, each in FAMILIES.items()
+    }
 
 
 def describe_examples() -> list[Example]:
@@ -42,15 +45,6 @@ def describe_examples() -> list[Example]:
 def describe_workshop() -> list[Parameter]:
     """The settings of the table [workshop]."""
     return _parameters(Workshop)
-
-
-def _describe(name: str) -> Family:
-    family = FAMILIES[name]
-    return {
-        "label": family.label,
-        "what": family.what,
-        "parameters": _parameters(family.pattern),
-    }
 
 
 def _parameters(table: type[BaseModel]) -> list[Parameter]:

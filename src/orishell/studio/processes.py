@@ -30,10 +30,7 @@ MAX_VERTICES = 60_000
 
 
 def require_small(file: DesignFile) -> None:
-    """Refuse a sheet that is too large for the studio.
-
-    Raises InputError if it has more vertices than :data:`MAX_VERTICES`.
-    """
+    """Refuse a sheet that is too large for the studio."""
     vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
     if vertices > MAX_VERTICES:
         raise InputError(
@@ -95,10 +92,7 @@ def prepared_copies() -> Iterator[None]:
 
 
 def start_worker(work: Work) -> Worker:
-    """Start a process that does some ``work``.
-
-    Raises OSError if there is no room for one.
-    """
+    """Start a process that does some ``work``; raises OSError if there is no room for one."""
     context = context_of(WARM)
     ours, theirs = context.Pipe()
     files = tempfile.mkdtemp(prefix="orishell-")
@@ -127,10 +121,7 @@ def stop_started(starting: asyncio.Task[Worker]) -> None:
 async def readable(pipe: Connection, end: float | None) -> None:
     """Wait until there is something to read, for ever if there is no ``end``.
 
-    Raises
-    ------
-    TimeoutError
-        If there is nothing by ``end``.
+    Raises TimeoutError if there is nothing by then.
     """
     loop = asyncio.get_running_loop()
     ready = asyncio.Event()

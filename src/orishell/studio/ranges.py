@@ -26,13 +26,11 @@ FEWEST_POINTS, MOST_POINTS = 5, 40
 
 
 def few_points(points: Array) -> tuple[Array, bool, float]:
-    """Points of a curve along the given ones, whether it is a spline, and how far it is from them.
+    """Fewer points (N, 2) along a curve, whether it is a spline, and how far it is from them all.
 
     The spline is fitted by least squares, so that noise is smoothed out; it keeps the ends. Where
     few straight lines do what no spline of few points does, there are corners; where neither does,
     a spline goes through all points.
-
-    points: Points (N, 2) in the order of the curve.
     """
     import shapely
 
@@ -86,12 +84,7 @@ ENDS = 0.005
 
 
 def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[str, Range]:
-    """Ranges of all numeric parameters of a design that has no tolerance.
-
-    file: The design file.
-    advanced: Called with the share that is done.
-    seconds: What one design takes, about.
-    """
+    """Ranges of all numeric parameters of a design, which takes some seconds to make."""
     pattern = file.pattern
     knobs = {key: knob for key, knob in pattern.knobs().items() if knob.kind == "number"}
     count = SAMPLES if seconds < QUICK else FEWEST

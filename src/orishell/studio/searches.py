@@ -46,11 +46,6 @@ def describe_search() -> SearchInfo:
 def search_variants(tables: Tables, path: Path, progress: Progress, send: Send) -> SearchState:
     """Search the variants of a design, and tell what is found as it is.
 
-    tables: The design with its table [search].
-    path: Of what its messages speak.
-    progress: Is told the share that is done.
-    send: Is told how far the search has come, now and then.
-
     Raises InputError if there is nothing to search for, or what it needs is not installed.
     Raises DesignError if no design keeps all limits.
     """

@@ -28,14 +28,7 @@ picture of the drawings is small."""
 
 
 def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
-    """The drawings of a design's flat sheet, and what they come to.
-
-    name: What its files are called.
-    progress: Is told of the proof, where the sheet depends on what it finds.
-
-    Raises InputError if a setting does not fit the sheet.
-    Raises DesignError if the family cannot reach the target.
-    """
+    """The drawings of a design's flat sheet, and what they come to; files are called ``name``."""
     # The proof may make flaps narrower, and cut boards off.
     proved = file.pattern.flap == "auto" or file.panel is not None
     shell = make_shell(
