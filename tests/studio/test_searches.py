@@ -12,7 +12,7 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.search.figures import NAMES
 from orishell.studio import processes, searches
-from orishell.studio.search_api import SearchState
+from orishell.studio.api import SearchState
 from orishell.studio.tasks import answer
 from orishell.studio.workers import Pool
 

@@ -166,11 +166,6 @@ class DesignFile:
 def read_design_file(path: str | Path) -> DesignFile:
     """Read and check a design file.
 
-    Parameters
-    ----------
-    path
-        The file.
-
     Raises
     ------
     InputError
@@ -220,7 +215,15 @@ def _checked(
                 remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
                 "rows and columns",
             )
-        table = {**_require_no_size(path, table), **ANY_SIZE}
+        for key in [key for key in ANY_SIZE if key in table]:
+            raise InputError(
+                "rows and columns are chosen where there is a tolerance",
+                file=path,
+                keys=(f"pattern.{key}",),
+                got=repr(table[key]),
+                remedy=f"remove {key}, or the table [tolerance]",
+            )
+        table = {**table, **ANY_SIZE}
     try:
         pattern = family.pattern.model_validate(table)
     except ValidationError as error:
@@ -263,17 +266,3 @@ def _checked(
         tables=raw,
         files=files,
     )
-
-
-def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
-    """Refuse rows or columns beside a tolerance, which is there to choose them."""
-    for key in ANY_SIZE:
-        if key in table:
-            raise InputError(
-                "rows and columns are chosen where there is a tolerance",
-                file=path,
-                keys=(f"pattern.{key}",),
-                got=repr(table[key]),
-                remedy=f"remove {key}, or the table [tolerance]",
-            )
-    return table

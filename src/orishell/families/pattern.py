@@ -123,6 +123,10 @@ class Tolerance(Table):
             raise misfit(f"a value above panel_min ({self.panel_min})", self.panel_max, "panel_max")
         return self
 
+    def allows(self, shortest: float, longest: float) -> bool:
+        """Whether edges from the shortest to the longest (lengths) are allowed."""
+        return self.panel_min <= shortest and longest <= self.panel_max
+
     @property
     def limits_edges(self) -> bool:
         """Whether edges may not have any length."""
@@ -194,13 +198,6 @@ class Pattern(Table):
 
     def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
         """Patterns of as many rows that fill in what the file leaves open.
-
-        Parameters
-        ----------
-        f
-            The swept curve.
-        tolerance
-            What is to be met.
 
         Raises
         ------

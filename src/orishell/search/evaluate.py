@@ -166,11 +166,6 @@ def asked_of_loads(problem: Problem) -> str:
     )
 
 
-def nearest(problem: Problem, outcomes: Sequence[Outcome]) -> Outcome:
-    """The design that misses its limits by least."""
-    return min(outcomes, key=lambda each: violation(problem, each))
-
-
 def said_of(problem: Problem, outcome: Outcome) -> str:
     """Why a design is not feasible."""
     return outcome.said or "; ".join(

@@ -19,7 +19,6 @@ from orishell.search.evaluate import (
     died,
     evaluate,
     job_of,
-    nearest,
     reasons,
     said_of,
     violation,
@@ -52,7 +51,7 @@ def search_designs(
     progress: Progress = no_progress,
     *,
     stop: threading.Event | None = None,
-    seen: Callable[[Outcome], None] | None = None,
+    seen: Callable[[Outcome], None] = lambda _: None,
     files: bool = True,
     require: Require | None = None,
 ) -> SearchResult:
@@ -62,10 +61,6 @@ def search_designs(
 
     Parameters
     ----------
-    problem
-        The design, its variants and what is to be as small as can be.
-    pool
-        Who makes the variants.
     journal
         What was made before; what is made is added to it.
     stop
@@ -96,15 +91,14 @@ class _Run:
     journal: Journal
     progress: Progress
     stop: threading.Event
-    seen: Callable[[Outcome], None] | None
+    seen: Callable[[Outcome], None]
     job: Job
 
     def found(self) -> SearchResult:
         chosen = chooser(self.problem)
         batch = next(chosen, None)
         baseline = self._baseline(batch or [])
-        if self.seen:
-            self.seen(baseline)
+        self.seen(baseline)
         outcomes: list[Outcome] = []
         whole = False
         while batch is not None:
@@ -155,18 +149,16 @@ class _Run:
         """What becomes of variants, in their order; None if it was to stop before all were made."""
         left = [each for each in variants if self.journal.find(each) is None]
         self._tell(before, len(variants) - len(left))
-        if self.seen:
-            for known in filter(None, map(self.journal.find, variants)):
-                self.seen(known)
+        for known in filter(None, map(self.journal.find, variants)):
+            self.seen(known)
         count = len(variants) - len(left)
         for chunk, done in self.pool.work(partial(evaluate, self.job), left, self.stop):
             outcomes = [died(values) for values in chunk] if done is None else done
             self.journal.add(outcomes)
             count += len(outcomes)
             self._tell(before, count)
-            if self.seen:
-                for each in outcomes:
-                    self.seen(each)
+            for each in outcomes:
+                self.seen(each)
         found = [self.journal.find(each) for each in variants]
         made = [each for each in found if each is not None]
         return made if len(made) == len(variants) else None
@@ -180,7 +172,7 @@ def _nothing(problem: Problem, outcomes: list[Outcome], *, whole: bool) -> Desig
     """That no design keeps all limits: the commonest reasons, and the nearest design."""
     counted = reasons(problem, outcomes)[:COMMONEST]
     common = "; ".join(f"{count} of {len(outcomes)}: {reason}" for reason, count in counted)
-    near = nearest(problem, outcomes)
+    near = min(outcomes, key=lambda each: violation(problem, each))
     values = ", ".join(f"{key} = {value}" for key, value in near.values.items())
     stopped = "" if whole else ", before the search was stopped; the same command goes on"
     return DesignError(

@@ -59,7 +59,11 @@ def with_remedies(
 ) -> DesignError:
     """Return the refusal with changes that were tried and work, or with why none does."""
     search = _RemedySearch(file, make, progress)
-    refusal.remedies = search.run(refusal)
+    try:
+        search.run(refusal)
+    except _OutOfTimeError:
+        search.ended = True
+    refusal.remedies = tuple(search.found.values())
     if not refusal.remedies:
         refusal.limit = search.limit
     return refusal
@@ -92,14 +96,7 @@ class _RemedySearch:
             why = f"with {remedy}, {reason.condition}{place}"
         return f"{why} (looking ended after {SECONDS:g} s of work)" if self.ended else why
 
-    def run(self, refusal: DesignError) -> tuple[Remedy, ...]:
-        try:
-            self._run(refusal)
-        except _OutOfTimeError:
-            self.ended = True
-        return tuple(self.found.values())
-
-    def _run(self, refusal: DesignError) -> None:
+    def run(self, refusal: DesignError) -> None:
         self._watch()
         if isinstance(refusal, ClashError):
             self._look(Remedy({}), chain(refusal.candidates, self._apart(refusal)), 1)

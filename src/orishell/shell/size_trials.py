@@ -54,11 +54,14 @@ class Choice:
     tolerance: Tolerance  # what is met
 
 
-def unbeaten(trials: Iterable[Trial]) -> tuple[Trial, ...]:
-    """Trials that no other beats in both error and number of panels, by panels."""
+def unbeaten(trials: Iterable[Trial], gain: float = 1.0) -> tuple[Trial, ...]:
+    """Trials that no other beats in both error and number of panels, by panels.
+
+    The error of one with more panels must be below a share ``gain`` of that of the one before.
+    """
     kept: list[Trial] = []
     for trial in sorted(trials, key=lambda each: (each.panels, each.error)):
-        if not kept or trial.error < kept[-1].error:
+        if not kept or trial.error < gain * kept[-1].error:
             kept.append(trial)
     return tuple(kept)
 
@@ -192,8 +195,7 @@ class Trials(Generic[V]):
 
     def fits(self, trial: Trial) -> bool:
         """Whether its edges have the lengths asked for."""
-        limits = self.tolerance
-        return limits.panel_min <= trial.shortest and trial.longest <= limits.panel_max
+        return self.tolerance.allows(trial.shortest, trial.longest)
 
     def _measured(self, variant: V, rows: int, columns: int) -> Trial:
         """A quick measure of a design, and a careful one if quick ones were too kind before."""

@@ -71,11 +71,7 @@ def find_tradeoff(
             refusal = refusal or error
     if refusal is not None and not tried:
         raise refusal
-    fitting = [
-        trial
-        for trial in tried
-        if limits.panel_min <= trial.shortest and trial.longest <= limits.panel_max
-    ]
+    fitting = [each for each in tried if limits.allows(each.shortest, each.longest)]
     if not fitting:
         raise _no_such_edges(tried, limits)
     quick = unbeaten(fitting)
@@ -84,17 +80,7 @@ def find_tradeoff(
         for each in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
     ]
     tried.sort(key=lambda trial: (trial.panels, trial.error))
-    best = _told_apart(unbeaten(careful))
-    return Tradeoff(tuple(tried), best, len(sizes) - len(tried), settled)
-
-
-def _told_apart(best: tuple[Trial, ...]) -> tuple[Trial, ...]:
-    """The best without those whose panels gain next to nothing."""
-    kept: list[Trial] = []
-    for trial in best:
-        if not kept or trial.error < GAIN * kept[-1].error:
-            kept.append(trial)
-    return tuple(kept)
+    return Tradeoff(tuple(tried), unbeaten(careful, GAIN), len(sizes) - len(tried), settled)
 
 
 def _sizes(most: int, now: tuple[int, int]) -> list[tuple[int, int]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -118,18 +119,16 @@ def _find(
         trials = np.unique(np.append(trials, value))
     whys = [works(float(trial)) for trial in trials]
     intervals: list[tuple[float, float]] = []
-    k = 0
-    while k < len(trials):
-        if whys[k]:
-            k += 1
+    for fails, run in groupby(range(len(trials)), lambda k: bool(whys[k])):
+        if fails:
             continue
-        first = k
-        while k + 1 < len(trials) and not whys[k + 1]:
-            k += 1
-        low = trials[first] if first == 0 else _edge(works, trials[first], trials[first - 1])
-        high = trials[k] if k + 1 == len(trials) else _edge(works, trials[k], trials[k + 1])
+        first, *others = run
+        last = others[-1] if others else first
+        low = trials[0] if first == 0 else _edge(works, trials[first], trials[first - 1])
+        high = trials[last]
+        if last + 1 < len(trials):
+            high = _edge(works, trials[last], trials[last + 1])
         intervals.append((float(low), float(high)))
-        k += 1
     return {
         "span": (float(span[0]), float(span[1])),
         "intervals": intervals,

@@ -15,9 +15,8 @@ from orishell.search.figures import BEARS, NAMES, figure
 from orishell.search.front import costs, front_of
 from orishell.search.problem import parse_problem
 from orishell.search.space import key_of
-from orishell.studio.api import Tables
+from orishell.studio.api import SearchedDesign, SearchInfo, SearchState, Tables
 from orishell.studio.processes import Send, require_small
-from orishell.studio.search_api import SearchedDesign, SearchInfo, SearchState
 
 EVERY = 0.2
 """Seconds after which the page is told again."""

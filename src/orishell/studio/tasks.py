@@ -29,6 +29,7 @@ from orishell.studio.api import (
     DroppedCurve,
     Parsed,
     Ranges,
+    SearchState,
     Sheets,
     Tables,
     Verified,
@@ -39,7 +40,6 @@ from orishell.studio.pages import design_name, file_name, zipped
 from orishell.studio.processes import Send, ignore, require_small
 from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
-from orishell.studio.search_api import SearchState
 from orishell.studio.searches import search_variants
 from orishell.studio.sheets import preview_sheets
 
