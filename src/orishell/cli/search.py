@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -37,7 +36,10 @@ def search(
 
     It goes on where a search into the same directory ended.
     """
-    with _pool(processes, cluster) as pool:  # at once: it imports what this process does meanwhile
+    from orishell.search import dask_workers, local_processes
+
+    workers = local_processes(processes) if cluster is None else dask_workers(cluster)
+    with workers as pool:  # at once: it imports what this process does meanwhile
         _search(file, out, pool)
 
 
@@ -63,12 +65,6 @@ def _search(file: Path, out: Path, pool: WorkerPool) -> None:
     say("\n".join(_summary(problem, found, written)))
     if stopped.is_set():
         raise typer.Exit(128 + stopped.number)
-
-
-def _pool(processes: int | None, address: str | None) -> AbstractContextManager[WorkerPool]:
-    from orishell.search import dask_workers, local_processes
-
-    return local_processes(processes) if address is None else dask_workers(address)
 
 
 def _summary(problem: Problem, found: SearchResult, written: list[Path]) -> Iterator[str]:

@@ -166,6 +166,11 @@ class DesignFile:
 def read_design_file(path: str | Path) -> DesignFile:
     """Read and check a design file.
 
+    Parameters
+    ----------
+    path
+        The file.
+
     Raises
     ------
     InputError

@@ -143,17 +143,13 @@ def _bred(problem: Problem) -> Chooser:
         fresh.made.update(map(key_of, variants))
         outcomes = yield variants
         left -= len(population)
-        found = {
-            "F": np.array([_objectives(problem, each) for each in outcomes]),
+        names = [each.name for each in problem.objectives]
+        found = {  # of designs that cannot be made only counts by how much
+            "F": np.array([[each.figures.get(name, 0.0) for name in names] for each in outcomes]),
             "G": np.array([[violation(problem, each)] for each in outcomes]),
         }
         algorithm.evaluator.eval(StaticProblem(algorithm.problem, **found), population)
         algorithm.tell(infills=population)
-
-
-def _objectives(problem: Problem, outcome: Outcome) -> list[float]:
-    """What counts; of designs that cannot be made nothing does but by how much."""
-    return [outcome.figures.get(each.name, 0.0) for each in problem.objectives]
 
 
 def _algorithm(problem: Problem, fresh: _Fresh) -> Algorithm:

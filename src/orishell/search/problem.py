@@ -81,6 +81,11 @@ class Problem:
 def read_problem(path: str | Path) -> Problem:
     """Read a design file and its table [search].
 
+    Parameters
+    ----------
+    path
+        The file.
+
     Raises
     ------
     InputError

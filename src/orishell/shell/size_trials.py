@@ -6,27 +6,12 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from typing import Generic, Self, TypeVar
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
 from orishell.families.pattern import Tolerance, Variants
-
-
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """Distance of a design from its surface, and its shortest and longest edge (length)."""
-
-    error: float  # largest distance from the surface (length)
-    # shortest and longest edge of a panel in the flat sheet (length)
-    shortest: float
-    longest: float
-
-    def at(self, rows: int, columns: int) -> Trial:
-        """That it was measured of a sheet of so many inner vertices."""
-        panels = (rows + 1) * (columns - 1)
-        return Trial(rows, columns, panels, self.error, self.shortest, self.longest)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,9 +23,14 @@ class Trial:
     columns: int
     panels: int  # number of panels, flaps left out
     error: float  # distance between shell and target surface, largest both ways (length)
-    # edges of its panels (length)
+    # edges of its panels in the flat sheet (length)
     shortest: float
     longest: float
+
+    @classmethod
+    def of(cls, rows: int, columns: int, error: float, shortest: float, longest: float) -> Self:
+        """A design with so many inner vertices."""
+        return cls(rows, columns, (rows + 1) * (columns - 1), error, shortest, longest)
 
 
 @record
@@ -91,7 +81,7 @@ class Sizes(Generic[V]):
     variants: Callable[[int], Variants[V]]  # for a number of rows
     distance_from_f: Callable[[V], float]  # of column 1, at least
     distance_from_g: Callable[[int], float]  # of the middle row of so many columns, at least
-    measure: Callable[[V, int, bool], Measured]  # with so many columns, carefully or quickly
+    measure: Callable[[V, int, bool], Trial]  # with so many columns, carefully or quickly
     # how much larger than the boards the largest panel is: 1 or less if all fit
     oversize: Callable[[V, int], float] = lambda _variant, _columns: 0.0
     most: int = MOST  # rows and columns
@@ -164,7 +154,7 @@ class Trials(Generic[V]):
                     continue
                 if self.sizes.orderly and least > too_far:
                     continue
-                trial = self._measured(variant, rows, columns)
+                trial = self._measured(variant, columns)
                 oversize = self.sizes.oversize(variant, columns) if self.does(trial) else 0.0
             except DesignError as error:
                 self.refusal = self.refusal or error
@@ -187,7 +177,7 @@ class Trials(Generic[V]):
 
     def carefully(self, variant: V, quick: Trial) -> Trial:
         """The same sheet with its error as the report has it."""
-        return self.sizes.measure(variant, quick.columns, True).at(quick.rows, quick.columns)
+        return self.sizes.measure(variant, quick.columns, True)
 
     def does(self, trial: Trial) -> bool:
         """Whether it meets the tolerance, boards aside."""
@@ -197,10 +187,10 @@ class Trials(Generic[V]):
         """Whether its edges have the lengths asked for."""
         return self.tolerance.allows(trial.shortest, trial.longest)
 
-    def _measured(self, variant: V, rows: int, columns: int) -> Trial:
+    def _measured(self, variant: V, columns: int) -> Trial:
         """A quick measure of a design, and a careful one if quick ones were too kind before."""
         self.progress(0.95 * (1 - math.exp(-len(self.made) / USUAL)), CHOOSING)
-        trial = self.sizes.measure(variant, columns, False).at(rows, columns)
+        trial = self.sizes.measure(variant, columns, False)
         if self.careful and self.does(trial):
             trial = self.carefully(variant, trial)
         self.made.append((variant, trial))

@@ -21,7 +21,7 @@ from orishell.families.pattern import Tolerance, Variants
 from orishell.motion.quads import lengths
 from orishell.shell.designed import designed
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import Choice, Measured, Sizes
+from orishell.shell.size_trials import Choice, Sizes, Trial
 from orishell.workshop.fitting import SLACK, OversizeError
 from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 
@@ -92,7 +92,7 @@ def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
     def in_rows(rows: int) -> Variants[FamilyPattern]:
         return own.sized(rows, 2).variants(file.f, limits)
 
-    def measured(variant: FamilyPattern, columns: int, careful: bool) -> Measured:
+    def measured(variant: FamilyPattern, columns: int, careful: bool) -> Trial:
         design = variant.sized(variant.rows, columns).design(file.f, file.g)
         return measure(design, careful, limits)
 
@@ -118,7 +118,7 @@ def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
     )
 
 
-def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Measured:
+def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Trial:
     """Distance of a design from its surface, and the edges of its panels, flaps left out."""
     mechanism = design.mechanism
     flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
@@ -130,4 +130,4 @@ def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWE
     else:
         fits = tolerance.allows(shortest, longest)
         error = find_excess(design, tolerance.surface if fits else 0.0, samples=QUICK)
-    return Measured(error, shortest, longest)
+    return Trial.of(len(flat) - 2, flat.shape[1], error, shortest, longest)

@@ -59,7 +59,7 @@ def find_tradeoff(
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}
 
     def trial(size: tuple[int, int], *, careful: bool) -> Trial:
-        return measure(pattern.sized(*size).design(file.f, file.g), careful).at(*size)
+        return measure(pattern.sized(*size).design(file.f, file.g), careful)
 
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []

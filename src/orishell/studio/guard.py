@@ -16,13 +16,14 @@ import shutil
 import subprocess
 import tempfile
 import webbrowser
-from collections.abc import Awaitable, Callable, Collection, Iterator, MutableMapping
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
-from typing import Any
 from urllib.parse import urlsplit
+
+from starlette.types import ASGIApp, Message, Receive, Send
 
 from orishell.conventions.progress import cleaning_up
 from orishell.studio.api import FaultKind
@@ -104,11 +105,6 @@ def _private_folder() -> Path:
         return Path(tempfile.mkdtemp(prefix=prefix))
 
 
-Message = MutableMapping[str, Any]
-Receive = Callable[[], Awaitable[Message]]
-Send = Callable[[Message], Awaitable[None]]
-App = Callable[[Message, Receive, Send], Awaitable[None]]
-
 VALUES = 200_000
 """Commas in a body, at most: a longer list would keep other requests waiting."""
 LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
@@ -131,7 +127,7 @@ class Guard:
     """Refuses requests that do not come from the studio's own pages, or are too large."""
 
     def __init__(
-        self, app: App, key: Key, hosts: Collection[str] | None, most: int, seconds: float
+        self, app: ASGIApp, key: Key, hosts: Collection[str] | None, most: int, seconds: float
     ) -> None:
         self.app = app
         self.key = key  # the address ``/`` with it gives the cookie

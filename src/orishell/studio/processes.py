@@ -66,11 +66,7 @@ class Worker:
 
     process: BaseProcess
     pipe: Connection
-    life: contextlib.ExitStack
-
-    def stop(self) -> None:
-        """End it, and remove its files."""
-        self.life.close()
+    stop: Callable[[], None]
 
 
 @contextlib.contextmanager
@@ -109,7 +105,7 @@ def start_worker(work: Work) -> Worker:
         starting.enter_context(cleaning_up(end))
         process.start()
         theirs.close()
-        return Worker(process, ours, starting.pop_all())
+        return Worker(process, ours, starting.pop_all().close)
 
 
 def stop_started(starting: asyncio.Task[Worker]) -> None:
