@@ -240,6 +240,7 @@ class Family:
     label: str  # what headings call it
     what: str  # what it makes, in a few words
     starter: Path  # A design file to begin with
+    borders: str = "flaps"  # what the panels beside its inner columns are
 
 
 def placement_variants(pattern: P, tolerance: Tolerance) -> list[P]:

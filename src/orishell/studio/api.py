@@ -43,6 +43,7 @@ class Family(TypedDict):
 
     label: str
     what: str
+    borders: str  # what the panels beside its inner columns are
     parameters: list[Parameter]
 
 
@@ -108,6 +109,7 @@ class SearchInfo(TypedDict):
     """What a search can be for."""
 
     figures: list[SearchFigure]
+    evaluations: int  # designs that are made at most where the table [search] does not say it
     install: str  # the command that installs what a search needs; empty where that is installed
 
 

@@ -25,7 +25,12 @@ from orishell.workshop.palettes import Layer
 def describe_families() -> dict[str, Family]:
     """Names, parameters and defaults of all families."""
     return {
-        name: {"label": each.label, "what": each.what, "parameters": _parameters(each.pattern)}
+        name: {
+            "label": each.label,
+            "what": each.what,
+            "borders": each.borders,
+            "parameters": _parameters(each.pattern),
+        }
         for name, each in FAMILIES.items()
     }
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
+from orishell.design_file.search import Search
 from orishell.search import Front, Outcome, Problem, alone, journal_in_memory, search_designs
 from orishell.search.evaluate import reasons, violation
 from orishell.search.figures import BEARS, NAMES, figure
@@ -38,6 +39,7 @@ def describe_search() -> SearchInfo:
             }
             for each in figures
         ],
+        "evaluations": Search.model_fields["evaluations"].default,
         "install": "" if find_spec("pymoo") else "pip install orishell[search]",
     }
 

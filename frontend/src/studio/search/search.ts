@@ -16,9 +16,6 @@ import { type Run, Search } from "./run.ts";
 import { countOf, hasValues, keyOf, lacking, searchOf } from "./table.ts";
 import { VariableList } from "./variables.ts";
 
-/** What the file format makes where a table does not say it. */
-const OF_FILES = 400;
-
 export class SearchCard {
   readonly element: HTMLElement;
   private readonly search = new Search();
@@ -123,7 +120,7 @@ export class SearchCard {
     const { design, report, info } = store;
     this.variables.show(table.variables, this.candidates());
     this.figures.show(table, offeredFigures(info.search.figures, design.value, report.value, table));
-    const most = table.evaluations ?? OF_FILES;
+    const most = table.evaluations ?? info.search.evaluations;
     setNumber(this.evaluations, String(most));
     const missing = lacking(table);
     const whole = new Set(this.parameters.filter(({ kind }) => kind === "integer").map(({ key }) => `pattern.${key}`));
