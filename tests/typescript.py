@@ -8,6 +8,7 @@ import json
 import types
 from collections.abc import Iterator, Mapping, Sequence
 from typing import (
+    Annotated,
     Any,
     Literal,
     NotRequired,
@@ -19,6 +20,8 @@ from typing import (
 )
 
 from field_notes import field_notes
+
+from orishell.conventions.record import written_fields
 
 PLAIN = {
     str: "string",
@@ -65,6 +68,7 @@ def fits(value: Any, kind: Any) -> bool:
             items = value.values() if isinstance(value, dict) else value
             item = inner[1] if shape == "dict" else inner[0]
             return type(value).__name__ == shape and all(fits(each, item) for each in items)
+    kind = get_args(kind)[0] if get_origin(kind) is Annotated else kind
     number = kind is float and type(value) in {int, float}
     return number or kind in {Any, object} or type(value) is kind
 
@@ -74,6 +78,8 @@ def _shape(kind: Any) -> tuple[str, tuple[Any, ...]]:
     if _is_record(kind):
         return "record", ()
     origin, inner = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return _shape(inner[0])
     if origin is tuple and inner[-1:] == (...,):
         return "list", inner
     return SHAPES.get(origin, "plain"), inner
@@ -85,10 +91,10 @@ def _is_record(kind: Any) -> bool:
 
 def _fields(record: type) -> tuple[dict[str, Any], set[str]]:
     """Types of fields by name, and the names of those that are always there."""
-    fields = get_type_hints(record)
     if dataclasses.is_dataclass(record):
-        fields = {each.name: fields[each.name] for each in dataclasses.fields(record)}
+        fields = {key: each.kind for key, each in written_fields(record).items()}
         return fields, set(fields)
+    fields = get_type_hints(record)
     # Not __required_keys__, which does not see NotRequired in annotations that are text.
     marked = get_type_hints(record, include_extras=True)
     return fields, {name for name in fields if get_origin(marked[name]) is not NotRequired}
@@ -107,6 +113,9 @@ def _interface(record: type) -> str:
     fields, needed = _fields(record)
     text = inspect.getdoc(record) or ""
     notes = field_notes(record)
+    if dataclasses.is_dataclass(record):
+        names = {key: each.name for key, each in written_fields(record).items()}
+        notes = {key: notes[name] for key, name in names.items() if name in notes}
     lines = [f"/** {text.splitlines()[0]} */", f"export interface {record.__name__} {{"]
     for name, kind in fields.items():
         if name in notes:
@@ -131,5 +140,5 @@ def _written(kind: Any) -> str:
         case "dict", inner:
             text = f"Record<string, {_written(inner[1])}>"
         case _:
-            text = PLAIN[kind]
+            text = PLAIN[get_args(kind)[0] if get_origin(kind) is Annotated else kind]
     return text

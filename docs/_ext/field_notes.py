@@ -16,12 +16,15 @@ def field_notes(thing: type) -> dict[str, str]:
     """The note of each field of a class and of those it is made of.
 
     A comment stands behind its field, or above it; one above is also of the fields right below that
-    have none of their own.
+    have none of their own. A property that files have is explained by its docstring.
     """
     notes: dict[str, str] = {}
     for each in reversed(thing.__mro__):
         if each.__module__.startswith("orishell"):
             notes |= _own_notes(each)
+    for name in getattr(thing, "WRITTEN", ()):
+        if name not in notes and isinstance(given := getattr(thing, name), property):
+            notes[name] = (inspect.getdoc(given) or "").partition("\n")[0]
     return notes
 
 

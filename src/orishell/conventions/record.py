@@ -1,14 +1,24 @@
-"""Records: what functions return and take, unchangeable, and shown in one line at a prompt."""
+"""Records: what functions return and take, unchangeable; how a prompt and files show them."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TypeVar, dataclass_transform
+from typing import (
+    Annotated,
+    Any,
+    NamedTuple,
+    TypeVar,
+    dataclass_transform,
+    get_args,
+    get_type_hints,
+)
 
 import numpy as np
+
+from orishell.conventions.formatting import tidy_degrees
 
 SHOWN = 60
 """Characters that a part may take in the line of the whole; else its type is shown."""
@@ -60,3 +70,70 @@ def _short(part: object) -> str:
         return text
     size = len(part) if isinstance(part, Collection) and not isinstance(part, str) else "..."
     return f"{type(part).__name__}({size})"
+
+
+Angle = Annotated[float, "degrees in files"]
+"""An angle of a record: in radians here, in degrees and with ``_deg`` behind its name in files."""
+
+
+class Written(NamedTuple):
+    """A field or a property of a record that files have."""
+
+    name: str
+    kind: Any
+    angle: bool
+
+
+_KNOWN: dict[Any, dict[str, Written]] = {}
+
+
+def written_fields(kind: Any) -> dict[str, Written]:
+    """What files say of a record, by their keys.
+
+    All its public fields, or those fields and properties that its ``WRITTEN`` names.
+    """
+    if kind not in _KNOWN:
+        names = getattr(kind, "WRITTEN", None) or [each.name for each in fields(kind)]
+        found = (_written(kind, name) for name in names if not name.startswith("_"))
+        _KNOWN[kind] = {f"{each.name}_deg" if each.angle else each.name: each for each in found}
+    return _KNOWN[kind]
+
+
+def _written(kind: type, name: str) -> Written:
+    found = getattr(kind, name, None)
+    if isinstance(found, property):
+        type_ = get_type_hints(found.fget, include_extras=True)["return"]
+    else:
+        type_ = get_type_hints(kind, include_extras=True)[name]
+    return Written(name, type_, _is_angle(type_))
+
+
+def _is_angle(kind: Any) -> bool:
+    return kind == Angle or any(map(_is_angle, get_args(kind)))
+
+
+def as_table(thing: Any) -> Any:
+    """A record as files have it: nested tables, lists and plain values."""
+    match thing:
+        case np.ndarray() | np.generic():
+            return as_table(thing.tolist())
+        case tuple() | list():
+            return [as_table(each) for each in thing]
+        case Mapping():
+            return {key: as_table(each) for key, each in thing.items()}
+        case _ if is_dataclass(thing):
+            return {key: as_table(read_key(thing, key)) for key in written_fields(type(thing))}
+    return thing
+
+
+def read_key(thing: Any, key: str) -> Any:
+    """The value that files have under a key of a record."""
+    name, _, angle = written_fields(type(thing))[key]
+    value = getattr(thing, name)
+    return _tidy(value) if angle else value
+
+
+def _tidy(angles: Any) -> Any:
+    if isinstance(angles, tuple | list | np.ndarray):
+        return [_tidy(each) for each in angles]
+    return None if angles is None else tidy_degrees(angles)

@@ -8,9 +8,10 @@ import types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Union, get_args, get_origin, get_type_hints
+from typing import Any, Union, get_args, get_origin
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.record import Angle, read_key, written_fields
 from orishell.design_file.search import Limit
 from orishell.shell.report import Report
 from orishell.shell.steps import Step
@@ -63,7 +64,7 @@ def figure(name: str) -> Figure:
     def read_at(report: Report) -> float | None:
         value: Any = report
         for key in keys:
-            value = getattr(value, key) if value is not None else None
+            value = read_key(value, key) if value is not None else None
         return float(value) if isinstance(value, int | float) else None
 
     return Figure(name, "", _part_of(name), read_at)
@@ -174,13 +175,12 @@ def _keys() -> frozenset[str]:
 def _numbers(kind: Any, head: str) -> list[str]:
     if get_origin(kind) in (Union, types.UnionType):
         return [key for each in get_args(kind) for key in _numbers(each, head)]
-    if kind in (int, float):
+    if kind in (int, float, Angle):
         return [head]
     if not dataclasses.is_dataclass(kind):
         return []
-    hints = get_type_hints(kind)
     return [
-        key
-        for field in dataclasses.fields(kind)
-        for key in _numbers(hints[field.name], f"{head}.{field.name}" if head else field.name)
+        number
+        for key, field in written_fields(kind).items()
+        for number in _numbers(field.kind, f"{head}.{key}" if head else key)
     ]

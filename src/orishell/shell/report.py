@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
 
 import numpy as np
 
-from orishell.conventions.record import record
+from orishell.conventions.record import as_table, record
 from orishell.deployment.feet import Feet
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
@@ -127,7 +126,7 @@ class Report:
 
     def as_dict(self) -> dict[str, object]:
         """The report as nested tables for JSON, without ``chosen`` if there was no tolerance."""
-        tables = asdict(self)
+        tables: dict[str, object] = as_table(self)
         if self.chosen is None:
             del tables["chosen"]
         return tables
