@@ -253,6 +253,8 @@ export interface Example {
 export interface Family {
   label: string;
   what: string;
+  /** What the panels beside its inner columns are. */
+  borders: string;
   parameters: Parameter[];
 }
 
@@ -804,6 +806,8 @@ export interface SearchFound {
 /** What a search can be for. */
 export interface SearchInfo {
   figures: SearchFigure[];
+  /** Designs that are made at most where the table [search] does not say it. */
+  evaluations: number;
   /** The command that installs what a search needs; empty where that is installed. */
   install: string;
 }
@@ -1022,9 +1026,9 @@ export interface Trial {
   panels: number;
   /** Distance between shell and target surface, largest both ways (length). */
   error: number;
-  /** Edges of its panels (length). */
+  /** Edges of its panels in the flat sheet (length). */
   shortest: number;
-  /** Edges of its panels (length). */
+  /** Edges of its panels in the flat sheet (length). */
   longest: number;
 }
 
