@@ -21,7 +21,7 @@ const TABLES: Info["tables"] = {
   target: { label: "Curves", keys: {} },
   panel: { label: "Panels", keys: { thickness: { label: "Thickness", help: "", choices: {} } } },
 };
-const LABELS = new Labels({ one: { label: "", what: "", parameters: PARAMETERS } }, TABLES, () => "one");
+const LABELS = new Labels({ one: { label: "", what: "", borders: "", parameters: PARAMETERS } }, TABLES, () => "one");
 const design: Design = {
   shell: { family: "one", unit: "m" },
   target: { f: { formula: "-x**2", range: [-1, 1] }, g: { points: [[0, 0], [1, 0]] } },
