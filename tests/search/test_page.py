@@ -247,7 +247,7 @@ def test_a_stop_while_shells_are_drawn_writes_what_there_is_and_is_told(
 ) -> None:
     several = DESIGN.replace('"sheet_area"', '"deviation.f.max"')
     (tmp_path / "vault.toml").write_text(several)
-    monkeypatch.setattr("orishell.cli.search._pool", lambda *_: alone())
+    monkeypatch.setattr("orishell.search.local_processes", lambda *_: alone())
     drawn = pages._drawn
 
     def stopping(*job: Any) -> Any:

@@ -7,8 +7,7 @@ import sys
 from pathlib import Path
 
 from documents import FAMILIES
-from orishell.io.all_formats import find_formats
-from orishell.io.registry import ALL
+from orishell.io.formats import ALL, find_formats
 
 TESTS = Path(__file__).parents[2]
 DRAWINGS = ["dxf", "svg", "origami-simulator"]
@@ -18,8 +17,7 @@ from pathlib import Path
 sys.path.insert(0, {str(TESTS)!r})
 from documents import FAMILIES, demo_document, loaded_document, thick_document
 from orishell.io import Settings
-from orishell.io.registry import ALL
-from orishell.io.all_formats import find_formats
+from orishell.io.formats import ALL, find_formats
 from orishell.workshop import Workshop
 
 out = Path(sys.argv[1])
