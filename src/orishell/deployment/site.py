@@ -42,8 +42,12 @@ def find_site(
 
     Parameters
     ----------
+    feet
+        What it stands on; None if it cannot stand.
     built
         Its panels where they have a thickness: they are weighed.
+    unit
+        The unit of lengths of the design, such as "mm".
     areal_density
         Mass per area that is given instead (kg/m^2).
 

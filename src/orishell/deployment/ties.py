@@ -65,7 +65,7 @@ class Tie:
     WRITTEN = ("ends", "length", "flat", "packed", "grows", "slack", "fails_at")
 
     ends: VertexPair  # its vertices by row and column of the whole grid
-    # their distance at the target, in the flat sheet, and at the end of the motion
+    # their distance at the target, in the flat sheet, and at the end of the motion (length)
     length: float
     flat: float
     packed: float
