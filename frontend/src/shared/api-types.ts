@@ -310,6 +310,8 @@ export interface Example {
 export interface Family {
   label: string;
   what: string;
+  /** What the panels beside its inner columns are. */
+  borders: string;
   parameters: Parameter[];
 }
 
@@ -385,7 +387,7 @@ export interface FrontPage {
   /** Objectives of designs that keep all limits and are not on the front. */
   beaten: number[][];
   /** Objectives of the design that the file has; null if it cannot be made. */
-  begun_with: number[] | null;
+  baseline: number[] | null;
 }
 
 /** What is nearest to the end of what it bears, of all cases. */
@@ -868,6 +870,11 @@ export interface Row {
   finding: string;
 }
 
+/** The last line of the answer: the search has come to its end. */
+export interface SearchAnswer {
+  result: SearchState;
+}
+
 /** A figure that a search can make small, or keep within limits. */
 export interface SearchFigure {
   name: string;
@@ -889,20 +896,17 @@ export interface SearchFound {
 /** What a search can be for. */
 export interface SearchInfo {
   figures: SearchFigure[];
+  /** Designs that are made at most where the table [search] does not say it. */
+  evaluations: number;
   /** The command that installs what a search needs; empty where that is installed. */
   install: string;
-}
-
-/** The last line of the answer: the search has come to its end. */
-export interface SearchResult {
-  result: SearchState;
 }
 
 /** How far a search has come. */
 export interface SearchState {
   objectives: Objective[];
   /** The design as it was opened; null if it cannot be made. */
-  begun_with: SearchedDesign | null;
+  baseline: SearchedDesign | null;
   /** Those that keep all limits and were not sent before. */
   designs: SearchedDesign[];
   /** Those that no other beats, by their first objective. */
@@ -1040,9 +1044,9 @@ export interface Trial {
   panels: number;
   /** Distance between shell and target surface, largest both ways (length). */
   error: number;
-  /** Edges of its panels (length). */
+  /** Edges of its panels in the flat sheet (length). */
   shortest: number;
-  /** Edges of its panels (length). */
+  /** Edges of its panels in the flat sheet (length). */
   longest: number;
 }
 

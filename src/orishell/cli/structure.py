@@ -65,15 +65,18 @@ def _case(case: CaseResult, unit: str) -> Iterator[str]:
         yield f"  moves     it {case.moves}"
         return
     found = case.stands
-    yield f"  stands    {_displacement(found, unit)}"
+    most = found.displacement
+    yield (
+        f"  stands    displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % "
+        f"of its height, at panel {list(most.panel)} along {_components(most.vector, 3)}"
+    )
     yield from _forces(found, unit)
-    factor, frequencies = found.buckling, found.frequencies
-    buckling = "not" if factor is None else f"under {plain(factor)} times the loads"
-    yield f"  buckles   {buckling}"
-    if frequencies:
-        yield f"  frequency {', '.join(plain(each) for each in frequencies)} Hz"
-    missing = f"{found.residual:.1g} of the loads"
-    yield f"  balance   reactions {_vector(found.reaction)}, missing {missing}"
+    factor = found.buckling
+    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    if found.frequencies:
+        yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
+    reaction = _vector(found.reaction)
+    yield f"  balance   reactions {reaction}, missing {found.residual:.1g} of the loads"
 
 
 def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
@@ -99,15 +102,6 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
         f"  panels    {plain(found.stress.size)} N/{unit}2 at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
-    )
-
-
-def _displacement(found: Equilibrium | None, unit: str) -> str:
-    assert found is not None
-    most = found.displacement
-    return (
-        f"displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, at "
-        f"panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
 
 
@@ -174,7 +168,8 @@ def structure(
     if asked.structure is None:
         raise InputError(
             "there is no structure to analyse",
-            where=f"{file}: [structure]",
+            file=file,
+            keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
     with bar() as progress:

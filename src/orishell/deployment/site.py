@@ -68,7 +68,7 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
     if feet is None:
         raise InputError(
             "there are no feet to tie",
-            where="[deployment] ties",
+            keys=("deployment.ties",),
             got='"feet"',
             expected="a shell that stands on the two ends of f",
             remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",

@@ -153,7 +153,7 @@ def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> Vertex
     if fault:
         raise InputError(
             fault,
-            where="[deployment] ties",
+            keys=("deployment.ties",),
             got=f"rows and columns {list(first)}, {list(second)}",
             expected=f"two rows of 0 to {grid.rows - 1} in one column of {inner[0]} to {inner[-1]}",
             remedy="take two vertices of one column between the flaps, such as its feet",

@@ -45,10 +45,11 @@ def analyse_structure(
     if structure is None:
         raise InputError(
             "there is no structure to analyse",
-            where=f"{shell.file.path}: [structure]",
+            file=shell.file.path,
+            keys=("structure",),
             remedy="add the table [structure], or pass a Structure",
         )
     try:
         return load_shell(shell.design, shell.lock, shell.site, structure, progress)
     except InputError as error:
-        raise error.located(f"{shell.file.path}:") from None
+        raise error.in_file(shell.file.path) from None

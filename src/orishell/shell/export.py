@@ -102,7 +102,8 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
     if shell.analysis is None:
         raise InputError(
             "the shell was not analysed",
-            where=f"{shell.file.path}: [structure]",
+            file=shell.file.path,
+            keys=("structure",),
             remedy="add the table [structure]",
         )
     directory = path_of(directory, "write_structure: directory")

@@ -144,7 +144,7 @@ def _made(
     try:
         return _step_by_step(file, progress, clash, skip)
     except InputError as error:
-        raise error.located(f"{file.path}:") from None
+        raise error.in_file(file.path) from None
 
 
 def _step_by_step(
@@ -209,9 +209,7 @@ def _step_by_step(
         rows=file.pattern.rows,
         columns=file.pattern.columns,
         parameters=design.parameters,
-        chosen=None
-        if choice is None or file.tolerance is None
-        else describe_choice(choice, file.tolerance),
+        chosen=None if choice is None else describe_choice(choice),
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,
@@ -253,8 +251,7 @@ def _sized(file: DesignFile, progress: Progress) -> tuple[DesignFile, Choice | N
     """The file with rows and columns, and what they were chosen from if it has a tolerance."""
     if file.tolerance is None:
         return file, None
-    pattern, choice = meet_tolerance(file, file.tolerance, progress)
-    return file.sized(pattern), choice
+    return meet_tolerance(file, file.tolerance, progress)
 
 
 def _ended(

@@ -16,7 +16,6 @@ from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
-from orishell.families.pattern import Tolerance
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
@@ -137,9 +136,9 @@ def describe_assignment(design: Design, check: AssignmentCheck | None) -> Assign
     )
 
 
-def describe_choice(choice: Choice, tolerance: Tolerance) -> ChosenReport:
+def describe_choice(choice: Choice) -> ChosenReport:
     """What rows and columns were chosen from."""
-    trial = choice.trial
+    trial, tolerance = choice.trial, choice.tolerance
     return ChosenReport(
         tolerance=tolerance.surface,
         panel_min=tolerance.panel_min,

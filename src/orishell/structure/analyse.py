@@ -52,6 +52,7 @@ def analyse(
         raise InputError(
             "own weight is a load, and what panels weigh is not known",
             where="[[load_case]] self_weight",
+            keys=("load_case",),
             remedy="give density in [panel], or areal_density in [workshop]",
         )
     cells = structure.cells

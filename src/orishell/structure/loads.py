@@ -138,7 +138,7 @@ def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) ->
             if (asked := getattr(case, kind))
         )
     except InputError as error:
-        raise error.located(f'[[load_case]] "{case.name}":') from None
+        raise error.at_key("load_case", f'[[load_case]] "{case.name}":') from None
 
 
 def sum_forces(exposure: Exposure, loads: Sequence[Load]) -> Array:
