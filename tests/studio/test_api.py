@@ -16,7 +16,7 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
-from orishell.structure.case_report import GOVERNING
+from orishell.structure.equilibrium import GOVERNING
 from orishell.studio import api, search_api
 from orishell.studio.refusals import make_refusal
 from typescript import declarations, fits
@@ -31,7 +31,7 @@ HEAD = """\
 
 """
 WORDS_HEAD = """\
-// Words that every page has, those without a server too, from orishell.structure.case_report.
+// Words that every page has, those without a server too, from orishell.structure.equilibrium.
 // Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 

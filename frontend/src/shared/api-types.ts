@@ -8,6 +8,20 @@ export interface Advance {
   what: string;
 }
 
+/** The shell as a structure. */
+export interface Analysis {
+  /** What is analysed. */
+  model: Model;
+  /** All load cases, those with the least stiffness of creases first. */
+  cases: CaseResult[];
+  /** What is nearest to the end of what it bears; None if that of nothing is known. */
+  governs: Governing | null;
+  /** Sentences an engineer should read. */
+  warnings: string[];
+  /** What the analysis says nothing of. */
+  not_covered: string[];
+}
+
 /** The surface that ever finer shells approach, where it is not f swept along g. */
 export interface ApproachReport {
   /** What it is. */
@@ -60,19 +74,19 @@ export interface BoxReport {
 }
 
 /** A load case with one stiffness of creases. */
-export interface CaseReport {
+export interface CaseResult {
   /** The case. */
   name: string;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
   /** What loads it, kind by kind. */
-  loads: LoadReport[];
+  loads: Load[];
   /** Sum of all loads. */
   load: [number, number, number];
   /** How it moves, where nothing resists; None if it stands. */
   moves: string | null;
   /** How it stands; None if it does not. */
-  stands: StandingReport | null;
+  stands: Equilibrium | null;
 }
 
 /** How rows and columns were chosen. */
@@ -135,7 +149,7 @@ export interface CreaseLength {
 }
 
 /** The crease with the largest moment. */
-export interface CreaseReport {
+export interface CreaseMoment {
   /** Per length. */
   moment: number;
   /** The two panels beside it. */
@@ -214,7 +228,7 @@ export interface DeviationReport {
 }
 
 /** The largest displacement. */
-export interface DisplacementReport {
+export interface Displacement {
   /** How large it is. */
   size: number;
   /** Along x, y and z. */
@@ -254,6 +268,34 @@ export interface DrawnSheet {
 export interface DroppedCurve {
   table: CurveFields;
   note: string;
+}
+
+/** A shell that stands under its loads. */
+export interface Equilibrium {
+  /** Sum of all reactions. */
+  reaction: [number, number, number];
+  /** What is missing between loads and reactions, of forces and moments the larger, relative to the loads. */
+  residual: number;
+  /** The largest. */
+  displacement: Displacement;
+  /** Of all supported vertices. */
+  reactions: Reaction[];
+  /** The largest share of the friction of the ground that a foot uses; None where none is rough. */
+  friction: number | null;
+  /** Forces in ties, the largest first. */
+  ties: PairForce[];
+  /** Forces of flaps that press on each other, the largest first. */
+  flaps: PairForce[];
+  /** The largest moment about a crease; None where they are free. */
+  crease: CreaseMoment | null;
+  /** The largest. */
+  stress: Stress;
+  /** Of panels, creases and ties. */
+  utilisation: Utilisation;
+  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
+  buckling: number | null;
+  /** The lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and free motions, which have none. */
+  frequencies: number[];
 }
 
 /** A design to begin with: its tables, and the text of its file. */
@@ -347,7 +389,7 @@ export interface FrontPage {
 }
 
 /** What is nearest to the end of what it bears, of all cases. */
-export interface GoverningReport {
+export interface Governing {
   /** What it is. */
   part: "panels" | "creases" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
@@ -418,8 +460,8 @@ export interface LayerPen {
   colour: string;
 }
 
-/** A load of a case. */
-export interface LoadReport {
+/** What one kind of load adds to a case. */
+export interface Load {
   /** The case that has it: another one where that is combined. */
   case: string;
   /** By which it is combined. */
@@ -469,12 +511,12 @@ export interface MeetingReport {
 }
 
 /** What is analysed. */
-export interface ModelReport {
-  /** Size of the mesh. */
+export interface Model {
+  /** Nodes of the mesh. */
   nodes: number;
-  /** Size of the mesh. */
+  /** Triangles of the mesh. */
   triangles: number;
-  /** Size of the mesh. */
+  /** Degrees of freedom of the mesh. */
   freedoms: number;
   /** By what share the largest displacement of a case changed when cells were halved for the last time. */
   change: number;
@@ -484,28 +526,28 @@ export interface ModelReport {
   height: number;
   /** Of panels. */
   thickness: number;
-  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  /** Young's modulus of panels or boards, of their section as a whole (force per area). */
   modulus: number;
-  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  /** Poisson's ratio of panels. */
   poisson: number;
-  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  /** Young's modulus of the membrane between boards; 0 if it is not counted (force per area). */
   membrane_modulus: number;
-  /** Of the sections of panels, the least and the largest: force per length by strain, and moment per length by curvature. */
+  /** Of the sections of panels, the least and the largest: force per length by strain. */
   membrane_stiffness: [number, number];
-  /** Of the sections of panels, the least and the largest: force per length by strain, and moment per length by curvature. */
+  /** Of the sections of panels, the least and the largest: moment per length by curvature. */
   bending_stiffness: [number, number];
   /** The least and the largest with which all is analysed. */
   crease_stiffness: [number | "free" | "rigid", number | "free" | "rigid"];
   /** Force by strain; None if ties do not stretch. */
   tie_stiffness: number | null;
-  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  /** What panels bear; None if that is not known (force per area). */
   strength: number | null;
-  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  /** What creases bear: moment per length; None if that is not known (force). */
   crease_strength: number | null;
-  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
-  /** What holds the shell. */
-  supports: SupportReport[];
+  /** What holds it. */
+  supports: Support[];
 }
 
 /** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
@@ -589,7 +631,7 @@ export interface PageMember {
 }
 
 /** The force between two vertices: of a tie, or of two panels of a flap on each other. */
-export interface PairReport {
+export interface PairForce {
   /** The vertices. */
   ends: [[number, number], [number, number]];
   /** How much a tie pulls, or flaps push. */
@@ -733,7 +775,7 @@ export interface Ranges {
 }
 
 /** The force of a support on the shell. */
-export interface ReactionReport {
+export interface Reaction {
   /** The supported vertex. */
   at: [number, number];
   /** Along x, y and z. */
@@ -792,7 +834,7 @@ export interface Report {
   /** Panels as they are built; None if they have no thickness. */
   panel: PanelReport | null;
   /** The shell as a structure; None if it was not analysed. */
-  structure: StructureReport | null;
+  structure: Analysis | null;
   /** Bill of quantities. */
   quantities: Quantities;
   /** The findings, worst first. */
@@ -914,34 +956,6 @@ export interface SheetsResult {
   result: Sheets;
 }
 
-/** A shell that stands under its loads. */
-export interface StandingReport {
-  /** Sum of all reactions. */
-  reaction: [number, number, number];
-  /** What is missing between loads and reactions, of forces and moments the larger, relative to the loads. */
-  residual: number;
-  /** The largest. */
-  displacement: DisplacementReport;
-  /** Of all supported vertices. */
-  reactions: ReactionReport[];
-  /** The largest share of the friction of the ground that a foot uses; None where none is rough. */
-  friction: number | null;
-  /** Forces in ties, the largest first. */
-  ties: PairReport[];
-  /** Forces of flaps that press on each other, the largest first. */
-  flaps: PairReport[];
-  /** The largest moment about a crease; None where they are free. */
-  crease: CreaseReport | null;
-  /** The largest. */
-  stress: StressReport;
-  /** Of panels, creases and ties. */
-  utilisation: UtilisationReport;
-  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
-  buckling: number | null;
-  /** The lowest natural frequencies (Hz). */
-  frequencies: number[];
-}
-
 /** What it gains and costs to take a neighbour on the front instead. */
 export interface Step {
   /** Number of the neighbour. */
@@ -951,7 +965,7 @@ export interface Step {
 }
 
 /** The largest stress in panels. */
-export interface StressReport {
+export interface Stress {
   /** Von Mises' stress. */
   size: number;
   /** Where. */
@@ -964,22 +978,8 @@ export interface StressReport {
   least: number;
 }
 
-/** The shell as a structure. */
-export interface StructureReport {
-  /** What is analysed. */
-  model: ModelReport;
-  /** All load cases, those with the least stiffness of creases first. */
-  cases: CaseReport[];
-  /** What is nearest to the end of what it bears; None if that of nothing is known. */
-  governs: GoverningReport | null;
-  /** Sentences an engineer should read. */
-  warnings: string[];
-  /** What the analysis says nothing of. */
-  not_covered: string[];
-}
-
 /** What holds some vertices. */
-export interface SupportReport {
+export interface Support {
   /** The rows that are feet, the first and last columns, or vertices. */
   at: "feet" | "ends" | [number, number][];
   /** How they are held. */
@@ -1047,7 +1047,7 @@ export interface Trial {
 }
 
 /** Shares of what is borne, by what can be borne. */
-export interface UtilisationReport {
+export interface Utilisation {
   /** Of their strength; None where that is not known. */
   panels: number | null;
   /** Of their strength; None where that is not known. */

@@ -22,7 +22,7 @@ from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.row import Row
 from orishell.shell.size_trials import Choice, Trial
-from orishell.structure.report import StructureReport
+from orishell.structure.results import Analysis
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
 
@@ -107,7 +107,7 @@ class Report:
     deployed: BoxReport
     deployment: DeploymentReport  # how it is deployed and held, and how small it packs
     panel: PanelReport | None  # panels as they are built; None if they have no thickness
-    structure: StructureReport | None  # the shell as a structure; None if it was not analysed
+    structure: Analysis | None  # the shell as a structure; None if it was not analysed
     quantities: Quantities  # bill of quantities
     verdict: tuple[Row, ...] = ()  # the findings, worst first
 
