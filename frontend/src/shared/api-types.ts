@@ -486,7 +486,7 @@ export interface Lock {
   cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
-  /** Mean distance of inner vertices from the line between those above and below, at the target state (length). */
+  /** At the target, the mean distance (length) of inner vertices from the line between those above and below. */
   corrugation_depth: number;
   /** The panels that touch first, if any do. */
   first_contact: Contact | null;

@@ -80,8 +80,8 @@ class Lock:
     cause: Cause | None
     first_contact: Contact | None  # the panels that touch first, if any do
     target_drive: Angle  # where the shell meets its target
-    # mean distance of inner vertices from the line between those above and below, at the target
-    # state (length)
+    # at the target, the mean distance (length) of inner vertices from the line between those above
+    # and below
     corrugation_depth: float
     # pairs of panels that touch at the end of the motion and are not meant to
     touching_at_end: tuple[tuple[Panel, Panel], ...]
