@@ -23,7 +23,7 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     Directions,
     repeat_columns,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import InnerLengths
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.locking import find_lock

@@ -25,7 +25,7 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx.ext.doctest",  # what it shows is run by pytest
     "sphinx.ext.viewcode",
-    "house",
+    "architecture",
     "lean_pictures",
     "live_shells",
     "mathml",

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from orishell import Shell, design_shell, write_shell
-from orishell.io.all_formats import find_formats
+from orishell.io.formats import find_formats
 
 
 def design() -> Shell:

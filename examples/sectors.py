@@ -38,8 +38,8 @@ def main() -> None:
     report = cosine().report
     first, last = np.asarray(report.parameters["radius"], float)
     print(f"cosine version: rolls up, radius {first:.3f} at column 1, {last:.3f} at column 9")
-    lock = report.lock
-    print(f"panels first touch at {lock.drive_deg:.4f} degrees of v_1: the last frame")
+    meet = np.rad2deg(report.lock.drive or np.nan)
+    print(f"panels first touch at {meet:.4f} degrees of v_1: the last frame")
     motion, end = sine()
     residuals, _ = measure_residuals(motion, motion.flat)
     print(f"sine version: panels keep their lengths to {residuals.panel_length:.1e}")

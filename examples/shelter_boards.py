@@ -6,6 +6,7 @@ it.
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 from orishell import Shell, design_shell
@@ -29,7 +30,7 @@ def measure(shell: Shell) -> dict[str, float]:
     assert packed is not None
     return {
         "boards": panel.boards,
-        "largest fold": panel.largest_fold_deg,
+        "largest fold": math.degrees(panel.largest_fold),
         "largest set-back": panel.largest_setback,
         "stop of flaps": panel.stop_deg,
         "corners cut": panel.corners_cut,

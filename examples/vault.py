@@ -27,8 +27,8 @@ def measure(shell: Shell) -> dict[str, float]:
         "smallest radius": last,
         "growth": first / last,
         "span": float(np.linalg.norm(inner[-1, 0] - inner[0, 0])),
-        "stage_deg": shell.report.lock.target_drive_deg,
-        "contact_deg": shell.report.lock.drive_deg or np.nan,
+        "stage_deg": np.rad2deg(shell.report.lock.target_drive),
+        "contact_deg": np.rad2deg(shell.report.lock.drive or np.nan),
     }
 
 

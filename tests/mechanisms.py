@@ -26,10 +26,10 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
-    InnerLengths,
+    Wanted,
     find_even_lengths,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
 from orishell.motion import Mechanism

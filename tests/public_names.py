@@ -23,15 +23,13 @@ ALSO = (
     "orishell.conventions.errors",
     "orishell.io.format",
     "orishell.io.formats",
-    "orishell.io.all_formats",
     "orishell.motion.boards",
     "orishell.motion.grid",
     "orishell.motion.mesh",
     "orishell.motion.quads",
     "orishell.studio.notebook",
-    "orishell.workshop.draw",
 )
-"""Rooms of listed packages that their packages leave to those who ask for them by name."""
+"""Modules whose names are imported from them, not from the package around them."""
 
 
 @cache

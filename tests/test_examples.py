@@ -12,6 +12,7 @@ import pytest
 
 from orishell import Shell
 from orishell.deployment import find_pack
+from orishell.design import Setback
 from orishell.design_file import read_design_file
 from orishell.motion import extents, sheet_area
 from orishell.numerics.arrays import Array
@@ -92,13 +93,13 @@ def test_ends_as_it_says(example: Example) -> None:
     assert not example.shell.lock.early
     if example.name == "vault":
         assert lock.cause == "clash"
-        assert lock.drive_deg is not None
-        assert lock.target_drive_deg < lock.drive_deg
+        assert lock.drive is not None
+        assert lock.target_drive < lock.drive
     else:
         cause = "crease" if example.name == "shelter" else "flaps"
-        assert (lock.cause, lock.drive_deg, lock.touching_at_end) == (cause, 180.0, ())
+        assert (lock.cause, lock.drive, lock.touching_at_end) == (cause, np.pi, ())
         assert lock.first_contact is not None
-        assert lock.first_contact.clear_until_deg == pytest.approx(180, abs=1e-3)
+        assert np.rad2deg(lock.first_contact.clear_until) == pytest.approx(180, abs=1e-3)
 
 
 def test_panels_are_of_a_size_to_carry(example: Example) -> None:
@@ -143,7 +144,7 @@ def test_shelter_travels() -> None:
     assert size["pack height"] < 0.0002
     assert size["layers"] == 72  # of 10 mm: 0.72 m, as its design file says
     assert shell.motion.pack == shell.lock.closes_to
-    assert shell.lock.proof is not None
+    assert shell.lock.path is not None
     assert shell.report.warnings == ()
 
 
@@ -156,9 +157,9 @@ def test_shelter_is_held() -> None:
     assert (deployment.closing, deployment.opening) == ("clipped flaps", "ties")
     assert size["ties"] == len(deployment.ties) == 13
     assert deployment.weight is not None
-    (tipping,) = deployment.weight.tipping_deg
+    (tipping,) = np.rad2deg(deployment.weight.tipping)
     # It would fall flat if it were opened by 6 degrees more.
-    assert 5 < shelter.shell.report.lock.target_drive_deg - tipping < 6
+    assert 5 < np.rad2deg(shelter.shell.report.lock.target_drive) - tipping < 6
 
 
 def test_shelter_is_cut_from_boards() -> None:
@@ -284,7 +285,10 @@ def test_shelter_of_boards(
     assert size["board area"] / (2.44 * 1.22) < size["sheets of board"] == 41
     # With shorter set-backs a larger one, as the design file says.
     sheet = shell.design.mechanism
-    box = find_pack(sheet, drive_for_height(sheet, 0.005, setback=0.05, gap=0.004), 5, 0.010).box
+    assert shell.design.panel is not None
+    build = shell.design.panel.having(largest_setback=Setback(length=0.05))
+    assert (build.height, build.gap) == (0.005, 0.004)
+    box = find_pack(sheet, drive_for_height(sheet, build), 5, 0.010).box
     assert [box.length, box.width, box.height] == pytest.approx([3.2, 2.2, 1.3], abs=0.05)
     # Flaps stop where set-backs of their boards take half of the way between their row creases.
     assert size["stop of flaps"] == pytest.approx(5.55, abs=1e-9)

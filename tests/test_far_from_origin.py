@@ -17,8 +17,8 @@ from orishell.curves import nearby_origin, trace_curve
 from orishell.design_file.file import check_design
 from orishell.deviation import measure_deviation
 from orishell.io import read_fold
-from orishell.io.all_formats import find_formats
 from orishell.io.format import Settings
+from orishell.io.formats import find_formats
 from orishell.io.view import dump_view
 from orishell.shell.export import convert_fold, write_format
 from orishell.shell.make import Shell, make_shell

@@ -120,8 +120,8 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
     ran(sys.executable, "-m", "venv", tmp_path / "environment", where=nowhere)
     python = tmp_path / "environment" / "bin" / "python"
     command = python.with_name("orishell")
-    install = (python, "-m", "pip", "install", "--quiet", "--no-compile")
-    install = (*install, "-c", ROOT / "constraints.txt")
+    quickly = ("install", "--quiet", "--no-compile", "-c", ROOT / "constraints.txt")
+    install = (python, "-m", "pip", *quickly)
     ran(*install, f"{wheel}[studio]", where=nowhere)
 
     ran(command, "new", "parallel-repeating", "shell.toml", where=nowhere)

@@ -25,7 +25,7 @@ from orishell import (
 from orishell.conventions.errors import InputError
 from orishell.document.from_design import document_of_design
 from orishell.io import DEFAULT_SETTINGS, read_fold, write_fold
-from orishell.io.all_formats import FORMATS
+from orishell.io.formats import all_formats
 from orishell.io.formats.html import read_viewer
 from orishell.io.view import dump_view
 from orishell.shell.export import write_format, write_shell, write_structure
@@ -93,7 +93,7 @@ def test_what_has_too_little_to_be_shown_or_written_says_what_to_call(tmp_path: 
     for thing in others:
         with pytest.raises(InputError, match="expected a Shell, a Design or a Document"):
             show(thing)
-    html = next(each for each in FORMATS if each.name == "html")
+    html = next(each for each in all_formats() if each.name == "html")
     with pytest.raises(InputError, match=r"got Design, .* design_shell .*document_of_design"):
         write_shell(design, tmp_path / "out")
     with pytest.raises(InputError, match="document_of_design"):

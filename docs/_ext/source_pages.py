@@ -1,6 +1,6 @@
-"""The contents beside pages of sources, which differ by the depth of a page only: made once for each.
+"""The contents beside pages of sources, which differ by the depth of a page only.
 
-Resolved for each of them, they took a sixth of the time of a build.
+They are made once for each depth. For each page they took a sixth of the time of a build.
 """
 
 from __future__ import annotations

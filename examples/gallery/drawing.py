@@ -17,7 +17,6 @@ from orishell.deployment import Tie
 from orishell.motion import panel_normals
 from orishell.motion.grid import CreaseValues
 from orishell.plot.scene import Camera, frame
-from orishell.shell.deployment_report import TieReport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -111,7 +110,7 @@ def draw_line(axes: Axes, points: Array, view: Camera, colour: str, label: str =
     axes.plot(*picture.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
 
 
-def draw_ties(axes: Axes, positions: Array, ties: Sequence[Tie | TieReport], view: Camera) -> None:
+def draw_ties(axes: Axes, positions: Array, ties: Sequence[Tie], view: Camera) -> None:
     """Draw ties on the ground below a shell: as waves while they are slack, straight when taut."""
     share = np.linspace(0, 1, 20 * WAVES + 1)
     for tie in ties:

@@ -8,6 +8,8 @@ Its sheet is a piece of a ring, too, hardly more than half of one: it winds up a
 .. live:: canopy
 """
 
+import math
+
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, LOCKED, camera, draw_pattern, draw_shell, same_scale
 
@@ -19,7 +21,8 @@ from orishell.shell.steps import MEASURES
 file = read_design_file(EXAMPLES / "canopy.toml")
 shell = make_shell(file, skip=MEASURES)
 sheet = shell.design.mechanism
-print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees")
+lock = shell.lock
+print(f"lock: {lock.cause} at {math.degrees(lock.drive or math.nan)} degrees")
 
 # %%
 # Its ends come round until they face each other across the entrance.

@@ -7,6 +7,8 @@ over a winding path (``examples/from_dxf.toml``, parallel repeating) and that of
 (``examples/from_svg.toml``, orthodiagonal).
 """
 
+import math
+
 import matplotlib.pyplot as plt
 from drawing import (
     EXAMPLES,
@@ -37,7 +39,7 @@ def draw(name: str, view: Camera) -> None:
     draw_line(right, shell.design.targets["g"], view, G_COLOUR, "g")
     right.legend(frameon=False, loc="upper right")
     lock = shell.report.lock
-    print(f"{name}: {lock.cause} at {lock.drive_deg} degrees")
+    print(f"{name}: {lock.cause} at {math.degrees(lock.drive or math.nan)} degrees")
 
 
 # %%

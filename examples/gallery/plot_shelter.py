@@ -3,9 +3,9 @@ An emergency shelter
 ====================
 
 A clear floor of 3 m by 6 m, two metres of headroom, level ground: ``examples/shelter.toml``. It is
-pulled open from a bundle until its ties are taut. The g of this orthodiagonal shell is a zigzag,
-so that its columns turn to and fro: that stiffens it lengthwise, and ties all its rows to one
-motion.
+pulled open from a bundle until its ties are taut. The g of this orthodiagonal shell is a zigzag, so
+its columns turn alternately to either side. That stiffens it lengthwise, and joins all its rows in
+one motion.
 
 .. live:: shelter
 """
@@ -29,8 +29,8 @@ print(f"at its target: {shell.report.deployed}")
 print(f"{slack} ties, proved to be slack from the pack to there")
 
 # %%
-# From the pack over the target, where ties are taut, to the flat sheet, in which it is made. On the
-# way no two panels touch: that is proved, not sampled.
+# From the pack over the target, where ties are taut, to the flat sheet, in which it is made. No two
+# panels touch on the way: that is proved, not sampled.
 
 figure, frames = plt.subplots(2, 3, figsize=(12, 6.4), layout="constrained")
 target = np.rad2deg(sheet.target_drive)
@@ -43,9 +43,9 @@ for axes, degrees in zip(frames.flat, (178, 165, 130, target, 50, 0), strict=Tru
 same_scale(list(frames.flat))
 
 # %%
-# Ties stop the opening, boards that are clipped on as flaps stop the closing. Own weight closes
-# the shell at its target with 31 N, which the flaps carry. Opened 6 degrees further it would fall
-# flat, if there were no ties: at the point in the picture it falls to either side.
+# Ties stop the shell opening, and boards clipped on as flaps stop it closing. Its own weight closes
+# it at its target with 31 N, which the flaps carry. Without ties it would fall flat if it opened 6
+# degrees further: at the point in the picture it tips to either side.
 
 figure, axes = plt.subplots(figsize=(8, 5.2), layout="constrained")
 weight = weight_of(deployment, shell.lock)
@@ -54,9 +54,9 @@ draw_weight(axes, weight)
 figure.legend(loc="outside lower center", ncols=2, frameon=False)
 
 # %%
-# How small it packs depends on how far its creases close. Panels have no thickness here. Of boards
-# of 10 mm the 72 that lie on each other would be 0.72 m thick at least, and so would the bundle: it
-# is designed with them in :doc:`plot_shelter_boards`.
+# The pack depends on how far its creases close. Panels have no thickness here. With 10 mm boards
+# the 72 layers of the bundle would be at least 0.72 m thick. :doc:`plot_shelter_boards` has the
+# design with boards.
 
 drives = np.linspace(sheet.target_drive, pack, 200)
 folds = np.rad2deg(largest_fold(sheet, drives))

@@ -21,6 +21,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from orishell.deployment import find_pack
+from orishell.design import Setback
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.hinge_section import find_hinge_section
 from orishell.plot.scene import WIDTH
@@ -61,7 +62,8 @@ same_scale(list(frames))
 
 setbacks = np.linspace(0.03, 0.19, 9)
 thickness = document.panel.thickness
-ends = [drive_for_height(sheet, 0.5 * thickness, setback=each, gap=0.004) for each in setbacks]
+builds = [document.panel.having(largest_setback=Setback(length=each)) for each in setbacks]
+ends = [drive_for_height(sheet, build) for build in builds]
 volumes = [find_pack(sheet, end, 3, thickness).box.volume for end in ends]
 figure, axes = plt.subplots(figsize=(8, 4), layout="constrained")
 axes.plot(1000 * setbacks, volumes, marker="o")

@@ -2,13 +2,12 @@
 Which shelter is best
 =====================
 
-Light, small when it travels, stiff under snow: no shelter is all of that. So
-``examples/shelter_search.toml`` says what may change in a shelter of plywood on fabric hinges, how
-thick its panels are, how deep it is folded and how many rows it has, and what is to be small: mass,
-packed volume and the largest displacement under snow of 0.5 kN per square metre, which may not be
-more than 60 mm. None may buckle or break. ``orishell search`` takes minutes for that; the shelters
-that it made are kept in
-``examples/shelter_search/journal.jsonl``, and here they are looked up.
+A shelter should be light, small when it travels, and stiff under snow; none is all of that.
+``examples/shelter_search.toml`` lists what may change in a shelter of plywood on fabric hinges: the
+thickness of its panels, the depth of its folds and the number of its rows. Three figures should be
+small: mass, packed volume and the largest displacement under snow of 0.5 kN per square metre, which
+is at most 60 mm. No shelter may buckle or break. ``orishell search`` takes minutes for this. Its
+shelters are kept in ``examples/shelter_search/journal.jsonl`` and looked up here.
 :doc:`/guide/searching` says how it is done.
 
 .. live:: shelter_search
@@ -37,8 +36,8 @@ for reason, count in reasons(problem, found.outcomes):
     print(f"{count}: {reason}")
 
 # %%
-# Blue are those that no other beats in all three at once. One that seems to be beaten in one
-# picture is not in another.
+# The blue shelters are not beaten in all three figures at once. A shelter that seems to be beaten
+# in one picture is not beaten in another.
 
 with TemporaryDirectory() as directory:
     path = Path(directory) / "front.png"
@@ -62,9 +61,9 @@ for name in ("stiffest", "smallest pack"):
 
 # %%
 # Their shells at the target, to one scale. The stiffest has a ridge along its crown, the one that
-# packs smallest a valley: which of two zigzags the shell takes follows from rows and depth, and was
-# never asked for. At the same mass a ridge gives way far less, and packs larger: that is the leap
-# in the picture of mass and deflection. A front with a leap in it is worth such a look.
+# packs smallest a valley. Rows and depth decide which of two zigzags the shell takes; the search
+# did not ask for either. At the same mass a ridge deflects far less, and packs larger: that is the
+# leap in the picture of mass and deflection. A leap in a front is worth such a look.
 
 shown = {name: picked[name] for name in ("smallest pack", "knee", "stiffest")}
 figure, frames = plt.subplots(1, len(shown), figsize=(13, 4.2), layout="constrained")

@@ -5,8 +5,9 @@ Does the shelter stand
 The :doc:`shelter of boards <plot_shelter_boards>` under its own weight, snow of 0.5 kN on every
 square metre of ground and wind of 26 m/s, across it and along it
 (``examples/shelter_structure.toml``). Its feet are anchored. Loads are combined with factors like
-those of EN 1990; these, and the pressure coefficients of the wind, are for the user to say: the
-program has no code's. The answer is linear theory, a first design that signs nothing.
+those of EN 1990. You choose these factors and the pressure coefficients of the wind; the program
+has none from a code. This is linear analysis for early design. It does not replace an engineer's
+check.
 
 .. live:: shelter_structure
 """
@@ -46,25 +47,26 @@ def show(shell: Shell) -> None:
 
 
 # %%
-# **Boards of 10 mm twin-wall do not carry it.** With free creases they are far too soft in a storm;
-# with rigid ones the shell buckles under a fiftieth of it. The figures of metres only say that
-# linear theory ended long before.
+# **Boards of 10 mm twin-wall fail.** With free creases they are far too soft in a storm. With rigid
+# ones the shell buckles under a fiftieth of it. Displacements of metres only show that linear
+# analysis ended long before.
 
 boards = design()
 show(boards)
 
 # %%
-# What ``orishell structure`` prints of it; ``--out`` writes that as a page, ``structure.html``.
-# What governs is buckling, under the storm across the shelter. The crease that bears most is one
-# near the lee gable in the storm along it, between panels [7, 10] and [8, 10]. Ties have nothing to
-# do while feet are anchored.
+# This is what ``orishell structure`` prints; ``--out`` writes it as a page, ``structure.html``.
+# Buckling governs, under the storm across the shelter. The crease with the largest moment is near
+# the lee gable in the storm along it, between panels [7, 10] and [8, 10]. Ties carry nothing while
+# feet are anchored.
 
 report = boards.report.structure
 print("\n".join(summarize_structure(report, "m", [])))
 
 # %%
-# What carries it, then? The same shelter of other panels, with rigid creases: displacements below 5
-# % of the height, a buckling factor of at least 3, and less than all of the strength in every case.
+# Which panels carry it? The same shelter with other panels and rigid creases should have
+# displacements below 5 % of the height, a buckling factor of at least 3, and a utilisation below 1
+# in every case.
 
 print(example["HEAD"])
 print(row("twin-wall, 10 mm, the kit", judge(boards, with_creases(boards))))
@@ -73,13 +75,13 @@ for panel in example["PANELS"]:
     print(row(panel.name, judge(shell, with_creases(shell))))
 
 # %%
-# Plywood of 15 mm does, and a light sandwich of glass fibre on foam. Values are of makers' sheets
-# and handbooks, rounded down (``examples/shelter_structure.py``). Plates are taken without
-# set-backs. A bundle of 72 plates of 15 mm is at least 1.1 m thick.
+# Plywood of 15 mm carries it, and so does a light sandwich of glass fibre on foam. Values come from
+# makers' sheets and handbooks, rounded down (``examples/shelter_structure.py``). Plates have no
+# set-backs here. A bundle of 72 plates of 15 mm is at least 1.1 m thick.
 #
-# But creases must not turn. How stiff they must be, in N m per metre and radian: 2e4 is what a
-# strip of that plywood 0.1 m wide has, so hinges have to be locked by straps or battens once the
-# shell is open.
+# But creases must not turn. The table varies their stiffness, in N m per metre and radian. A strip
+# of that plywood 0.1 m wide has 2e4, so straps or battens have to lock the hinges once the shell is
+# open.
 
 plywood = design(example["PLYWOOD"])
 print(example["HEAD"].replace("rigid creases", "plywood, 15 mm"))
@@ -88,14 +90,14 @@ for stiffness in (0.0, 1e3, 1e4, 2e4, float("inf")):
     print(row(f"creases of {stiffness:g}", found))
 
 # %%
-# Cells half as large change displacements by 1 to 6 % and buckling factors by up to a tenth; the
-# largest stresses nearly double: they are at corners of panels, where they have no limit, and say
-# little. A detail there needs more than plates.
+# Cells half as large change displacements by 1 to 6 % and buckling factors by up to a tenth. The
+# largest stresses nearly double: they are at corners of panels, where they have no limit, so they
+# say little. Details there need more than a model of plates.
 
 print(row("rigid, twice the cells", judge(plywood, with_creases(plywood, cells=8))))
 
 # %%
-# Where the plywood shelter bears most: the picture of its loads, and what governs.
+# The plywood shelter under its loads, and what governs it.
 
 asked = plywood.file.structure.having(crease_stiffness=(2e4, 2e4))
 shell = make_shell(
@@ -109,10 +111,10 @@ assert report is not None
 print("\n".join(summarize_structure(report, "m", [])))
 
 # %%
-# **Not anchored** it does not stay: wind lifts more than it weighs, and carries it off. Under snow
-# alone ties do their work, on smooth ground all of it: the first one, at a gable, most. On ground
-# with a coefficient of friction of 0.3 feet would have to stick with three times of what they have,
-# so they slip until ties bear nearly as much.
+# **Without anchors** it does not stay: the wind's uplift exceeds its weight and carries it off.
+# Under snow alone ties work, on smooth ground with the whole thrust, most of all the first one, at
+# a gable. With a coefficient of friction of 0.3 feet would need three times the friction they have,
+# so they slip until ties carry nearly as much.
 
 for case in on_the_ground(plywood, 0.0).cases:
     answer = "is carried off" if case.motion else f"stands, ties bear {case.tie_forces.max():.0f} N"

@@ -2,11 +2,13 @@
 A covered way round a bend
 ==========================
 
-A ridged section swept along a circle of 8 m: ``examples/tunnel.toml``, parallel repeating. The
-rows of a locked shell of this family are level whatever g does, so it stands on even ground.
+A ridged section swept along a circle of 8 m: ``examples/tunnel.toml``, parallel repeating. In
+this family the rows of a locked shell are level for any g, so it stands on even ground.
 
 .. live:: tunnel
 """
+
+import math
 
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, LOCKED, camera, draw_pattern, draw_shell, same_scale
@@ -19,7 +21,8 @@ from orishell.shell.steps import MEASURES
 file = read_design_file(EXAMPLES / "tunnel.toml")
 shell = make_shell(file, skip=MEASURES)
 sheet = shell.design.mechanism
-print(f"lock: {shell.report.lock.cause} at {shell.report.lock.drive_deg} degrees")
+lock = shell.lock
+print(f"lock: {lock.cause} at {math.degrees(lock.drive or math.nan)} degrees")
 
 # %%
 # It bends while it folds: the flat sheet turns by sin(ξ/2) of the angle by which g turns.

@@ -3,11 +3,13 @@ A growing vault
 ===============
 
 Circular sections whose radius grows along the vault: ``examples/vault.toml``, of the third family.
-No flaps lock it; it is stopped where its first section meets f, and would roll on until its rims
-touch.
+No flaps lock it. Its supports hold it where its first section meets f; without them it would roll
+on until its rims touch.
 
 .. live:: vault
 """
+
+import math
 
 import matplotlib.pyplot as plt
 from drawing import EXAMPLES, camera, draw_pattern, draw_shell, same_scale
@@ -22,9 +24,10 @@ file = read_design_file(EXAMPLES / "vault.toml")
 shell = make_shell(file, skip=MEASURES)
 sheet = shell.design.mechanism
 lock = shell.report.lock
-print(f"meets f at {lock.target_drive_deg:.3f} degrees")
+print(f"meets f at {math.degrees(lock.target_drive):.3f} degrees")
 assert lock.first_contact is not None
-print(f"first contact at {lock.drive_deg:.3f} degrees: {lock.first_contact.kind}")
+first = math.degrees(lock.first_contact.drive)
+print(f"first contact at {first:.3f} degrees: {lock.first_contact.kind}")
 
 # %%
 # From flat to f. All row creases fold the same way, which rolls the sheet up.

@@ -30,7 +30,7 @@ def test_a_planted_clash_is_found_where_brute_force_finds_it(name: str) -> None:
     lock = find_lock(design)
     assert lock.cause == "clash"
     assert lock.first_contact is not None
-    assert lock.proof is not None
+    assert lock.path is not None
     expected = first_crossing(design.mechanism, np.pi * SHORT, STEPS)
     assert expected is not None
     # They differ by the time that panels take through the tolerance, 1e-9 of the diagonal.
@@ -47,7 +47,7 @@ def test_a_planted_clash_is_found_where_brute_force_finds_it(name: str) -> None:
 
 def test_a_sheet_that_meets_nothing_is_proved_clear() -> None:
     lock = find_lock(clear())
-    assert (lock.cause, lock.touching) == ("flaps", ())
+    assert (lock.cause, lock.touching_at_end) == ("flaps", ())
     assert first_crossing(clear().mechanism, np.pi * SHORT, 100) is None
 
 

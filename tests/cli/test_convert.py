@@ -11,12 +11,11 @@ from command_line import orishell, orishell_process
 from documents import demo_document, folded_only
 from orishell.design_file import starter_file
 from orishell.io import write_fold
-from orishell.io.all_formats import FORMATS, find_formats
-from orishell.io.formats import step
+from orishell.io.formats import all_formats, find_formats, step
 from sheets import miura, write
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "figure1.toml"
-SHEETS = [each for each in FORMATS if not (each.solid or each.analysed)]
+SHEETS = [each for each in all_formats() if not (each.solid or each.analysed)]
 FILES = {each.file for each in SHEETS if each.ready()}
 
 
@@ -32,7 +31,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_write_all(written: Path) -> None:
     names = {path.name for path in written.iterdir()}
-    others = [each for each in FORMATS if each not in SHEETS]
+    others = [each for each in all_formats() if each not in SHEETS]
     assert names.isdisjoint(each.file for each in others)
     assert FILES | {"report.json", "overview.png", "deviation.png", "creases.csv"} <= names
     # 25 frames

@@ -13,8 +13,7 @@ import pytest
 
 import orishell
 from orishell.cli import check, files
-from orishell.io.all_formats import FORMATS
-from orishell.io.registry import ALL
+from orishell.io.formats import ALL, all_formats
 from orishell.verification import TOLERANCE
 
 ROOT = Path(__file__).parents[2]
@@ -72,7 +71,10 @@ def test_the_package_imports_nothing_heavy() -> None:
 
 
 def test_a_design_waits_for_no_format_and_no_picture() -> None:
-    modules = imported("from orishell import design_shell, write_shell")
+    modules = imported(
+        "from orishell import design_shell, write_shell; "
+        "from orishell.io.formats import all_formats; all_formats()"
+    )
     assert "orishell.families.longitudinal_linear_repeating.equation.solutions" in modules
     assert "orishell.io.formats.rhino" in modules
     assert not modules & FORMATS_AND_PICTURES
@@ -97,6 +99,6 @@ def test_the_package_has_what_it_lists() -> None:
 
 
 def test_help_says_what_it_does_not_import() -> None:
-    names = [each.name for each in FORMATS]
+    names = [each.name for each in all_formats()]
     assert files.WRITE_HELP.endswith(f": {', '.join(names)}; or {ALL}.")
     assert inspect.signature(check.check).parameters["tolerance"].default == TOLERANCE

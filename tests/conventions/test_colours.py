@@ -22,7 +22,7 @@ from orishell.conventions.colours import (
     rgb,
 )
 from orishell.io import Settings
-from orishell.io.all_formats import find_formats
+from orishell.io.formats import find_formats
 from orishell.workshop.palettes import load_palette
 
 SHARED = Path(__file__).parents[2] / "frontend" / "src" / "shared"

@@ -59,8 +59,8 @@ LENGTH_UNIT = re.compile(
 
 def is_explained_elsewhere(name: str) -> bool:
     """Whether a method implements one of our protocols."""
-    room, _, method = name.rpartition(".")
-    owner = public_objects().get(room)
+    parent, _, method = name.rpartition(".")
+    owner = public_objects().get(parent)
     return inspect.isclass(owner) and owner not in PROTOCOLS and any(
         method in vars(protocol) and all(hasattr(owner, each) for each in asked(protocol))
         for protocol in PROTOCOLS
@@ -78,8 +78,8 @@ ERRORS = {
 }  # fmt: skip
 SOURCE = re.compile(r"paper|equations? \(\d\)")
 FROM_THE_PAPER = tuple(
-    f"orishell.families.{room}."
-    for room in (
+    f"orishell.families.{module}."
+    for module in (
         *FOLDERS,
         "candidates",
         "flaps",

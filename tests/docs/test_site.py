@@ -102,7 +102,6 @@ WITHOUT_PAGE = {
     "orishell": "its names are listed on the first page of the reference",
     "orishell.families": "a shelf",
     "orishell.studio": "a shelf",
-    "orishell.io.formats": "a shelf",
 }
 
 

@@ -14,20 +14,17 @@ import pytest
 import typer
 
 import orishell
+from orishell.clash import ProofRecord
 from orishell.cli.main import app
-from orishell.deployment import Deployment
+from orishell.conventions.record import written_fields
+from orishell.deployment import Deployment, OwnWeight, Pack, Tie
+from orishell.deployment.report import DeploymentReport
 from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file, starter_file
 from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
-from orishell.locking.report import MeetingReport, PanelReport, PathReport
+from orishell.locking.report import MeetingReport, PanelReport
 from orishell.search.figures import NAMES
-from orishell.shell.deployment_report import (
-    DeploymentReport,
-    PackedReport,
-    TieReport,
-    WeightReport,
-)
 from orishell.structure.case_report import (
     CaseReport,
     CreaseReport,
@@ -233,22 +230,20 @@ def fields_in_table(title: str, name: str = "pack-and-deploy") -> set[str]:
 def test_the_guide_explains_every_key_and_field_of_deployment() -> None:
     keys = {field.alias or name for name, field in Deployment.model_fields.items()}
     assert fields_in_table("[deployment]") >= keys
-    assert fields_in_table("`deployment` in the report") == {
-        field.name for field in dataclasses.fields(DeploymentReport)
-    }
+    assert fields_in_table("`deployment` in the report") == set(written_fields(DeploymentReport))
     page = (ROOT / "docs" / "guide" / "pack-and-deploy.md").read_text(encoding="utf-8")
-    for part in (PackedReport, TieReport, WeightReport):
-        for field in dataclasses.fields(part):
-            assert f"`{field.name}`" in page, field.name
+    for part in (Pack, Tie, OwnWeight):
+        for key in written_fields(part):
+            assert f"`{key}`" in page, key
 
 
 def test_the_guide_explains_every_key_and_field_of_panels() -> None:
     keys = set(PanelSpec.model_fields) - {"largest_setback"}
     keys |= {f"largest_setback.{name}" for name in Setback.model_fields}
     assert fields_in_table("[panel]", "thickness") == keys
-    fields = {field.name for field in dataclasses.fields(PanelReport)}
-    for name, part in (("meeting", MeetingReport), ("path", PathReport)):
-        fields |= {f"{name}.{field.name}" for field in dataclasses.fields(part)}
+    fields = set(written_fields(PanelReport))
+    for name, part in (("meeting", MeetingReport), ("path", ProofRecord)):
+        fields |= {f"{name}.{key}" for key in written_fields(part)}
     assert fields_in_table("`panel` in the report", "thickness") == fields
 
 

@@ -26,9 +26,9 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
     repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
+    Wanted,
     find_even_lengths,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.orthodiagonal import Orthodiagonal, design_orthodiagonal
 from orishell.families.parallel_repeating import ParallelRepeating
 from orishell.motion import Mechanism

@@ -120,7 +120,7 @@ def test_a_design_without_flaps_does_not_lock_at_its_target(make: Any) -> None:
     lock = find_lock(bare)
     assert lock.cause in {"clash", "crease"}
     assert lock.drive is not None
-    assert lock.drive > lock.target == bare.mechanism.target_drive
+    assert lock.drive > lock.target_drive == bare.mechanism.target_drive
     assert find_lock(flapped).cause == "flaps"
     assert bare.parameters["flap"] == 0
     assert flapped.warnings == ()

@@ -19,9 +19,15 @@ from node_tools import lacking
 from orishell.conventions.errors import InputError
 from orishell.document import LARGEST, SHELL, Document
 from orishell.io import Settings, document_of_fold, read_fold, write_fold
-from orishell.io.all_formats import FORMATS, find_formats, format_of, formats_for
 from orishell.io.format import Format
-from orishell.io.registry import ALL, MODULES
+from orishell.io.formats import (
+    ALL,
+    all_formats,
+    find_formats,
+    format_modules,
+    format_of,
+    formats_for,
+)
 from orishell.io.solids import solids_in
 from samples import thorough
 
@@ -61,7 +67,7 @@ def corners(document: Document) -> Array:
         )
         for unit in ("m", "in")
         for family in FAMILIES
-        for format_ in FORMATS
+        for format_ in all_formats()
     ],
 )
 def test_what_is_written_is_read_back(
@@ -109,7 +115,7 @@ def test_what_is_written_is_read_back(
 
 
 def test_every_format_has_a_reader() -> None:
-    assert [each.name for each in FORMATS] == list(MODULES) == list(READERS)
+    assert [each.name for each in all_formats()] == list(format_modules()) == sorted(READERS)
 
 
 TOY = """
@@ -122,11 +128,10 @@ FORMAT = Format("toy", "shell.toy", (".toy",), "the title alone", write_toy)
 """
 
 
-def test_a_format_is_one_module_and_one_line(tmp_path: Path) -> None:
+def test_a_format_is_one_file(tmp_path: Path) -> None:
     (tmp_path / "toy.py").write_text(TOY)
     program = (
-        f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n"
-        "from orishell.io.registry import MODULES; MODULES['toy'] = 'toy'\n"
+        f"from orishell.io import formats; formats.__path__.append({str(tmp_path)!r})\n"
         "from orishell.cli.main import run; run()"
     )
 
@@ -134,7 +139,7 @@ def test_a_format_is_one_module_and_one_line(tmp_path: Path) -> None:
         command = [sys.executable, "-c", program, *map(str, arguments)]
         return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
-    assert re.search(r"html,\W+toy;\W+or\W+all", printed("design", "--help"))
+    assert re.search(r"svg,\W+toy,\W+vtu;\W+or\W+all", printed("design", "--help"))
     out = ("--out", tmp_path, "--write", "toy", "--no-clash-test")
     printed("design", EXAMPLES / "figure1.toml", *out)
     assert (tmp_path / "shell.toy").read_text().startswith("figure1: parallel-repeating")
@@ -161,7 +166,7 @@ def test_fold_is_lossless_to_the_bit(family: str, tmp_path: Path) -> None:
 
 
 def test_names_and_endings() -> None:
-    assert find_formats([ALL]) == tuple(each for each in FORMATS if each.ready())
+    assert find_formats([ALL]) == tuple(each for each in all_formats() if each.ready())
     assert [each.name for each in find_formats([" SVG", "dxf", "svg"])] == ["dxf", "svg"]
     assert find_formats([]) == ()
     with pytest.raises(InputError, match="dwg"):
@@ -177,15 +182,15 @@ def test_names_and_endings() -> None:
 def test_all_means_solids_and_structures_only_where_there_are_any() -> None:
     thin, thick = demo_document("orthodiagonal"), thick_document("orthodiagonal")
     loaded = loaded_document("orthodiagonal").loaded
-    solid = {each.name for each in FORMATS if each.solid}
-    analysed = {each.name for each in FORMATS if each.analysed}
+    solid = {each.name for each in all_formats() if each.solid}
+    analysed = {each.name for each in all_formats() if each.analysed}
     assert (solid, analysed) == ({"step", "3mf"}, {"inp"})
     chosen, missing = formats_for([ALL], thin)
     assert (solid | analysed).isdisjoint(each.name for each in (*chosen, *missing))
     chosen, missing = formats_for([ALL], thick)
     assert analysed.isdisjoint(each.name for each in (*chosen, *missing))
     chosen, missing = formats_for([ALL], replace(thick, loaded=loaded))
-    assert {*chosen, *missing} == set(FORMATS)
+    assert {*chosen, *missing} == set(all_formats())
     assert all(each.ready() for each in chosen)
     assert not any(each.ready() for each in missing)
     # Who names one gets it, or learns why not.

@@ -115,7 +115,7 @@ def test_the_end_found_is_neither_early_nor_late(
     # of one column could meet; the arcs of these do not curl up so far.
     locks = [require_neither_early_nor_late(design) for design in designs(make)]
     assert {lock.cause for lock in locks} == causes
-    assert all(lock.drive is not None and lock.drive > lock.target for lock in locks)
+    assert all(lock.drive is not None and lock.drive > lock.target_drive for lock in locks)
 
 
 @pytest.mark.parametrize("depth", [0.4, 0.2])
@@ -142,5 +142,5 @@ def test_figure_1_without_flaps_meets_itself_beyond_its_target() -> None:
     lock = require_neither_early_nor_late(design)
     assert lock.cause == "clash"
     assert lock.drive is not None
-    assert lock.target < lock.drive < design.mechanism.end_drive
+    assert lock.target_drive < lock.drive < design.mechanism.end_drive
     assert np.rad2deg(lock.drive) == pytest.approx(157, abs=1)

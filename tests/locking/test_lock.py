@@ -17,7 +17,6 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.locking import find_lock, lock_without_clash
 from orishell.motion import corrugation_depth
-from orishell.shell.caveats import warn_of_lock
 from orishell.shell.designed import designed
 from planted import PLANTED, ring
 from strategies import graph
@@ -35,12 +34,12 @@ def test_the_paper_says_that_figures_1_and_2_lock_by_their_flaps(figure: str) ->
     # "The rigid folding motion halts at the final rigidly folded states due to clashing of
     # panels": the paper's introduction.
     lock = find_lock(example(figure))
-    assert (lock.cause, lock.drive, lock.early, lock.touching) == ("flaps", np.pi, False, ())
+    assert (lock.cause, lock.drive, lock.early, lock.touching_at_end) == ("flaps", np.pi, False, ())
     contact = lock.first_contact
     assert contact is not None
     assert (contact.kind, contact.panels) == ("flap on flap", ((0, 0), (1, 0)))
     assert contact.clear_until == pytest.approx(np.pi, rel=2e-6)
-    assert warn_of_lock(lock) == []
+    assert lock.warnings == ()
 
 
 @pytest.mark.parametrize("figure", ["figure1", "figure2", "figure3"])
@@ -56,9 +55,9 @@ def test_figure_3_meets_its_target_and_then_rolls_up_until_its_rims_meet() -> No
     lock = find_lock(design)
     assert lock.cause == "clash"
     assert not lock.early
-    assert lock.target == design.mechanism.target_drive
+    assert lock.target_drive == design.mechanism.target_drive
     assert lock.drive is not None
-    assert lock.drive > 2 * lock.target
+    assert lock.drive > 2 * lock.target_drive
     assert lock.first_contact is not None
     (above, _), (below, _) = lock.first_contact.panels
     assert (above, below) == (0, design.mechanism.grid.rows - 2)
@@ -115,8 +114,8 @@ def test_kinds_of_planted_clashes(name: str, kind: str) -> None:
     assert contact is not None
     assert (lock.early, contact.kind) == (True, kind)
     depth = corrugation_depth(design.mechanism.positions(contact.drive))
-    assert contact.depth == pytest.approx(depth)
-    (warning,) = warn_of_lock(lock)
+    assert contact.corrugation_depth == pytest.approx(depth)
+    (warning,) = lock.warnings
     assert str(list(contact.panels[0])) in warning
 
 
@@ -143,19 +142,19 @@ def test_panels_that_meet_at_the_target_unasked_are_named() -> None:
     mechanism = design.mechanism
     lock = find_lock(design)
     assert (lock.cause, lock.early) == ("clash", False)
-    assert lock.drive == lock.target == mechanism.target_drive < mechanism.end_drive
+    assert lock.drive == lock.target_drive == mechanism.target_drive < mechanism.end_drive
     assert lock.first_contact is not None
-    assert lock.first_contact.drive == lock.target
-    assert lock.first_contact.clear_until == pytest.approx(lock.target, rel=2e-6)
-    assert lock.touching
+    assert lock.first_contact.drive == lock.target_drive
+    assert lock.first_contact.clear_until == pytest.approx(lock.target_drive, rel=2e-6)
+    assert lock.touching_at_end
     last = mechanism.grid.columns - 2
-    assert all({a[1], b[1]} == {0, last} for a, b in lock.touching)
-    (warning,) = warn_of_lock(lock)
+    assert all({a[1], b[1]} == {0, last} for a, b in lock.touching_at_end)
+    (warning,) = lock.warnings
     assert "touch at the target" in warning
     faces = mechanism.grid.faces_vertices()
-    for drive in np.linspace(0, lock.target * (1 - 1e-6), 30):
+    for drive in np.linspace(0, lock.target_drive * (1 - 1e-6), 30):
         assert not len(exact_contacts(mechanism.positions(drive), faces))
-    assert len(exact_contacts(mechanism.positions(lock.target * (1 + 1e-4)), faces))
+    assert len(exact_contacts(mechanism.positions(lock.target_drive * (1 + 1e-4)), faces))
 
 
 @pytest.mark.parametrize("figure", ["figure1", "figure2", "figure3", "sectors"])

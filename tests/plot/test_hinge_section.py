@@ -13,6 +13,7 @@ from orishell.design_file import read_design_file
 from orishell.motion import FoldingMotion, Mechanism
 from orishell.motion.boards import Boards
 from orishell.plot import HingeSection, find_hinge_section, plot_overview
+from orishell.plot.hinge_section import folded
 from orishell.solids import build_boards, drive_for_height, find_set_backs, largest_folds
 
 SANDWICH = PanelSpec(thickness=0.03, membrane=0.002, gap=0.004)
@@ -26,7 +27,7 @@ def section_of(
     """The section, its sheet with its boards, and the number of its crease."""
     file = read_design_file(EXAMPLES / f"{name}.toml")
     mechanism = file.pattern.design(file.f, file.g).mechanism.without_flaps()
-    pack = drive_for_height(mechanism, build.height) if packed else None
+    pack = drive_for_height(mechanism, build) if packed else None
     folds = largest_folds(mechanism, pack or mechanism.target_drive)
     boards = build_boards(mechanism.positions(0.0), mechanism.grid, build, folds)
     section = find_hinge_section(FoldingMotion(mechanism, 5, pack), boards, build)
@@ -82,7 +83,7 @@ def test_they_meet_on_the_bisecting_plane_where_they_close(name: str, build: Pan
     start = positions[mechanism.grid.edges_vertices()[edge, 0]]
     for right, panel in enumerate(numbers):
         drawn = min(
-            np.abs(each.folded(fold)[:, 0]).min()
+            np.abs(folded(each.points, fold, right=each.right)[:, 0]).min()
             for each in section.profiles
             if each.right == right
         )
@@ -90,7 +91,7 @@ def test_they_meet_on_the_bisecting_plane_where_they_close(name: str, build: Pan
         assert drawn == pytest.approx(0, abs=1e-13)
         assert signed.min() == pytest.approx(0, abs=1e-12)
         for profile in section.profiles:
-            x = profile.folded(fold)[:, 0]
+            x = folded(profile.points, fold, right=profile.right)[:, 0]
             assert (x if profile.right else -x).min() > -1e-13
 
 

@@ -152,17 +152,17 @@ def test_without_a_target_boards_end_the_motion(tmp_path: Path) -> None:
     lock, panel = shell.lock, shell.report.panel
     assert lock.cause == "boards"
     assert lock.built is not None
-    assert lock.target == lock.closes_to < np.deg2rad(8)
+    assert lock.target_drive == lock.closes_to < np.deg2rad(8)
     assert panel is not None
     assert shell.design.panel is not None
-    room = 0.5 * shell.design.panel.thickness * np.tan(np.deg2rad(panel.largest_fold_deg) / 2)
+    room = 0.5 * shell.design.panel.thickness * np.tan(panel.largest_fold / 2)
     assert panel.largest_setback == pytest.approx(room, rel=1e-12)
 
 
 def test_without_a_target_hinges_end_the_motion(tmp_path: Path) -> None:
     shell = shell_of(tmp_path, SECTORS + "\n[deployment]\nlargest_fold_deg = 40\n")
     assert shell.lock.cause == "hinges"
-    fold = largest_fold(shell.design.mechanism, np.array([shell.lock.target]))
+    fold = largest_fold(shell.design.mechanism, np.array([shell.lock.target_drive]))
     np.testing.assert_allclose(np.rad2deg(fold), 40, rtol=1e-9)
 
 
@@ -176,8 +176,8 @@ def test_a_motion_that_is_cut_short_keeps_its_panels_and_hinges(tmp_path: Path) 
     sheet, lock = ended(file, design)
     assert lock.cause == "boards"
     assert lock.first_contact is not None
-    assert lock.target == lock.first_contact.clear_until
-    assert sheet.mechanism.target_drive == lock.target
+    assert lock.target_drive == lock.first_contact.clear_until
+    assert sheet.mechanism.target_drive == lock.target_drive
     assert sheet.panel == design.panel
     assert sheet.largest_fold == design.largest_fold == np.deg2rad(179)
     assert lock.built is not None

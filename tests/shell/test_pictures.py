@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from design_tables import formula, tables
+from orishell.conventions.formatting import tidy_degrees
 from orishell.design_file import check_design
 from orishell.shell.export import write_shell
 from orishell.shell.make import make_shell
@@ -40,5 +41,5 @@ def test_own_weight_is_drawn_for_who_asks(
         assert weight is not None
         assert weight.unit == "share of its weight"
         assert weight.largest >= 1
-        assert weight.marked_deg["target"] == shell.report.lock.target_drive_deg
+        assert weight.marked_deg["target"] == tidy_degrees(shell.report.lock.target_drive)
         assert ("pack" in weight.marked_deg) == (deployment.get("from") == "pack")

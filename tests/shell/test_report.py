@@ -9,9 +9,9 @@ import pytest
 from design_tables import formula, tables
 from orishell.cli.summary import summarize
 from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.record import as_table
 from orishell.design_file import check_design, read_design_file
 from orishell.locking import find_lock
-from orishell.locking.report import describe_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
 from orishell.shell.steps import MEASURES, STEPS, Step
@@ -24,18 +24,16 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 def test_what_the_report_says_of_a_lock() -> None:
     design = clear()
-    said = describe_lock(find_lock(design))
-    assert (said.drive_deg, said.cause, said.target_drive_deg) == (180, "flaps", 180)
-    assert said.first_contact is not None
-    assert said.first_contact.panels == ((0, 0), (1, 0))
-    path = said.path
-    assert path is not None
-    assert path.states > 10
-    assert path.ranges >= path.states - 1
-    assert path.tests > design.mechanism.grid.panel_count
-    assert 0 < path.smallest_step_deg <= path.largest_step_deg <= 180 / 8
-    assert path.contact_tolerance == 1e-9 * diagonal(design.mechanism.positions(0.0))
-    assert "acceleration" in path.bound
+    said = as_table(find_lock(design))
+    assert (said["drive_deg"], said["cause"], said["target_drive_deg"]) == (180, "flaps", 180)
+    assert said["first_contact"]["panels"] == [[0, 0], [1, 0]]
+    path = said["path"]
+    assert path["states"] > 10
+    assert path["ranges"] >= path["states"] - 1
+    assert path["tests"] > design.mechanism.grid.panel_count
+    assert 0 < path["smallest_step_deg"] <= path["largest_step_deg"] <= 180 / 8
+    assert path["contact_tolerance"] == 1e-9 * diagonal(design.mechanism.positions(0.0))
+    assert "acceleration" in path["bound"]
 
 
 def test_the_report_says_what_was_left_out() -> None:
@@ -140,7 +138,7 @@ def test_a_tilted_surface_is_called_so(f: str, slope: float | None) -> None:
         assert deviation.tilted == ""
         return
     assert f"tilted by {tilt:.4f}".rstrip("0").rstrip(".") in deviation.tilted
-    assert f"g is {np.ptp(shell.design.targets['g'][:, 2]):.4g} high" in deviation.tilted
+    assert f"g rises by {np.ptp(shell.design.targets['g'][:, 2]):.4g}" in deviation.tilted
     assert any(deviation.tilted in line for line in summarize(shell, [], []))
 
 

@@ -6,13 +6,15 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from orishell.design_file import read_design_file
 from orishell.shell import make_shell
 from orishell.shell.make import Shell
 from orishell.shell.report import Report
-from orishell.shell.verdict import ORDER, Sign, find_verdict
+from orishell.shell.row import Sign
+from orishell.shell.verdict import ORDER, find_verdict
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -36,7 +38,7 @@ def test_the_worst_comes_first_and_the_report_has_it() -> None:
     assert signs == sorted(signs)
     assert [row.finding for row in report.verdict] == [each for _, each in rows(report).values()]
     said = report.as_dict()["verdict"]
-    assert isinstance(said, tuple)
+    assert isinstance(said, list)
     assert said[0] == {
         "sign": "warns",
         "subject": "held",
@@ -55,7 +57,7 @@ def test_panels_that_meet_speak_against_a_shell() -> None:
     report = shell("figure1").report
     contact = shell("figure1").report.lock.first_contact
     assert contact is not None
-    lock = replace(report.lock, cause="clash", first_contact=replace(contact, drive_deg=90.0))
+    lock = replace(report.lock, cause="clash", first_contact=replace(contact, drive=np.pi / 2))
     found = rows(replace(report, lock=lock, feasible=False))
     sign, finding = found["clear"]
     assert sign == "fails"

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.formatting import tidy_degrees
 from orishell.design_file import read_design_file, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io import read_fold
-from orishell.io.all_formats import formats_for
+from orishell.io.formats import formats_for
 from orishell.shell.export import write_shell
 from orishell.shell.make import Shell, design_shell
 from orishell.verification import inspect_fold
@@ -42,11 +43,11 @@ def test_report(shell: Shell) -> None:
     assert all(value <= 1e-12 for value in astuple(report.residuals))
     lock, contact = report.lock, report.lock.first_contact
     assert contact is not None
-    assert lock.drive_deg is not None
+    assert lock.drive is not None
     assert (lock.cause, contact.kind) == ("clash", "at the sheet's edge")
-    assert lock.target_drive_deg == contact.clear_until_deg
-    assert 0 < lock.drive_deg - lock.target_drive_deg < 1e-8
-    assert report.parameters["stage_deg"] == lock.target_drive_deg
+    assert lock.target_drive == contact.clear_until
+    assert 0 < lock.drive - lock.target_drive < 2e-10
+    assert report.parameters["stage_deg"] == tidy_degrees(lock.target_drive)
 
 
 def test_files_of_all_formats(shell: Shell, tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError
-from orishell.design import PanelSpec
+from orishell.design import PanelSpec, Setback
 from orishell.design_file import read_design_file
 from orishell.motion import largest_fold
 from orishell.motion.grid import CreaseValues, Grid
@@ -30,6 +30,16 @@ def shelter(thickness: float) -> Shell:
     )
 
 
+def panels(gap: float = 0.0, *, share: float = 0.5, length: float | None = None) -> PanelSpec:
+    setback = Setback(share=share, length=length)
+    return PanelSpec(thickness=1.0, membrane=0.5, gap=gap, largest_setback=setback)
+
+
+def thick(height: float) -> PanelSpec:
+    """Panels that stand so high over their hinge plane."""
+    return PanelSpec(thickness=2 * height, membrane=height)
+
+
 def test_a_strip_of_squares_by_hand() -> None:
     """Squares of side 1 whose creases fold by 120 degrees: tan 60 degrees = sqrt(3).
 
@@ -43,13 +53,13 @@ def test_a_strip_of_squares_by_hand() -> None:
     assert largest_height(flat, grid, pleats) == pytest.approx(0.5 / np.sqrt(3))
     roll = CreaseValues(row=np.array([[turn], [turn]]), column=np.zeros((3, 0)))
     assert largest_height(flat, grid, roll) == pytest.approx(0.25 / np.sqrt(3))
-    assert largest_height(flat, grid, roll, 0.2) == pytest.approx(0.1 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, panels(share=0.2)) == pytest.approx(0.1 / np.sqrt(3))
     # Set-backs of at most 0.1; a gap of 0.3 leaves 0.35 to the other side, and is one in itself.
-    assert largest_height(flat, grid, roll, 0.5, 0.1) == pytest.approx(0.1 / np.sqrt(3))
-    assert largest_height(flat, grid, pleats, gap=0.3) == pytest.approx(0.35 / np.sqrt(3))
-    assert largest_height(flat, grid, roll, gap=0.3) == pytest.approx(0.25 / np.sqrt(3))
-    assert largest_height(flat, grid, roll, 0.5, 0.1, gap=0.3) == 0
-    assert largest_height(flat, grid, pleats, gap=0.6) == 0
+    assert largest_height(flat, grid, roll, panels(length=0.1)) == pytest.approx(0.1 / np.sqrt(3))
+    assert largest_height(flat, grid, pleats, panels(0.3)) == pytest.approx(0.35 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, panels(0.3)) == pytest.approx(0.25 / np.sqrt(3))
+    assert largest_height(flat, grid, roll, panels(0.3, length=0.1)) == 0
+    assert largest_height(flat, grid, pleats, panels(0.6)) == 0
     still = CreaseValues(row=np.zeros((2, 1)), column=np.zeros((3, 0)))
     assert largest_height(flat, grid, still) == np.inf
 
@@ -66,7 +76,7 @@ def test_the_drive_for_a_height_is_the_last_that_leaves_enough(
         return largest_height(flat, grid, largest_folds(mechanism, drive))
 
     height = most(share * mechanism.end_drive)
-    drive = drive_for_height(mechanism, height * (1 - 1e-6))
+    drive = drive_for_height(mechanism, thick(height * (1 - 1e-6)))
     assert drive >= share * mechanism.end_drive * (1 - 1e-3)
     for before in np.linspace(0, drive, 60)[1:]:
         assert largest_height(flat, grid, mechanism.fold_angles(before)) >= height * (1 - 2e-6)
@@ -90,7 +100,7 @@ def test_boards_end_the_motion_of_the_shelter() -> None:
     assert deployment.packed.length == pytest.approx(bare.length, abs=0.02)
     assert shell.report.panel is not None
     assert shell.report.panel.path is not None
-    assert shell.report.panel.set_back_for_deg == deployment.end_drive_deg
+    assert np.rad2deg(shell.report.panel.set_back_for) == np.rad2deg(deployment.end_drive)
 
 
 def test_thicker_boards_pack_larger() -> None:
@@ -134,8 +144,8 @@ def test_flaps_that_fold_flat_limit_nothing(figure: int) -> None:
     without = find_thickness_limit(sheet.without_flaps(), build)
     assert not limit.on_flap
     assert 0 < limit.thickness <= without.thickness * (1 + 1e-12)
-    assert drive_for_height(sheet, 0.49 * limit.thickness) == sheet.end_drive
-    assert drive_for_height(sheet, 0.6 * limit.thickness) < sheet.end_drive
+    assert drive_for_height(sheet, thick(0.49 * limit.thickness)) == sheet.end_drive
+    assert drive_for_height(sheet, thick(0.6 * limit.thickness)) < sheet.end_drive
     with_boards = find_thickness_limit(sheet.with_stop(np.deg2rad(0.1)), build)
     assert with_boards.on_flap
     assert with_boards.thickness < 0.01

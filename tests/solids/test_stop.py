@@ -158,10 +158,10 @@ def test_shells_with_boards_on_their_flaps(figure: int, clipped: bool) -> None:
     contact = made.lock.first_contact
     assert contact is not None
     assert (made.lock.cause, contact.kind) == ("flaps", "flap on flap")
-    assert made.lock.drive == made.lock.target == design.mechanism.target_drive
+    assert made.lock.drive == made.lock.target_drive == design.mechanism.target_drive
     assert design.mechanism.target_drive < design.mechanism.end_drive
     # The crease that is named folds most of those of the flaps.
-    fold = np.abs(design.mechanism.fold_angles(made.lock.target).row)
+    fold = np.abs(design.mechanism.fold_angles(made.lock.target_drive).row)
     (row, column), _ = contact.panels
     assert fold[row, column] == fold[:, list(design.mechanism.flap_columns)].max()
     assert fold[row, column] == pytest.approx(np.pi - 2 * stop, abs=1e-14)

@@ -104,7 +104,7 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
         float((forces * everywhere.facets.points).sum()),
         float(pulls @ rates(model.ties())),
         float(presses @ rates(model.flaps())),
-        measure_weight(sheet, feet.rows, MASS * GRAVITY).target_thrust,
+        measure_weight(sheet, feet.rows, MASS * GRAVITY).at_feet,
         float(np.abs(forces).sum()),
     )
 

@@ -66,7 +66,7 @@ def test_flaps_lock(shell: Shell) -> None:
     angles = np.array(shell.motion.target.fold_angles.row)
     np.testing.assert_allclose(np.abs(angles[:, [0, -1]]), np.pi, atol=1e-12)
     assert (np.abs(angles[:, 1:-1]) < np.pi - 0.5).all()
-    assert (shell.report.lock.drive_deg, shell.report.lock.cause) == (180.0, "flaps")
+    assert (shell.report.lock.drive, shell.report.lock.cause) == (np.pi, "flaps")
 
 
 def test_admissible_alpha_0_is_narrower_than_the_papers(shell: Shell) -> None:

@@ -47,12 +47,12 @@ once = settings(
 def near(mechanism: Mechanism, lock: Lock) -> bool:
     """Whether the panels are as near as touching means, however slowly they approach."""
     assert lock.first_contact is not None
-    assert lock.proof is not None
+    assert lock.path is not None
     positions = mechanism.positions(lock.first_contact.drive)
     one, other = (
         positions[[i, i + 1, i + 1, i], [j, j, j + 1, j + 1]] for i, j in lock.first_contact.panels
     )
-    return distance_of_panels(one, other) <= 1.01 * lock.proof.tolerance
+    return distance_of_panels(one, other) <= 1.01 * lock.path.contact_tolerance
 
 
 def require_agreement(design: Design, seen: Counter[str | None]) -> None:
@@ -60,7 +60,9 @@ def require_agreement(design: Design, seen: Counter[str | None]) -> None:
     seen[lock.cause] += 1
     counts = not_designed(mechanism.grid)
     clear = (
-        lock.target if lock.first_contact is None else min(lock.first_contact.drive, lock.target)
+        lock.target_drive
+        if lock.first_contact is None
+        else min(lock.first_contact.drive, lock.target_drive)
     )
     for drive in np.linspace(0, (1 - 1e-4) * clear, STATES):
         assert not crosses(mechanism, float(drive), counts), f"missed at {drive}: {lock}"

@@ -101,19 +101,17 @@ def test_the_title_block_says_title_unit_scale_panels_and_lengths() -> None:
 def test_a_long_title_stays_in_its_cell() -> None:
     document = demo_document()
     words = "A very long title " * 20
-    drawing = draw_part(document, whole_sheet(document), Workshop(), title=words)
+    drawing = draw_part(replace(document, title=words), whole_sheet(document), Workshop())
     (text,) = [text for text in drawing.texts if text.words == words]
     assert drawing.title == words
     assert text.x + 0.9 * text.height * len(words) < drawing.width
 
 
-def test_the_title_block_can_be_left_out_by_settings_call_and_palette() -> None:
+def test_the_title_block_can_be_left_out_by_settings_and_palette() -> None:
     document = demo_document()
-    whole = whole_sheet(document)
     for drawing in (
         drawn("parallel-repeating", title_block=False),
         drawn("parallel-repeating", palette="shop"),
-        draw_part(document, whole, Workshop(), title_block=False),
     ):
         assert drawing.texts == ()
         size = np.ptp(document.require_flat(), axis=0)

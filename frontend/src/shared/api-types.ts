@@ -110,20 +110,20 @@ export interface Closeness {
 }
 
 /** Two panels that touch. */
-export interface ContactReport {
+export interface Contact {
   /** The drive angle at which they touch. */
   drive_deg: number;
   /** Up to here no panels touch, proved; 0 if the path was not examined. */
   clear_until_deg: number;
-  /** The two panels. */
+  /** The two panels; those of flaps that are clipped on are in the columns beside the sheet's, -1 the one on the left. */
   panels: [[number, number], [number, number]];
-  /** Which parts of the sheet they belong to. */
+  /** Which parts of the sheet they belong to: two flaps of one column (neighbours of these at the end of the motion are what the design means), or of both; a flap on another panel; neighbours about a crease that is folded flat; a panel of the sheet's border on another; panels inside it; boards on panels. */
   kind: "flap on flap" | "opposite flaps" | "flap on panel" | "neighbours" | "at the sheet's edge" | "distant panels" | "boards";
-  /** Depth of the corrugation there. */
+  /** Depth of the corrugation there (length). */
   corrugation_depth: number;
   /** Which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if panels without a thickness do. */
   sides: [string, string] | null;
-  /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way. */
+  /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way (length). */
   overlap: number | null;
 }
 
@@ -177,11 +177,29 @@ export interface DeploymentReport {
   /** What keeps it from closing, and from opening, beyond its target; None if nothing does. */
   opening: "ties" | null;
   /** The state that packs smallest; None if that was not asked for. */
-  packed: PackedReport | null;
+  packed: Pack | null;
   /** Its ties. */
-  ties: TieReport[];
+  ties: Tie[];
   /** What its own weight does; None if it does not stand, or that was not asked for. */
-  weight: WeightReport | null;
+  weight: OwnWeight | null;
+}
+
+/** Distances between a shell and a surface, both ways (length). */
+export interface Deviation {
+  /** The Hausdorff distance: the largest of both ways. */
+  max: number;
+  /** Root mean square, the larger of both ways. */
+  rms: number;
+  /** Mean, the larger of both ways. */
+  mean: number;
+  /** The distance below which 95 % of the area lies, the larger of both ways. */
+  p95: number;
+  /** By how much the largest distance may be off. */
+  sample_spacing: number;
+  /** From all points of the shell to the surface. */
+  shell_to_surface: Distances;
+  /** From all points of the surface to the shell. */
+  surface_to_shell: Distances;
 }
 
 /** How close the shell is to what was asked for. */
@@ -190,8 +208,8 @@ export interface DeviationReport {
   f: Closeness;
   /** Distances of the polylines that the shell locks on from the target curves. */
   g: Closeness;
-  /** Distances between the shell and the surface; None if they were not measured. */
-  surface: SurfaceReport | null;
+  /** Of the shell from the surface; None if it was not measured. */
+  surface: Deviation | null;
   /** How f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn. */
   tilted: string;
   /** What the family approaches instead, if it does. */
@@ -275,6 +293,18 @@ export interface Fault {
   limit: string;
   /** What was tried and works, the nearest first. */
   remedies: Remedy[];
+}
+
+/** What a locked shell stands on, flaps left out. */
+export interface Feet {
+  /** The rows of vertices that are its feet, the lowest towards each end. */
+  rows: [number, number];
+  /** Height of the lowest of their vertices. */
+  z: number;
+  /** By how much the highest lies above it, 0 where they are level. */
+  uneven: number;
+  /** Whether all are at one height. */
+  level: boolean;
 }
 
 /** A format of files that a shell can be written in. */
@@ -407,24 +437,24 @@ export interface LoadReport {
   force: [number, number, number];
 }
 
-/** How the motion ends. */
-export interface LockReport {
+/** How a motion ends. */
+export interface Lock {
   /** Where it ends; None if nothing ends it. */
   drive_deg: number | null;
-  /** What ends it. */
+  /** What ends it: flaps folded onto each other as designed, panels that clash, another crease that is folded flat, hinges that close no further, or boards, which meet there or would leave too little of a panel. */
   cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
   /** Mean distance of inner vertices from the line between those above and below, at the target. */
   corrugation_depth: number;
   /** The panels that touch first, if any do. */
-  first_contact: ContactReport | null;
+  first_contact: Contact | null;
   /** Pairs of panels that touch at the end of the motion and are not meant to. */
   touching_at_end: [[number, number], [number, number]][];
   /** What flaps that are clipped on at the target meet there; None if nothing, or if there are none. */
-  clipped_contact: ContactReport | null;
+  clipped_contact: Contact | null;
   /** How contact was looked for; None if it was not. */
-  path: PathReport | null;
+  path: ProofRecord | null;
 }
 
 /** Where boards of flaps meet at the target. */
@@ -499,15 +529,37 @@ export interface Objective {
   label: string;
 }
 
-/** The state that packs smallest, from the target to where the motion ends. */
-export interface PackedReport {
+/** A shell under its own weight, from flat to packed, flaps that are clipped on left out. */
+export interface OwnWeight {
+  /** Newtons, or the shell's weight if its mass is not known. */
+  force_unit: "N" | "weight";
+  /** Its weight. */
+  total: number;
+  /** Force at the target by which the feet, all of one side together, push outwards: positive where own weight opens the shell and ties carry it, negative where flaps do. */
+  at_feet: number;
+  /** The largest force at the feet on the way from the end of the motion to the target. */
+  largest_from_pack: number;
+  /** Drives at which the shell would fall to either side. */
+  tipping_deg: number[];
+  /** What raising it takes: work, in the unit of force times metres. */
+  raise_from_flat: number;
+  /** What raising it takes: work, in the unit of force times metres. */
+  raise_from_pack: number;
+  /** The force at the feet along the motion; None where none raises or holds it. */
+  drives_deg: number[];
+  /** The force at the feet along the motion; None where none raises or holds it. */
+  forces: (number | null)[];
+}
+
+/** The state of a motion that fits into the smallest box, panels with their thickness. */
+export interface Pack {
   /** Its drive angle. */
   drive_deg: number;
-  /** Its smallest box, turned as it may be, of panels with their thickness. */
+  /** The longest side of its box. */
   length: number;
-  /** Its smallest box, turned as it may be, of panels with their thickness. */
+  /** The side between. */
   width: number;
-  /** Its smallest box, turned as it may be, of panels with their thickness. */
+  /** The shortest side. */
   height: number;
   /** How many panels lie on top of each other: boards make it that many times as thick. */
   layers: number;
@@ -604,7 +656,7 @@ export interface PanelReport {
   /** Where boards of flaps meet at the target; None if there are none. */
   meeting: MeetingReport | null;
   /** How contact of boards was looked for; None if it was not. */
-  path: PathReport | null;
+  path: ProofRecord | null;
 }
 
 /** A parameter of a family, or a setting of the workshop, as a control shows it. */
@@ -630,12 +682,12 @@ export interface Parsed {
 }
 
 /** How contact was excluded along the whole path. */
-export interface PathReport {
-  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared. */
+export interface ProofRecord {
+  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels, or of groups of panels, compared. */
   states: number;
-  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared. */
+  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels, or of groups of panels, compared. */
   ranges: number;
-  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels compared. */
+  /** Numbers of states computed, ranges of the drive proved clear, and pairs of panels, or of groups of panels, compared. */
   tests: number;
   /** The longest and the shortest of these ranges. */
   largest_step_deg: number;
@@ -728,11 +780,11 @@ export interface Report {
   /** How exactly it folds; None if that was not measured. */
   assignment: AssignmentReport;
   /** How the motion ends. */
-  lock: LockReport;
+  lock: Lock;
   /** What was left out on request. */
   not_checked: string[];
   /** What it stands on; None if it cannot stand. */
-  stands: StandsReport | null;
+  stands: Feet | null;
   /** How close it is to its target; None without one. */
   deviation: DeviationReport | null;
   /** Sizes of the flat sheet and of the shell. */
@@ -894,18 +946,6 @@ export interface StandingReport {
   frequencies: number[];
 }
 
-/** What the shell stands on. */
-export interface StandsReport {
-  /** The rows of vertices that are its feet. */
-  rows: [number, number];
-  /** Height of the lowest of their vertices. */
-  z: number;
-  /** By how much the highest lies above it. */
-  uneven: number;
-  /** Whether all are at one height. */
-  level: boolean;
-}
-
 /** What it gains and costs to take a neighbour on the front instead. */
 export interface Step {
   /** Number of the neighbour. */
@@ -952,24 +992,6 @@ export interface SupportReport {
   friction: number;
 }
 
-/** Distances between the shell and the surface asked for, both ways. */
-export interface SurfaceReport {
-  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
-  max: number;
-  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
-  rms: number;
-  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
-  mean: number;
-  /** The larger of both ways: the Hausdorff distance, the root mean square, the mean, and the distance below which 95 % of the area lies. */
-  p95: number;
-  /** By how much the largest distance may be off. */
-  sample_spacing: number;
-  /** Either way by itself. */
-  shell_to_surface: Distances;
-  /** Either way by itself. */
-  surface_to_shell: Distances;
-}
-
 /** A table of the design file in words. */
 export interface TableWords {
   /** The section of the page that has its controls; empty where there is none. */
@@ -977,9 +999,9 @@ export interface TableWords {
   keys: Record<string, KeyWords>;
 }
 
-/** A tie between two vertices. */
-export interface TieReport {
-  /** Its vertices by row and column. */
+/** A cable between two vertices of one column, taut at the target. */
+export interface Tie {
+  /** Its vertices by row and column of the whole grid. */
   ends: [[number, number], [number, number]];
   /** Their distance at the target, in the flat sheet, and at the end of the motion. */
   length: number;
@@ -989,7 +1011,7 @@ export interface TieReport {
   packed: number;
   /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
   grows: boolean | null;
-  /** Whether it is proved to be slack from the end of the motion to the target. */
+  /** Whether it is proved to be slack from the end of the motion to the target; None if the family does not say. */
   slack: boolean | null;
   /** Where its vertices do not move apart, nearest to the target. */
   fails_at_deg: number | null;
@@ -1068,28 +1090,6 @@ export interface Waste {
   cut_length: number;
   /** Length of all creases, those of tabs and strips too. */
   crease_length: number;
-}
-
-/** The shell under its own weight; flaps that are clipped on are left out. */
-export interface WeightReport {
-  /** Newtons, or the shell's weight if its mass is not known. */
-  force_unit: "N" | "weight";
-  /** Its weight. */
-  total: number;
-  /** Force at the target by which the feet, all of one side together, push outwards: positive where own weight opens the shell and ties carry it, negative where flaps do. */
-  at_feet: number;
-  /** The largest force at the feet on the way from the end of the motion to the target. */
-  largest_from_pack: number;
-  /** Drives at which the shell would fall to either side. */
-  tipping_deg: number[];
-  /** What raising it takes: work, in the unit of force times metres. */
-  raise_from_flat: number;
-  /** What raising it takes: work, in the unit of force times metres. */
-  raise_from_pack: number;
-  /** The force at the feet along the motion; None where none raises or holds it. */
-  drives_deg: number[];
-  /** The force at the feet along the motion; None where none raises or holds it. */
-  forces: (number | null)[];
 }
 
 /** The text of a design file, made from its tables. */

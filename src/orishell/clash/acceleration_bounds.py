@@ -12,11 +12,8 @@ from orishell.motion import Mechanism
 from orishell.motion.quads import lengths
 from orishell.numerics.arrays import Array, Integers
 
-RANGES = 32
-"""Ranges of the drive that a table of accelerations has."""
-LEVELS = 3
-"""Halvings of the path from one table to those of its parts."""
-TABLES_KEPT = 64
+RANGES, LEVELS, TABLES_KEPT = 32, 3, 64
+"""Ranges of the drive in a table, halvings of the path to the tables of its parts, tables kept."""
 ROUNDING = 1 + 1e-9
 FLATTEST = 1e-30
 """The area that two edges span counts as at least this share of the largest."""
@@ -27,8 +24,7 @@ class EdgeBounds:
 
     A vector between two vertices is a sum of edges: along a row from one column to the other,
     then down a column. Its acceleration is at most the sum of their bounds, whichever row and
-    column it takes. Tables of bounds are made for the parts of the path that are looked at, finer
-    where these are finer.
+    column it takes. Shorter parts of the path have finer tables of bounds.
     """
 
     def __init__(self, mechanism: Mechanism, end: float, tree: PanelTree) -> None:

@@ -69,7 +69,7 @@ class Bodies:
         return first, second
 
     def pairs_of(self, panels: Pairs) -> tuple[Pairs, Integers]:
-        """The pairs of bodies (Q,) of pairs of panels (P,), and of which each is (Q,)."""
+        """The pairs of bodies (Q,) on pairs of panels (P,), and the number of each one's pair."""
         first, second = (self.of_panel[each] for each in panels)
         count = self.of_panel.shape[1]
         a, b = np.repeat(first, count, axis=1).ravel(), np.tile(second, (1, count)).ravel()
@@ -108,7 +108,7 @@ def directions(state: BodyState, pairs: Pairs, *, of_faces: bool = False) -> Arr
 
 
 def one_direction(state: BodyState, pairs: Pairs, number: Integers) -> Array:
-    """Of :func:`directions` the one of a number (P,) for each pair, (3, P)."""
+    """The direction of each pair (3, P) with its number (P,) in :func:`directions`."""
     faces, edges = len(state.normals), len(state.edges)
     body = np.where(number < faces, *pairs)
     normal = state.normals[np.minimum(number, 2 * faces - 1) % faces, :, body].T
@@ -137,7 +137,7 @@ class Apartness:
         return cls(gaps, number)
 
     def touching(self, state: int, pairs: Pairs, tolerance: float) -> tuple[int, int] | None:
-        """The nearest pair of those within a tolerance in the first or in the second state."""
+        """The nearest pair within a tolerance in the first or in the second state."""
         if not len(pairs[0]):
             return None
         nearest = int(self.gaps[state].argmin())
@@ -146,7 +146,7 @@ class Apartness:
         return int(pairs[0][nearest]), int(pairs[1][nearest])
 
     def chosen(self, which: Booleans) -> Apartness:
-        """That of the pairs at which ``which`` (P,) is true."""
+        """The apartness of the pairs at which ``which`` (P,) is true."""
         return Apartness(self.gaps[:, which], self.number[which])
 
 

@@ -24,14 +24,7 @@ from orishell.clash.bodies import Apartness, Bodies, BodyState, one_direction
 from orishell.clash.broad_phase import Pairs, joined, selected
 from orishell.clash.narrow_phase import Findings, examine_bodies, near_slabs
 from orishell.clash.path import PathRange, PathSearch
-from orishell.clash.ranges import (
-    BASE,
-    TICKS,
-    Outcome,
-    PathContact,
-    PathResult,
-    search_ranges,
-)
+from orishell.clash.ranges import BASE, TICKS, Outcome, PathContact, PathResult, search_ranges
 from orishell.clash.separation import views_along
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.motion import Mechanism
@@ -41,7 +34,6 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 
 OPPOSITE = 0.7
 """Share of the progress, as of the time, that opposite boards take."""
-TINY = 1e-300
 EARLY, SOONEST = 1.5, 2.0**-6
 """A pair that lacks a proof is looked at again at this multiple of the step that would do, or at
 this share of the step at least."""
@@ -62,9 +54,8 @@ def find_first_body_contact(
     """
     search = _BodySearch(mechanism, end, tolerance, bodies)
     opposite = OppositeBoards(search, settled)
-    found, clear = search_ranges(
-        opposite.examine, opposite.everything, stretch(progress, 0.0, OPPOSITE)
-    )
+    everything = np.arange(len(opposite.pairs[0]))
+    found, clear = search_ranges(opposite.examine, everything, stretch(progress, 0.0, OPPOSITE))
     contact = None
     if found is not None:
         ends = search.states.drive(found[0]), search.states.drive(clear)
@@ -75,9 +66,7 @@ def find_first_body_contact(
     proof = replace(result.proof, ranges=ranges, tests=tests)
     if result.contact is not None:
         first = result.contact
-        until = (
-            first.clear_until if contact is None else min(first.clear_until, contact.clear_until)
-        )
+        until = min(each.clear_until for each in (first, contact) if each is not None)
         contact = PathContact(first.drive, until, bodies.carriers(first.panels), first.panels)
     return PathResult(contact, proof)
 
@@ -131,11 +120,6 @@ class OppositeBoards:
         self.sleep = np.full(len(which), np.inf)
         self.tests = self.ranges = 0
 
-    @property
-    def everything(self) -> Integers:
-        """Numbers of all pairs."""
-        return np.arange(len(self.pairs[0]))
-
     def examine(self, start: int, stop: int, pending: Integers) -> Outcome[Integers]:
         """Look at pairs (P,) in the range between two ticks."""
         self.ranges += 1
@@ -165,9 +149,9 @@ class OppositeBoards:
         gap = self._gaps(ends, left, errors)
         open_ones = gap <= self.tolerance
         left, apart, gap = left[open_ones], apart.chosen(open_ones), gap[open_ones]
-        # What lacks to a proof shrinks with the square of the step.
+        # The gap that a proof lacks shrinks with the square of the step.
         plain = apart.gaps.min(axis=0)
-        share = np.maximum(plain, 0.0) / np.maximum(plain - gap, TINY)
+        share = np.maximum(plain, 0.0) / np.maximum(plain - gap, 1e-300)
         self.sleep[left] = step * np.clip(EARLY * np.sqrt(share), SOONEST, 0.5)
         pairs = selected(self.pairs, left)
         touching = [apart.touching(end, pairs, self.tolerance) for end in (0, 1)]

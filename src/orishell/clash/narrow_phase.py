@@ -145,7 +145,7 @@ def examine_bodies(
         start, stop = (one_direction(state, group.pairs, apart.number) for state in states)
         return group.not_separated_by(start, stop)
 
-    # Of solid panels pairs of edges have ten times as many directions as faces, which part most.
+    # Pairs of edges of solid panels have ten times as many directions as faces, which part most.
     group = not_separated(group, Apartness.of(states, pairs, of_faces=True))
     apart = Apartness.of(states, group.pairs)
     left = not_separated(group, apart).pairs

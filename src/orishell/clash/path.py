@@ -161,7 +161,7 @@ class PathSearch:
         )
 
     def _swung(self, part: PathRange) -> float:
-        """What is to be added to the bounds of accelerations between vertices of panels."""
+        """Acceleration to add to the bounds between vertices of panels."""
         return 0.0
 
     def _narrow_phase(self, part: PathRange, near: Pairs) -> Findings:
@@ -199,7 +199,7 @@ class PathSearch:
                 continue
             halving = np.zeros(len(room), np.bool_)
             if part.stop - part.start > 1:
-                # What motions within the two nodes contribute: splitting them saves no more.
+                # The share of motions within the two nodes: splitting them saves no more.
                 inner = [bounds.between_nodes(level, nodes, nodes) for nodes in pairs]
                 own = part.step**2 / 8 * (inner[0] + inner[1] + swung)
                 soon = (chord_error <= WORTH_HALVING * room) & (level < self.tree.depth)

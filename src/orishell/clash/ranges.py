@@ -12,22 +12,30 @@ from orishell.clash.bodies import Bodies, BodyState
 from orishell.clash.broad_phase import Extents, PanelTree
 from orishell.clash.narrow_phase import Slabs
 from orishell.conventions.progress import Progress
-from orishell.conventions.record import record
+from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
 from orishell.numerics.arrays import Array
 
+BOUND = (
+    "between two states a vector between two vertices stays within step**2/8 times a bound of its "
+    "acceleration of the straight line"
+)
 
-@dataclass(frozen=True, slots=True)
+
+@record
 class ProofRecord:
-    """How the path was examined."""
+    """How contact was excluded along the whole path."""
 
-    states: int  # number of states whose positions were computed
-    ranges: int  # number of ranges of the drive between two of them
-    tests: int  # number of pairs, of panels or of groups of panels, that were tested in a range
-    # widest and narrowest range (radians)
-    largest_step: float
-    smallest_step: float
-    tolerance: float  # distance below which panels touch (length)
+    # numbers of states computed, ranges of the drive proved clear, and pairs of panels, or of
+    # groups of panels, compared
+    states: int
+    ranges: int
+    tests: int
+    # the longest and the shortest of these ranges
+    largest_step: Angle
+    smallest_step: Angle
+    contact_tolerance: float  # distance at which panels touch (length)
+    bound: str = BOUND  # what the proof rests on, in words
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +95,7 @@ def search_ranges(
         start, stop, pending = stack.pop()
         if found is not None and start >= found[0]:
             break
-        # Ranges may be many that bring it no further: it is heard of, and can be ended, at each.
+        # Many ranges may bring no progress: it is told, and can be ended, at each.
         progress(clear / TICKS, LOOKING)
         outcome = examine(start, stop, pending)
         if outcome.at_start is not None:

@@ -171,10 +171,5 @@ def _dot(u: Array, v: Array) -> Array:
 
 def cross(u: Array, v: Array) -> Array:
     """Vector products (3, ...) of vectors (3, ...)."""
-    return np.stack(
-        [
-            u[1] * v[2] - u[2] * v[1],
-            u[2] * v[0] - u[0] * v[2],
-            u[0] * v[1] - u[1] * v[0],
-        ]
-    )
+    (a, b, c), (d, e, f) = u, v
+    return np.stack([b * f - c * e, c * d - a * f, a * e - b * d])

@@ -33,7 +33,7 @@ def near_panels(
     pairs = (np.zeros(1, np.int64), np.zeros(1, np.int64))
     for level in range(tree.depth + 1):
         near = gaps((extents, extents), level, pairs) <= tolerance
-        pairs = (pairs[0][near], pairs[1][near])
+        pairs = selected(pairs, near)
         if level < tree.depth:
             pairs = child_pairs(pairs)
     first, second = np.sort([tree.panels[nodes] for nodes in pairs], axis=0)
@@ -138,10 +138,8 @@ def _crossing(
     vertex = points[first[rows, of_first]]
 
     def arms(faces: Integers, at: Integers) -> tuple[Array, Array]:
-        return (
-            points[faces[rows, (at + 1) % 4]] - vertex,
-            points[faces[rows, (at - 1) % 4]] - vertex,
-        )
+        after, before = (points[faces[rows, (at + step) % 4]] - vertex for step in (1, -1))
+        return after, before
 
     a, b = arms(first, of_first), arms(second, of_second)
     normal_a, normal_b = units(np.cross(*a)), units(np.cross(*b))
@@ -150,10 +148,9 @@ def _crossing(
     line = np.cross(normal_a, normal_b)
     facing = dots(line, units(a[0]) + units(a[1])) * dots(line, units(b[0]) + units(b[1]))
     result = _straddle(over_a, tolerance) & _straddle(over_b, tolerance) & (facing > 0)
-    for arm, height in zip(b, over_a, strict=True):
-        result |= (np.abs(height) <= tolerance) & _between(a, normal_a, arm)
-    for arm, height in zip(a, over_b, strict=True):
-        result |= (np.abs(height) <= tolerance) & _between(b, normal_b, arm)
+    for sector, normal, arms_of, over in ((a, normal_a, b, over_a), (b, normal_b, a, over_b)):
+        for arm, height in zip(arms_of, over, strict=True):
+            result |= (np.abs(height) <= tolerance) & _between(sector, normal, arm)
     return result
 
 

@@ -1,4 +1,4 @@
 """The command line: parse, call, print.
 
-Commands import inside: ``--help`` and ``--version`` wait for no room.
+Commands import inside: ``--help`` and ``--version`` wait for no package.
 """

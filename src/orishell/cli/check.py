@@ -38,7 +38,7 @@ def check(
     All its panels must be quadrilaterals.
     """
     from orishell.io import read_fold
-    from orishell.io.all_formats import FOLD
+    from orishell.io.formats.fold import FORMAT as FOLD
     from orishell.io.output import require_one_run
     from orishell.verification import inspect_fold
 
@@ -100,7 +100,7 @@ def convert(
     """Write a FOLD file in another format."""
     from orishell.design_file import read_workshop
     from orishell.io import Settings
-    from orishell.io.all_formats import FOLD
+    from orishell.io.formats.fold import FORMAT as FOLD
     from orishell.shell.export import convert_fold
     from orishell.workshop import DEFAULT
 

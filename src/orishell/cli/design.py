@@ -43,7 +43,7 @@ def design(
     They are shell.fold, report.json and pictures, and what --write names.
     """
     from orishell.io import OutputDirectory, Settings
-    from orishell.io.all_formats import formats_for
+    from orishell.io.formats import formats_for
     from orishell.shell.export import write_shell
     from orishell.shell.make import design_shell
 
@@ -75,7 +75,7 @@ def design(
 
 def _require_formats(names: str) -> None:
     """Refuse unknown formats, and named ones that cannot be written here, before any work."""
-    from orishell.io.all_formats import find_formats
+    from orishell.io.formats import find_formats
 
     try:
         for each in find_formats(names.split(",")):

@@ -14,7 +14,7 @@ import typer
 
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.progress import Progress, no_progress
-from orishell.io.registry import ALL, MODULES
+from orishell.io.formats import ALL, format_modules
 
 
 def say(text: str, *, err: bool = False) -> None:
@@ -58,7 +58,7 @@ def bar() -> Iterator[Progress]:
         bars.stop()
 
 
-WRITE_HELP = f"Further formats, separated by commas: {', '.join(MODULES)}; or {ALL}."
+WRITE_HELP = f"Further formats, separated by commas: {', '.join(format_modules())}; or {ALL}."
 
 FILE_HELP = "The FOLD file, or the directory that `orishell design` wrote it to."
 

@@ -18,16 +18,11 @@ SHORTEST = 1e-9
 """A curve shorter than this, relative to its largest coordinate, is lost in rounding."""
 
 PROBES, ROUNDS = 31, 13
-"""Samples in an interval, which is narrowed to a sixteenth so many times: to its rounding."""
+"""Samples in an interval, and how often it is narrowed to a sixteenth: down to rounding."""
 
 
 def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
-    """Position, first and second derivative, (N, 2) each, at parameters (N,).
-
-    t: Parameters (N,).
-
-    Raises CurveError if the position or the first derivative is not finite.
-    """
+    """Position, first and second derivative, (N, 2) each, at t (N,); CurveError if not finite."""
     position, first, second = curve.jet(t)
     for what, array in (
         ("the curve is not finite", position),
@@ -47,35 +42,23 @@ def checked_jet(curve: Curve, t: Array) -> tuple[Array, Array, Array]:
 
 
 def require_length(position: Array, arc: Array) -> None:
-    """Refuse a curve that is lost in the rounding of its coordinates.
-
-    position: Points (N, 2) of the curve.
-    arc: Arc lengths (N,) there.
-
-    Raises CurveError if it is a single point, or too short.
-    """
+    """Refuse a curve that is lost in the rounding of its coordinates."""
     length, largest = float(arc[-1]), float(np.abs(position).max())
-    if not length > max(SHORTEST * largest, 1 / LARGEST):
-        if length == 0.0:
-            raise CurveError(
-                "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"
-            )
+    least = max(SHORTEST * largest, 1 / LARGEST)
+    if length == 0.0:
+        raise CurveError(
+            "the curve is a single point", got=f"({position[0, 0]:g}, {position[0, 1]:g})"
+        )
+    if not length > least:
         raise CurveError(
             "the curve is too short",
             got=f"{length:g} long with coordinates up to {largest:g}",
-            expected=f"at least {max(SHORTEST * largest, 1 / LARGEST):g}",
+            expected=f"at least {least:g}",
         )
 
 
 def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
-    """Refuse a zero tangent, also between the samples.
-
-    t: Parameters (N,) of its samples.
-    first: First derivatives (N, 2) there.
-    length: Its arc length.
-
-    Raises CurveError if its tangent is zero, with the place.
-    """
+    """Refuse a zero tangent, also between the samples, with first derivatives (N, 2) at t (N,)."""
     speed = np.hypot(*first.T)
     padded = np.concatenate([[np.inf], speed, [np.inf]])
     mean = length / (curve.stop - curve.start)
@@ -97,10 +80,9 @@ def require_speed(curve: Curve, t: Array, first: Array, length: float) -> None:
 
 
 def least_within(function: Callable[[Array], Array], lo: Array, hi: Array) -> tuple[Array, Array]:
-    """Place and value (K,) of the minimum in each interval, narrowed around the least of samples.
+    """Place and value (K,) of the minimum in each interval, narrowed around the least sample.
 
-    function: What is to be least, of places (..., K); not a number where it has no value.
-    lo, hi: The intervals (K,).
+    The function takes places (..., K); it is nan where it has no value.
     """
     share = np.arange(1, PROBES + 1)[:, None] / (PROBES + 1)
     each = np.arange(len(lo))

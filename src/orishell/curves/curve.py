@@ -21,7 +21,7 @@ from orishell.numerics.arrays import Array
 CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 """Position, first and second derivative, each (..., 2), at parameters (...)."""
 CurveEnclosure = Callable[[Array, Array], tuple[Enclosure, Enclosure]]
-"""What x and y and their derivatives can be between parameters ``low`` and ``high`` (S,)."""
+"""Bounds of x and y and their derivatives between parameters ``low`` and ``high`` (S,)."""
 Scale: TypeAlias = float | tuple[float, float]
 """A factor of size, or one along x and one along y."""
 
@@ -34,8 +34,7 @@ class Curve:
     """A planar curve t -> (x(t), y(t)) on [start, stop]."""
 
     jet: CurveJet  # position, first and second derivative, each (..., 2), at parameters (...)
-    # what these can be between parameters ``low`` and ``high`` (S,), for x and for y; no break lies
-    # inside
+    # bounds of these between parameters ``low`` and ``high`` (S,), x and y; no break lies inside
     enclosure: CurveEnclosure
     # the range of the parameter, start < stop
     start: float
@@ -146,24 +145,12 @@ class Curve:
         return drawn + way * (np.asarray(t, dtype=np.float64) - at)
 
     def drawn_part(self, first: float, last: float) -> tuple[float, float]:
-        """The ends of a part in parameters of the curve as drawn, the smaller first, for ``key``.
-
-        Parameters
-        ----------
-        first, last
-            Parameters of this curve.
-        """
+        """Ends ``first`` and ``last`` of a part as parameters of ``key``, the smaller one first."""
         low, high = sorted(float(self.as_drawn(t)) for t in (first, last))
         return low, high
 
     def part_of_drawn(self, first: float, last: float) -> Self:
-        """The part between two parameters of the curve as drawn, which are those of ``key``.
-
-        Parameters
-        ----------
-        first, last
-            The part's ends as the curve was drawn.
-        """
+        """The part between ``first`` and ``last``, parameters of ``key``: of the curve as drawn."""
         at, drawn, way = self.drawn
         return self.part(*sorted(at + way * (t - drawn) for t in (first, last)))
 
@@ -171,17 +158,11 @@ class Curve:
         """The curve enlarged about the origin by ``factor`` > 0, or by a pair along x and y."""
         along_x, along_y = factor if isinstance(factor, tuple) else (factor, factor)
         factors = np.array([along_x, along_y])
-
-        def jet(t: Array) -> tuple[Array, Array, Array]:
-            position, first, second = self.jet(t)
-            return position * factors, first * factors, second * factors
-
-        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
-            x, y = self.enclosure(low, high)
-            return x.times(along_x), y.times(along_y)
-
-        scale = (self.scale[0] * along_x, self.scale[1] * along_y)
-        return replace(self, jet=jet, enclosure=enclosure, scale=scale)
+        scaled = self._mapped(
+            lambda position, first, second: (position * factors, first * factors, second * factors),
+            lambda x, y: (x.times(along_x), y.times(along_y)),
+        )
+        return replace(scaled, scale=(self.scale[0] * along_x, self.scale[1] * along_y))
 
     def scale_times(self, share: float) -> float | list[float]:
         """What the key ``scale`` says where the curve is to be ``share`` times as large."""
@@ -190,31 +171,31 @@ class Curve:
 
     def shifted(self, offset: Array) -> Self:
         """The curve moved by a vector (2,) in its unit, ``offset``."""
-
-        def jet(t: Array) -> tuple[Array, Array, Array]:
-            position, first, second = self.jet(t)
-            return position + offset, first, second
-
-        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
-            x, y = self.enclosure(low, high)
-            return x + Enclosure.constant(offset[0]), y + Enclosure.constant(offset[1])
-
-        return replace(self, jet=jet, enclosure=enclosure)
+        return self._mapped(
+            lambda position, first, second: (position + offset, first, second),
+            lambda x, y: (x.plus(offset[0]), y.plus(offset[1])),
+        )
 
     def rotated(self, angle: float) -> Self:
         """The curve turned counter-clockwise about the origin by ``angle`` (radians)."""
         cos, sin = np.cos(angle), np.sin(angle)
         turn = np.array([[cos, sin], [-sin, cos]])
+        return self._mapped(
+            lambda position, first, second: (position @ turn, first @ turn, second @ turn),
+            lambda x, y: (x.times(cos) - y.times(sin), x.times(sin) + y.times(cos)),
+        )
 
-        def jet(t: Array) -> tuple[Array, Array, Array]:
-            position, first, second = self.jet(t)
-            return position @ turn, first @ turn, second @ turn
-
-        def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
-            x, y = self.enclosure(low, high)
-            return x.times(cos) - y.times(sin), x.times(sin) + y.times(cos)
-
-        return replace(self, jet=jet, enclosure=enclosure)
+    def _mapped(
+        self,
+        jet: Callable[[Array, Array, Array], tuple[Array, Array, Array]],
+        boxes: Callable[[Enclosure, Enclosure], tuple[Enclosure, Enclosure]],
+    ) -> Self:
+        """The curve under a map of its points and derivatives, and of their bounds."""
+        return replace(
+            self,
+            jet=lambda t: jet(*self.jet(t)),
+            enclosure=lambda low, high: boxes(*self.enclosure(low, high)),
+        )
 
 
 def curve_from_formulas(x: Formula | None, y: Formula, start: float, stop: float) -> Curve:

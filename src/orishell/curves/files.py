@@ -1,4 +1,4 @@
-"""Curves in files, and what to say of a drawing that makes no one curve."""
+"""Curves in files, and messages about drawings that do not make one curve."""
 
 from __future__ import annotations
 
@@ -16,10 +16,8 @@ from orishell.curves.joining import CHOOSE, Chain, join_pieces
 from orishell.curves.pieces import Piece
 from orishell.numerics.arrays import Array
 
-LISTED = 6
-"""Parts and choices that a message names; of more it says how many."""
-TRIED = 40
-"""Choices that are tried at most."""
+LISTED, TRIED = 6, 40
+"""Parts and choices that a message names at most, and choices that are tried."""
 
 
 def name_parts(
@@ -28,13 +26,11 @@ def name_parts(
     choices: Iterable[tuple[str, Sequence[Piece]]],
     otherwise: str,
 ) -> CurveError:
-    """Say in an error which part of the drawing is what, and by which choice one makes a curve.
+    """Add to an error the parts of the drawing, and the choices that leave one curve.
 
-    error: Why all that is drawn makes no curve.
-    parts: What is drawn: names of elements, and the pieces of each.
-    choices: What may be written in the design file, and the pieces that it leaves; they are tried,
-        and of those that leave the same the first is named.
-    otherwise: What to do if none of them leaves a curve.
+    ``parts`` are names of elements with their pieces; ``choices`` are lines of the design file with
+    the pieces that they leave, and of those that leave the same the first is named. ``otherwise``
+    is the remedy if none leaves a curve.
     """
     if len(parts) < 2:
         return error.located(parts[0][0]) if parts else error
@@ -82,13 +78,7 @@ _LAST_WORD = re.compile(r"[\s_/(]\s*([^\W_]+)\s*\)?$")
 
 
 def read_source(path: str | Path, kind: str) -> bytes:
-    """Read the bytes of a file, unless it is too large.
-
-    path: The file.
-    kind: What messages call it, as in "SVG file".
-
-    Raises InputError if it is missing, no file, too large, or cannot be read; without its name.
-    """
+    """The bytes of a file that messages call ``kind``; an InputError does not name it."""
     try:
         path = Path(path)
         if path.exists() and not path.is_file():

@@ -18,11 +18,9 @@ from orishell.curves.formula_arithmetic import (
     apply,
     combine,
     lift,
-    named,
     the_variable,
 )
-from orishell.curves.jets import FUNCTIONS, Jet
-from orishell.numerics import Enclosure
+from orishell.numerics import FUNCTIONS, Enclosure, Jet, power
 from orishell.numerics.arrays import Array
 
 MAX_LENGTH = 500
@@ -69,12 +67,8 @@ class _Compiler:
         self.text = text
         self.variable: str | None = None
 
-    def fault(
-        self, what: str, node: ast.expr, *, got: str = "", expected: str = "", remedy: str = ""
-    ) -> FormulaError:
-        return FormulaError(
-            what, self.text, node.col_offset, got=got, expected=expected, remedy=remedy
-        )
+    def fault(self, what: str, node: ast.expr, **details: str) -> FormulaError:
+        return FormulaError(what, self.text, node.col_offset, **details)
 
     def compile(self, node: ast.expr, depth: int = 0) -> float | Run:
         """Return a number for a constant subtree, otherwise a function from t to its jet."""
@@ -90,27 +84,24 @@ class _Compiler:
             case ast.Name(id=name):
                 return self.name(node, name)
             case ast.UnaryOp(op=ast.USub() | ast.UAdd() as op, operand=operand):
-                return (
-                    self.negative(self.compile(operand, depth + 1))
-                    if isinstance(op, ast.USub)
-                    else self.compile(operand, depth + 1)
-                )
+                inner = self.compile(operand, depth + 1)
+                return combine(ast.Sub, 0.0, inner) if isinstance(op, ast.USub) else inner
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
                 return self.power(
                     self.compile(left, depth + 1), self.compile(right, depth + 1), right
                 )
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in JETS.operators:
+            case ast.BinOp(
+                left=left, op=ast.Add() | ast.Sub() | ast.Mult() | ast.Div() as op, right=right
+            ):
                 return combine(
-                    type(op),
-                    self.compile(left, depth + 1),
-                    self.compile(right, depth + 1),
+                    type(op), self.compile(left, depth + 1), self.compile(right, depth + 1)
                 )
             case ast.BinOp(op=ast.BitXor()):
                 raise self.fault("^ is not a power here", node.right, remedy="write ** for powers")
             case ast.Call(func=ast.Name(id=name), args=[argument], keywords=[]) if (
                 name in FUNCTIONS
             ):
-                return apply(named(name), self.compile(argument, depth + 1))
+                return apply(FUNCTIONS[name], self.compile(argument, depth + 1))
             case ast.Call(func=ast.Name(id=name)) if name in FUNCTIONS:
                 raise self.fault(f"{name} takes one argument", node)
             case ast.Call(func=ast.Name(id=name)):
@@ -146,16 +137,7 @@ class _Compiler:
         self.variable = name
         return the_variable
 
-    @staticmethod
-    def negative(operand: float | Run) -> float | Run:
-        return combine(ast.Sub, 0.0, operand)
-
-    def power(
-        self,
-        base: float | Run,
-        exponent: float | Run,
-        node: ast.expr,
-    ) -> float | Run:
+    def power(self, base: float | Run, exponent: float | Run, node: ast.expr) -> float | Run:
         if isinstance(exponent, float):
             if not abs(exponent) <= MAX_EXPONENT:
                 raise self.fault(
@@ -164,11 +146,9 @@ class _Compiler:
                     got=f"{exponent:g}",
                     expected=f"at most {MAX_EXPONENT:g} in size",
                 )
-            n = exponent
-            return apply(lambda rules: lambda value: rules.power(value, n), base)
+            return apply(power(exponent), base)
         if isinstance(base, float) and base > 0:
-            scaled = combine(ast.Mult, float(np.log(base)), exponent)
-            return apply(named("exp"), scaled)
+            return apply(FUNCTIONS["exp"], combine(ast.Mult, float(np.log(base)), exponent))
         raise self.fault(
             "the exponent varies",
             node,
@@ -249,7 +229,6 @@ def parse_formula(text: str) -> Formula:
 
 def _check_characters(text: str) -> None:
     """Refuse what a formula never holds, and unbalanced or too deep parentheses, by place."""
-    depth = 0
     opened: list[int] = []
     for column, character in enumerate(text):
         if not (character.isascii() and (character.isalnum() or character in " .+-*/()^,_")):
@@ -258,8 +237,7 @@ def _check_characters(text: str) -> None:
             )
         if character == "(":
             opened.append(column)
-            depth = len(opened)
-            if depth > MAX_DEPTH:
+            if len(opened) > MAX_DEPTH:
                 raise FormulaError(
                     "the formula is nested too deeply",
                     text,

@@ -1,23 +1,20 @@
 """The operations of formulas, for numbers and for ranges alike.
 
 A compiled formula is run by rules: with those of jets it gives its value and two derivatives at
-parameters, with those of enclosures what these can be over ranges of the parameter.
+parameters, with those of enclosures what these can be over ranges of the parameter. Both propagate
+derivatives exactly, without differences.
 """
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
-from typing import Any, Final, Generic, Protocol, TypeAlias, TypeVar
+from typing import Final, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
-from orishell import numerics
 from orishell.conventions.record import record
-from orishell.curves import jets
-from orishell.curves.jets import Jet
-from orishell.numerics import Enclosure, Interval
-from orishell.numerics.arrays import Array
+from orishell.numerics import Elementary, Enclosure, Jet, power
 
 J = TypeVar("J")
 Operator: TypeAlias = type[ast.operator]
@@ -25,32 +22,16 @@ Operator: TypeAlias = type[ast.operator]
 
 @record
 class Rules(Generic[J]):
-    """The operations of formulas on one kind of value.
+    """The operations of formulas on one kind of value."""
 
-    constant: A number, beside the variable.
-    operators: The operators + - * /, by their nodes in a syntax tree.
-    power: A power with a number as exponent.
-    functions: The functions, by their names.
-    """
-
-    constant: Callable[[float, J], J]
-    operators: Mapping[Operator, Callable[[J, J], J]]
-    power: Callable[[J, float], J]
-    functions: Mapping[str, Callable[[J], J]]
+    constant: Callable[[float, J], J]  # a number, beside the variable
+    operators: Mapping[Operator, Callable[[J, J], J]]  # + - *, by their nodes in a syntax tree
+    function: Callable[[Elementary, J], J]  # a function of a value
 
 
-def _constant_jet(value: float, _: Jet) -> Jet:
-    zero = np.zeros(())
-    return np.asarray(value), zero, zero
-
-
-def _jet_power(base: Jet, exponent: float) -> Jet:
-    v = base[0]
-    return jets.chain(jets.power((v, np.ones_like(v), np.zeros_like(v)), exponent), base)
-
-
-def _jet_function(function: Callable[[Array], Jet]) -> Callable[[Jet], Jet]:
-    return lambda jet: jets.chain(function(jet[0]), jet)
+def _chain(function: Elementary, inner: Jet) -> Jet:
+    value, first, second = function.jet(inner[0])
+    return value, first * inner[1], second * inner[1] ** 2 + first * inner[2]
 
 
 def _times(a: Enclosure, b: Enclosure) -> Enclosure:
@@ -60,40 +41,24 @@ def _times(a: Enclosure, b: Enclosure) -> Enclosure:
     return a * b
 
 
-def _enclosed_power(base: Enclosure, exponent: float) -> Enclosure:
-    return numerics.power_of(base.value, exponent).of(base)
-
-
-def _enclosed_function(
-    function: Callable[[Interval], Enclosure],
-) -> Callable[[Enclosure], Enclosure]:
-    return lambda inner: function(inner.value).of(inner)
-
-
 JETS: Final[Rules[Jet]] = Rules(
-    constant=_constant_jet,
+    constant=lambda value, _: (np.asarray(value), np.zeros(()), np.zeros(())),
     operators={
-        ast.Add: jets.plus,
-        ast.Sub: jets.minus,
-        ast.Mult: jets.times,
-        ast.Div: jets.over,
+        ast.Add: lambda a, b: (a[0] + b[0], a[1] + b[1], a[2] + b[2]),
+        ast.Sub: lambda a, b: (a[0] - b[0], a[1] - b[1], a[2] - b[2]),
+        ast.Mult: lambda a, b: (
+            a[0] * b[0],
+            a[1] * b[0] + a[0] * b[1],
+            a[2] * b[0] + 2 * a[1] * b[1] + a[0] * b[2],
+        ),
     },
-    power=_jet_power,
-    functions={name: _jet_function(each) for name, each in jets.FUNCTIONS.items()},
+    function=_chain,
 )
 ENCLOSURES: Final[Rules[Enclosure]] = Rules(
     constant=lambda value, _: Enclosure.constant(value),
-    operators={
-        ast.Add: Enclosure.__add__,
-        ast.Sub: Enclosure.__sub__,
-        ast.Mult: _times,
-        ast.Div: lambda a, b: _times(a, _enclosed_power(b, -1.0)),
-    },
-    power=_enclosed_power,
-    functions={name: _enclosed_function(each) for name, each in numerics.FUNCTIONS.items()},
+    operators={ast.Add: Enclosure.__add__, ast.Sub: Enclosure.__sub__, ast.Mult: _times},
+    function=Elementary.of,
 )
-
-Function = Callable[[Rules[Any]], Callable[[Any], Any]]
 
 
 class Run(Protocol):
@@ -108,8 +73,10 @@ def the_variable(variable: J, rules: Rules[J], /) -> J:
     return variable
 
 
-def lift(value: float) -> Run:
-    """The formula of a constant ``value``."""
+def lift(value: float | Run) -> Run:
+    """A formula as it is, or the formula of a constant."""
+    if not isinstance(value, float):
+        return value
 
     def run(variable: J, rules: Rules[J], /) -> J:
         return rules.constant(value, variable)
@@ -126,8 +93,9 @@ def _fold(run: Run) -> float:
 
 def combine(operator: Operator, left: float | Run, right: float | Run) -> float | Run:
     """The formula ``left`` ``operator`` ``right``; a number if both are."""
-    a = lift(left) if isinstance(left, float) else left
-    b = lift(right) if isinstance(right, float) else right
+    if operator is ast.Div:
+        return combine(ast.Mult, left, apply(power(-1.0), right))
+    a, b = lift(left), lift(right)
 
     def run(variable: J, rules: Rules[J], /) -> J:
         result: J = rules.operators[operator](a(variable, rules), b(variable, rules))
@@ -136,17 +104,11 @@ def combine(operator: Operator, left: float | Run, right: float | Run) -> float 
     return _fold(run) if isinstance(left, float) and isinstance(right, float) else run
 
 
-def named(name: str) -> Function:
-    """The function with this ``name``."""
-    return lambda rules: rules.functions[name]
-
-
-def apply(function: Function, argument: float | Run) -> float | Run:
+def apply(function: Elementary, argument: float | Run) -> float | Run:
     """The formula of a ``function`` of its ``argument``; a number if that is one."""
-    inner = lift(argument) if isinstance(argument, float) else argument
+    inner = lift(argument)
 
     def run(variable: J, rules: Rules[J], /) -> J:
-        result: J = function(rules)(inner(variable, rules))
-        return result
+        return rules.function(function, inner(variable, rules))
 
     return _fold(run) if isinstance(argument, float) else run

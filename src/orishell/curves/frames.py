@@ -6,15 +6,12 @@ import numpy as np
 
 from orishell.numerics.arrays import Array
 
-ROOM = 4.0
-"""Origins of frames lie on a grid at least this many times as wide as what is in them."""
-
 
 def nearby_origin(points: Array) -> Array:
     """The origin (D,) of a frame in which points (P, D) have small coordinates.
 
     Along every axis it is a multiple of a power of two of four to eight times the points' extent,
-    so that taking it away loses nothing; points within two extents of the old origin keep that one.
+    so that subtracting it loses nothing; points within two extents of the old origin keep that one.
 
     Parameters
     ----------
@@ -25,5 +22,5 @@ def nearby_origin(points: Array) -> Array:
     extent = float((high - low).max())
     if not extent:
         return np.asarray(low)
-    step = np.exp2(np.ceil(np.log2(ROOM * extent)))
+    step = np.exp2(np.ceil(np.log2(4.0 * extent)))
     return np.asarray(np.round(0.5 * (low + high) / step) * step)

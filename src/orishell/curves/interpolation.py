@@ -113,16 +113,11 @@ def _polyline(knots: Array, points: Array) -> Curve:
 
     def enclosure(low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
         cell = np.clip(np.searchsorted(knots, 0.5 * (low + high), side="right") - 1, 0, last)
-        slope = slopes[cell]
-        begin, end = (points[cell] + (t - knots[cell])[:, None] * slope for t in (low, high))
+        begin, end = (points[cell] + (t - knots[cell])[:, None] * slopes[cell] for t in (low, high))
         flat = Interval(np.zeros_like(low), np.zeros_like(low))
         x, y = (
-            Enclosure(
-                Interval.between(begin[:, axis], end[:, axis]),
-                Interval(slope[:, axis], slope[:, axis]),
-                flat,
-            )
-            for axis in (0, 1)
+            Enclosure(Interval.between(first, second), Interval(slope, slope), flat)
+            for first, second, slope in zip(begin.T, end.T, slopes[cell].T, strict=True)
         )
         return x, y
 

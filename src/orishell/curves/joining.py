@@ -1,4 +1,4 @@
-"""Which way a curve is run through."""
+"""Pieces of a drawing joined to one curve, and the direction in which it is run through."""
 
 from __future__ import annotations
 
@@ -51,11 +51,11 @@ TOLERANCE = 1e-6
 LARGEST = 1e50
 """Coordinates beyond this count as not finite."""
 CHOOSE = "choose its pieces"
-"""Part of a remedy, in place of which stands how, where that is known."""
+"""Part of a remedy; where it is known how to choose them, that takes its place."""
 SMOOTH_TURN = 0.1
-"""A spline through a drawing takes a point of each piece at least every so many radians."""
+"""A bent piece turns by at most this from point to point of a spline through it (radians)."""
 MOST_BETWEEN = 64
-"""A spline takes at most so many points of one piece."""
+"""A spline takes at most this many points of one piece."""
 
 
 @record
@@ -84,8 +84,7 @@ class Chain:
     def spline(self) -> Curve:
         """A cubic spline, twice continuously differentiable, through the drawing.
 
-        It goes through all joints, and through so many points of the bent pieces between that
-        these turn by at most :data:`SMOOTH_TURN` from point to point.
+        It goes through all joints, and through points of bent pieces every :data:`SMOOTH_TURN`.
         """
         arrays = PieceArrays.of(self.pieces)
         points = [self.joints[:1]]
@@ -98,14 +97,11 @@ class Chain:
 
 
 def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
-    """Order and turn pieces so that they make one curve.
+    """Order and turn pieces so that they make one curve; CurveError if they do not.
 
     Ends nearer than :data:`TOLERANCE` times the diagonal of all pieces are joined. Pieces shorter
     than that, and pieces that are drawn twice, are dropped. The curve begins at the end with the
     smaller x, or if they have the same, the smaller y.
-
-    Raises CurveError if nothing is drawn, or the pieces branch, close, or leave a gap; with the
-    place.
     """
     require_pieces(pieces)
     arrays = PieceArrays.of(pieces)
@@ -131,20 +127,13 @@ def join_pieces(pieces: Sequence[Piece], place: Place) -> Chain:
         return place(np.round(point / grid) * grid + 0.0)
 
     first = _first_end(node, where, tolerance, rounded)
-    order, turned = _walk(node, first)
-    chain = tuple(
-        pieces[kept[k]].reversed() if back else pieces[kept[k]]
-        for k, back in zip(order, turned, strict=True)
-    )
-    stops = [node[0 if back else 1, k] for k, back in zip(order, turned, strict=True)]
-    return Chain(chain, where[[first, *stops]])
+    walk = _walk(node, first)
+    chain = tuple(pieces[kept[k]].reversed() if back else pieces[kept[k]] for k, back, _ in walk)
+    return Chain(chain, where[[first, *(stop for _, _, stop in walk)]])
 
 
 def require_pieces(pieces: Sequence[Piece]) -> None:
-    """Refuse a drawing of no pieces, or too many, or some that are not finite.
-
-    Raises CurveError: With what is wrong.
-    """
+    """Refuse a drawing of no pieces, or too many, or some that are not finite."""
     if not pieces:
         raise CurveError(
             "nothing is drawn here",
@@ -157,17 +146,14 @@ def require_pieces(pieces: Sequence[Piece]) -> None:
             expected=f"at most {MAX_PIECES}",
             remedy="simplify it",
         )
-    for piece in pieces:
-        if not piece.reach < LARGEST:  # nan, too
-            raise CurveError(
-                "a coordinate is not finite, or too large", expected=f"numbers up to {LARGEST:g}"
-            )
+    if not all(piece.reach < LARGEST for piece in pieces):  # nan, too
+        raise CurveError(
+            "a coordinate is not finite, or too large", expected=f"numbers up to {LARGEST:g}"
+        )
 
 
 def _cluster(points: Array, tolerance: float) -> Integers:
     """Numbers (P,) of points (P, 2), the same for those that are within a tolerance."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
     # One point for each cell of a grid, so that however many coincide, few pairs are left.
@@ -175,16 +161,15 @@ def _cluster(points: Array, tolerance: float) -> Integers:
     _, first, cell = np.unique(cells, axis=0, return_index=True, return_inverse=True)
     sites = points[first]
     pairs = cKDTree(sites).query_pairs(tolerance, output_type="ndarray")
-    links = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(sites), len(sites)))
-    labels = connected_components(links, directed=False)[1]
-    return np.asarray(labels[cell.ravel()], dtype=np.intp)
+    return _components(pairs.T, len(sites))[cell.ravel()]
 
 
 def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> int:
     """The end (a node's number) at which the one chain of pieces begins."""
     degree = np.bincount(node.ravel(), minlength=len(where))
     if degree.max() > 2:
-        at = _leftmost(np.flatnonzero(degree > 2), where)
+        nodes = np.flatnonzero(degree > 2)
+        at = int(nodes[np.lexsort((where[nodes, 1], where[nodes, 0]))[0]])  # the leftmost
         raise CurveError(
             "the curve branches",
             where=f"at {place(where[at])}",
@@ -218,12 +203,13 @@ def _first_end(node: Integers, where: Array, tolerance: float, place: Place) -> 
     return a if forwards else b
 
 
-def _components(node: Integers, count: int) -> Integers:
+def _components(links: Integers, count: int) -> Integers:
+    """Numbers (count,) of connected components under links (2, L)."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    links = coo_array((np.ones(node.shape[1]), node), shape=(count, count))
-    return np.asarray(connected_components(links, directed=False)[1], dtype=np.intp)
+    graph = coo_array((np.ones(links.shape[1]), links), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.intp)
 
 
 def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, int, float]:
@@ -238,28 +224,20 @@ def _nearest_ends(free: Integers, chain: Integers, where: Array) -> tuple[int, i
     return int(free[k]), int(free[near[k, column]]), float(distances[k, column])
 
 
-def _leftmost(nodes: Integers, where: Array) -> int:
-    return int(nodes[np.lexsort((where[nodes, 1], where[nodes, 0]))[0]])
-
-
-def _walk(node: Integers, first: int) -> tuple[list[int], list[bool]]:
-    """The pieces from one end to the other, and whether each is run through backwards."""
+def _walk(node: Integers, first: int) -> list[tuple[int, bool, int]]:
+    """The pieces from one end on, whether each is run through backwards, and where it ends."""
     at: dict[int, list[int]] = {}
     for k, (a, b) in enumerate(node.T.tolist()):
         at.setdefault(a, []).append(k)
         at.setdefault(b, []).append(k)
-    order: list[int] = []
-    turned: list[bool] = []
+    walk: list[tuple[int, bool, int]] = []
     here, last = first, -1
-    while True:
-        ahead = [k for k in at[here] if k != last]
-        if not ahead:
-            return order, turned
+    while ahead := [k for k in at[here] if k != last]:
         last = ahead[0]
         back = int(node[1, last]) == here
-        order.append(last)
-        turned.append(back)
         here = int(node[0 if back else 1, last])
+        walk.append((last, back, here))
+    return walk
 
 
 def _parts(piece: Piece) -> int:

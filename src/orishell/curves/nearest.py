@@ -24,10 +24,7 @@ it does beside a straight line."""
 
 @record
 class Nearest:
-    """Answers which point of a curve is nearest to given points.
-
-    Build it with :meth:`to`; call it with points (P, 2) to get feet (P, 2) and distances (P,).
-    """
+    """Answers which points of a curve are nearest to given points; made by :meth:`to`."""
 
     trace: Trace
     cells: STRtree

@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.curves.pieces import Arc
-from orishell.numerics import FUNCTIONS, Enclosure, Interval, power_of
+from orishell.numerics import FUNCTIONS, Enclosure, Interval, power
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 RETRACTED = 1e-6
@@ -21,13 +21,10 @@ there the second derivative is infinite in the end itself."""
 
 @record
 class Rationals:
-    """Rational Bezier curves of one degree, as powers of s.
+    """Rational Bezier curves of one degree, as powers of s."""
 
-    powers: Coefficients (N, degree + 1, 3) of weight times x, weight times y, and weight.
-    slow: -1 or 1 where the control point next to the beginning or the end is retracted into it.
-    """
-
-    powers: Array
+    powers: Array  # coefficients (N, degree + 1, 3) of weight times x, weight times y, and weight
+    # -1 or 1 (N,) where the control point next to the beginning or the end is retracted into it
     slow: Integers
 
     def jet(self, row: Integers, s: Array) -> tuple[Array, Array, Array]:
@@ -50,15 +47,15 @@ class Rationals:
         return position, first, twice * (even**2)[:, None] + by_s * bend[:, None]
 
     def enclosure(self, row: Integers, low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
-        """What x and y can be between shares ``low`` and ``high`` (P,) of curves (P,)."""
+        """Bounds of x and y between shares ``low`` and ``high`` (P,) of curves (P,)."""
         powers, side = self.powers[row], self.slow[row]
         if not side.any():
-            return _quotients(_polynomials(powers, low, high))
+            return _quotients(powers, low, high)
         # From the end where the curve stands still, as a polynomial of the root of the share.
         powers = np.where((side > 0)[:, None, None], _from_the_end(powers), powers)
         low, high = np.where(side > 0, 1 - high, low), np.where(side > 0, 1 - low, high)
         begin, end = (np.where(side == 0, s, np.sqrt(s)) for s in (low, high))
-        by_root = _quotients(_polynomials(powers, begin, end))
+        by_root = _quotients(powers, begin, end)
         x, y = (_by_share(by_root[k], powers[..., [k, 2]], side, begin, end) for k in (0, 1))
         return x, y
 
@@ -90,12 +87,8 @@ class Arcs:
     @classmethod
     def of(cls, arcs: Sequence[Arc]) -> Arcs:
         """Gather the numbers of several arcs in arrays."""
-        return cls(
-            np.array([arc.centre for arc in arcs]),
-            np.array([arc.axes for arc in arcs]),
-            np.array([arc.start for arc in arcs]),
-            np.array([arc.sweep for arc in arcs]),
-        )
+        numbers = [(arc.centre, arc.axes, arc.start, arc.sweep) for arc in arcs]
+        return cls(*map(np.array, zip(*numbers, strict=True)))
 
     def jet(self, row: Integers, s: Array) -> tuple[Array, Array, Array]:
         """Position and two derivatives by s, (P, 2) each, at shares s (P,) of arcs (P,)."""
@@ -107,12 +100,12 @@ class Arcs:
         return self.centre[row] + out, sweep * (cos * v - sin * u), -sweep * sweep * out
 
     def enclosure(self, row: Integers, low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
-        """What x and y can be between shares ``low`` and ``high`` (P,) of arcs (P,)."""
+        """Bounds of x and y between shares ``low`` and ``high`` (P,) of arcs (P,)."""
         start, sweep = self.start[row], self.sweep[row]
         flat = Interval(np.zeros_like(sweep), np.zeros_like(sweep))
         turned = Interval.between(start + low * sweep, start + high * sweep)
         angle = Enclosure(turned, Interval(sweep, sweep), flat)
-        cos, sin = (FUNCTIONS[name](angle.value).of(angle) for name in ("cos", "sin"))
+        cos, sin = (FUNCTIONS[name].of(angle) for name in ("cos", "sin"))
         x, y = (
             cos.times(self.axes[row, 0, axis]) + sin.times(self.axes[row, 1, axis])
             for axis in (0, 1)
@@ -132,10 +125,10 @@ def powers_of(control: Array) -> Array:
 
 
 def even_out(control: Array) -> tuple[Array, Booleans, Integers]:
-    """Put control points (N, d+1, 3) near an end into it; return which curves stand still there.
+    """Put control points (N, d+1, 3) near an end into it.
 
-    Returns tuple: The control points, those near an end put into it; whether a curve is a straight
-        line because all lie in its ends; -1 or 1 where one lies in its beginning or end.
+    Returned are also whether a curve is a straight line because all lie in its ends, and -1 or 1
+    where one lies in its beginning or end.
     """
     points = control[:, :, :2] / control[:, :, 2:]
     steps = np.diff(points, axis=1)
@@ -189,16 +182,12 @@ def _polynomial(powers: Array, low: Array, high: Array) -> Enclosure:
     return Enclosure(*found)
 
 
-def _polynomials(powers: Array, low: Array, high: Array) -> list[Enclosure]:
-    return [_polynomial(powers[..., k], low, high) for k in range(3)]
-
-
-def _quotients(polynomials: list[Enclosure]) -> tuple[Enclosure, Enclosure]:
-    """The first two over the third, the weight."""
-    x, y, weight = polynomials
+def _quotients(powers: Array, low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
+    """The first two of three polynomials over the third, the weight."""
+    x, y, weight = (_polynomial(powers[..., k], low, high) for k in range(3))
     if (weight.value.low == 1).all() and (weight.value.high == 1).all():
         return x, y
-    inverse = power_of(weight.value, -1.0).of(weight)
+    inverse = power(-1.0).of(weight)
     return x * inverse, y * inverse
 
 
@@ -213,10 +202,8 @@ def _by_share(
 ) -> Enclosure:
     """A coordinate by the share of its piece, from what it is by the root of the share.
 
-    by_root: By the root between ``begin`` and ``end`` (P,), or where ``side`` is 0 by the share.
-    powers: Coefficients (P, d+1, 2) of powers of the root: the coordinate and the weight.
-    side: -1, 0 or 1 (P,), as in :class:`Rationals`.
-    begin, end: The range of the root (P,).
+    Where ``side`` (P,), as in :class:`Rationals`, is 0, it is given by the share. ``powers``
+    (P, d+1, 2) are coefficients of the coordinate and of the weight.
     """
     with np.errstate(all="ignore"):
         pace = Interval(0.5 / end, 0.5 / begin)

@@ -98,9 +98,8 @@ def bezier(points: ArrayLike) -> Bezier:
 
 def polyline(points: ArrayLike) -> list[Piece]:
     """The straight lines between successive points (N, 2)."""
-    array = np.asarray(points, dtype=np.float64)
-    lifted = np.concatenate([array, np.ones((len(array), 1))], axis=1)
-    return [Bezier(lifted[k : k + 2]) for k in range(len(array) - 1)]
+    control = bezier(points).control
+    return [Bezier(control[k : k + 2]) for k in range(len(control) - 1)]
 
 
 def circular_arc(centre: ArrayLike, radius: float, start: float, sweep: float) -> Arc:
@@ -126,14 +125,9 @@ def bulge_arc(start: ArrayLike, end: ArrayLike, bulge: float) -> Piece:
 def nurbs(
     degree: int, knots: ArrayLike, points: ArrayLike, weights: ArrayLike | None = None
 ) -> list[Piece]:
-    """A NURBS as rational Bezier curves, one for every span between its knots.
+    """A NURBS with knots (n + degree + 1,), control points (n, 2) and weights (n,), 1 if None.
 
-    degree: The degree p, at least 1.
-    knots: Knots (n + p + 1,), not decreasing.
-    points: Control points (n, 2).
-    weights: Positive weights (n,); all 1 if None.
-
-    Raises CurveError if these do not make a curve.
+    Returned are rational Bezier curves, one for every span between its knots.
     """
     t = np.asarray(knots, dtype=np.float64)
     plane = np.asarray(points, dtype=np.float64).reshape(-1, 2)

@@ -31,17 +31,14 @@ class _Group(Protocol):
 
 @record
 class PieceArrays:
-    """Pieces, grouped by kind.
-
-    groups: Pieces of one kind each.
-    group, row: Which group each piece (N,) is in, and where in it.
-    """
+    """Pieces, grouped by kind."""
 
     groups: tuple[_Group, ...]
+    # which group each piece (N,) is in, and where in it
     group: Integers
     row: Integers
+    # arc lengths (N,), to a few digits: they set the pace of the parameter
     lengths: Array = field(init=False)
-    """Arc lengths (N,), to a few digits: they set the pace of the parameter."""
 
     def __post_init__(self) -> None:
         node, weight = np.polynomial.legendre.leggauss(16)
@@ -101,7 +98,7 @@ class PieceArrays:
         return out[0], out[1], out[2]
 
     def enclosure(self, piece: Integers, low: Array, high: Array) -> tuple[Enclosure, Enclosure]:
-        """What x and y can be between shares ``low`` and ``high`` (P,) of pieces (P,)."""
+        """Bounds of x and y between shares ``low`` and ``high`` (P,) of pieces (P,)."""
         group, row = self.group[piece], self.row[piece]
         if len(self.groups) == 1:
             return self.groups[0].enclosure(row, low, high)
@@ -110,10 +107,9 @@ class PieceArrays:
             at = np.flatnonzero(group == number)
             if len(at):
                 axes = each.enclosure(row[at], low[at], high[at])
-                for k, found in enumerate(axes):
-                    out[k, 0, :, at] = np.stack([found.value.low, found.value.high], axis=-1)
-                    out[k, 1, :, at] = np.stack([found.first.low, found.first.high], axis=-1)
-                    out[k, 2, :, at] = np.stack([found.second.low, found.second.high], axis=-1)
+                for whole, found in zip(out, axes, strict=True):
+                    for k, ends in enumerate((found.value, found.first, found.second)):
+                        whole[k][:, at] = ends.low, ends.high
         x, y = (Enclosure(*(Interval(*ends) for ends in whole)) for whole in out)
         return x, y
 
@@ -124,13 +120,11 @@ class PieceArrays:
 
 
 def curve_from_pieces(arrays: PieceArrays, joints: Array) -> Curve:
-    """One curve from pieces in their order.
+    """One curve from pieces (N,) in their order, which meet at joints (N+1, 2).
 
-    arrays: The pieces (N,), each from one joint to the next.
-    joints: Where they meet (N+1, 2): what little their ends are off is spread along each piece.
-
-    Returns Curve: Its parameter is about the arc length. Every joint is one of its ``breaks``: what
-        is no corner there does no harm, and samples then stand where the curvature jumps.
+    What little their ends are off is spread along each piece. The parameter is about the arc
+    length. Every joint is one of the ``breaks``: what is no corner there does no harm, and samples
+    then stand where the curvature jumps.
     """
     lengths = arrays.lengths
     knots = np.concatenate([[0.0], np.cumsum(lengths)])

@@ -10,34 +10,25 @@ from orishell.conventions.errors import CurveError
 from orishell.numerics.arrays import Array
 
 WINDINGS = 4
-"""A curve that turns by more turns than these in radians, each along the last one, and by at most
-one in degrees, was meant in degrees: no family takes one that runs along itself. A spiral may be
-meant."""
+"""A curve that turns more often than this in radians, each time along the last one, and at most
+once in degrees, was meant in degrees: no family takes a curve that runs along itself. A spiral may
+be meant."""
 AGAIN = 1e-9
-"""A turn leaves the last one by less than this share of its size where it runs along it."""
-ONE = 1 + 1e-6
-"""A whole turn, and its rounding."""
+"""A turn runs along the last one if it leaves it by less than this share of its size."""
 SPAN, LARGEST = 30, 720
-"""Degrees are whole numbers from end to end so far apart, and no larger than this."""
+"""Degrees are whole numbers, the ends at least this far apart and no larger than this."""
 CELLS = 8192
-"""Steps along the range, of which none may turn by half a turn or more."""
+"""Steps along the range, none of which may turn by half a turn or more."""
+
+CurveJet = Callable[[Array], tuple[Array, Array, Array]]
 
 
-Jet = Callable[[Array], tuple[Array, Array, Array]]
-
-
-def require_radians(jet: Jet, start: float, stop: float) -> None:
-    """Refuse a curve from formulas whose range is in degrees.
-
-    jet: Its points and derivatives at values of the variable of its formulas.
-    start, stop: Range of the variable.
-
-    Raises CurveError if its range looks like degrees, and the curve runs along itself in radians.
-    """
+def require_radians(jet: CurveJet, start: float, stop: float) -> None:
+    """Refuse a range that looks like degrees, where the curve runs along itself in radians."""
     if not look_like_degrees(start, stop):
         return
     turns = _turns(jet, start, stop)
-    if turns <= WINDINGS or _turns(jet, np.deg2rad(start), np.deg2rad(stop)) > ONE:
+    if turns <= WINDINGS or _turns(jet, np.deg2rad(start), np.deg2rad(stop)) > 1 + 1e-6:
         return
     if not _runs_again(jet, start, stop):
         return
@@ -51,15 +42,12 @@ def require_radians(jet: Jet, start: float, stop: float) -> None:
 
 
 def look_like_degrees(start: float, stop: float) -> bool:
-    """Whether the ends of a range are whole numbers far apart, as an architect writes degrees.
-
-    start, stop: The ends.
-    """
+    """Whether the ends of a range are whole numbers far apart, as an architect writes degrees."""
     whole = not start % 1 and not stop % 1
     return whole and stop - start >= SPAN and max(-start, stop) <= LARGEST
 
 
-def _turns(jet: Jet, start: float, stop: float) -> float:
+def _turns(jet: CurveJet, start: float, stop: float) -> float:
     """By how many turns the tangent turns in all; 0 where it has none."""
     first = jet(np.linspace(start, stop, CELLS + 1))[1]
     if not np.isfinite(first).all() or not first.any(axis=1).all():
@@ -68,7 +56,7 @@ def _turns(jet: Jet, start: float, stop: float) -> float:
     return float(abs(turned[-1] - turned[0]) / (2 * np.pi))
 
 
-def _runs_again(jet: Jet, start: float, stop: float) -> bool:
+def _runs_again(jet: CurveJet, start: float, stop: float) -> bool:
     """Whether each turn of a curve, a whole one in radians, runs along the last one."""
     one = np.linspace(start, stop - 2 * np.pi, CELLS + 1)
     here, there = jet(one)[0], jet(one + 2 * np.pi)[0]

@@ -8,8 +8,6 @@ length of the chord. What cannot be bounded is refused.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from orishell.conventions.errors import CurveError
@@ -35,15 +33,11 @@ Boxes = tuple[Enclosure, Enclosure]
 
 @record
 class Samples:
-    """Samples of a curve and the cells between them.
+    """Samples of a curve and the cells between them."""
 
-    t: Parameters (N,), increasing.
-    points: Points (N, 2).
-    leaving, arriving: Tangents at the beginning and the end of each cell, (N-1, 2) each.
-    """
-
-    t: Array
-    points: Array
+    t: Array  # parameters (N,), increasing
+    points: Array  # points (N, 2)
+    # tangents at the beginning and the end of each cell, (N-1, 2) each
     leaving: Array
     arriving: Array
 
@@ -76,8 +70,13 @@ class _Parts:
     cell: Integers
 
     def take(self, which: Booleans) -> _Parts:
-        every: tuple[Any, ...] = (self.low, self.high, self.leaving, self.arriving, self.cell)
-        return _Parts(*(array[which] for array in every))
+        return _Parts(
+            self.low[which],
+            self.high[which],
+            self.leaving[which],
+            self.arriving[which],
+            self.cell[which],
+        )
 
     def halved(self, middle: Array, tangent: Array) -> _Parts:
         return _Parts(
@@ -120,16 +119,10 @@ class _Parts:
 
 
 def missing_samples(curve: Curve, samples: Samples, turn: float, smallest: float) -> Array:
-    """Parameters at which samples are missing, because the curve leaves the chords there.
+    """Parameters (K,) at which samples are missing, because the curve leaves the chords there.
 
-    samples: Its samples.
-    turn: Largest turn of the tangent from sample to sample (radians).
-    smallest: Cells up to twice as wide as this may turn by more.
-
-    Returns Array: Parameters (K,), increasing; none if nothing is missed.
-
-    Raises CurveError if the curve cannot be bounded somewhere, or swings there faster than can be
-    followed.
+    ``turn`` is the largest turn of the tangent from sample to sample (radians); cells up to twice
+    as wide as ``smallest`` may turn by more. CurveError if the curve cannot be bounded somewhere.
     """
     t = samples.t
     reach = NEAR * float(np.hypot(*np.diff(samples.points, axis=0).T).sum())
@@ -146,7 +139,7 @@ def missing_samples(curve: Curve, samples: Samples, turn: float, smallest: float
             narrow, known = width <= 2 * smallest, smooth[parts.cell]
             tame = parts.tame(boxes, turn) & (known | (width == whole))
             rough = ~(tame | (near & (narrow | ~known)))
-            # What is that narrow and away from the chord gets a chord of its own.
+            # A part that is this narrow and away from the chord gets a chord of its own.
             away = rough & narrow & (whole > 2 * smallest)
             missing += [parts.low[away], parts.high[away]]
             lacking[parts.cell[away]] = True
@@ -196,10 +189,7 @@ def _angles(a: Array, b: Array) -> Array:
 
 
 def _require_divisible(curve: Curve, parts: _Parts, middle: Array, known: Booleans) -> None:
-    """Refuse parts that are too narrow to be halved, and more parts than can be worked on.
-
-    ``known`` tells where positions are bounded.
-    """
+    """Refuse parts too narrow to be halved, or too many; ``known`` are those that are bounded."""
     stuck = parts.high - parts.low <= FINEST * (curve.stop - curve.start)
     stuck |= ~((parts.low < middle) & (middle < parts.high))
     many = len(middle) > MOST

@@ -55,6 +55,11 @@ class Trace:
         return float(self.arc[-1])
 
     @property
+    def turns(self) -> Array:
+        """How the curve turns from sample to sample (N-1,), but for corners (radians)."""
+        return np.asarray(self.arriving[1:] - self.heading[:-1])
+
+    @property
     def corners(self) -> Integers:
         """Indices (K,) of the inner samples at which the tangent jumps."""
         return np.flatnonzero(np.abs(self.heading - self.arriving) > KINK)
@@ -123,7 +128,8 @@ class Trace:
                 def climb(t: Array, sign: float = sign, base: float = base) -> Array:
                     first = self.curve.jet(t)[1]
                     turn = np.arctan2(first[..., 1], first[..., 0]) - base
-                    return -sign * (base + _wrap(turn))
+                    wrapped = np.mod(turn + np.pi, 2 * np.pi) - np.pi
+                    return np.asarray(-sign * (base + wrapped))
 
                 _, lowest = least_within(climb, np.array([lo]), np.array([hi]))
                 best = max(best, -float(lowest[0]))
@@ -198,16 +204,10 @@ def _trace(curve: Curve) -> Trace:
     return Trace(curve, t, position, arc, heading, arriving)
 
 
-def _wrap(angle: Array) -> Array:
-    """Angles wrapped to [-pi, pi)."""
-    wrapped: Array = np.mod(angle + np.pi, 2 * np.pi) - np.pi
-    return wrapped
-
-
 def _angle(u: Array, v: Array) -> Array:
     """Signed angle from vectors u (..., 2) to v (..., 2)."""
-    angle: Array = np.arctan2(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0], (u * v).sum(axis=-1))
-    return angle
+    cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+    return np.asarray(np.arctan2(cross, (u * v).sum(axis=-1)))
 
 
 def _ends(curve: Curve, t: Array, first: Array) -> tuple[Array, Array]:
@@ -225,8 +225,8 @@ def _turning_cells(samples: Samples) -> Booleans:
     leaving, arriving = samples.leaving, samples.arriving
     chord = np.diff(samples.points, axis=0)
     turn = np.maximum(np.abs(_angle(leaving, chord)), np.abs(_angle(chord, arriving)))
-    turning: Booleans = np.maximum(np.abs(_angle(leaving, arriving)), turn) > MAX_TURN
-    # What is lost in the rounding of the coordinates cannot be refined.
+    turning = np.maximum(np.abs(_angle(leaving, arriving)), turn) > MAX_TURN
+    # Cells lost in the rounding of the coordinates cannot be refined.
     return np.asarray(turning & samples.distinct())
 
 

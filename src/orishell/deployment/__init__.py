@@ -3,6 +3,7 @@
 from orishell.deployment.box import Box, smallest_box
 from orishell.deployment.pack import Pack, count_layers, find_pack
 from orishell.deployment.settings import FROM_FLAT, Attachment, Deployment, Start
+from orishell.deployment.site import Site, find_site
 from orishell.deployment.ties import ColumnDistances, Tie, feet_ties, find_ties
 from orishell.deployment.weight import OwnWeight, measure_weight
 
@@ -14,11 +15,13 @@ __all__ = [
     "Deployment",
     "OwnWeight",
     "Pack",
+    "Site",
     "Start",
     "Tie",
     "count_layers",
     "feet_ties",
     "find_pack",
+    "find_site",
     "find_ties",
     "measure_weight",
     "smallest_box",

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 
@@ -19,19 +20,21 @@ LEVEL = 1e-6
 """Feet that differ in height by less than this share of the shell's height are level."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Feet:
     """What a locked shell stands on, flaps left out."""
 
-    rows: tuple[int, int]  # the lowest row towards each end of f
-    lowest: float  # height of the lowest vertex in the design's frame
-    uneven: float  # by how much the highest vertex of them lies above it
+    WRITTEN = ("rows", "z", "uneven", "level")
+
+    rows: tuple[int, int]  # the rows of vertices that are its feet, the lowest towards each end
+    z: float  # height of the lowest of their vertices
+    uneven: float  # by how much the highest lies above it, 0 where they are level
     height: float  # of the shell
 
     @property
     def level(self) -> bool:
-        """Whether all vertices of the feet are at one height."""
-        return self.uneven <= LEVEL * self.height
+        """Whether all are at one height."""
+        return self.uneven == 0.0
 
 
 def find_feet(design: Design) -> Feet | None:
@@ -54,17 +57,17 @@ def find_feet(design: Design) -> Feet | None:
     feet = height[list(rows)]
     if feet.min() > low.min() + TIE * size:  # the corrugation reaches lower in the middle
         return None
-    return Feet(rows, float(feet.min()), float(np.ptp(feet)), size)
+    uneven = float(np.ptp(feet))
+    z = float(feet.min() + design.origin[2])
+    return Feet(rows, z, uneven if uneven > LEVEL * size else 0.0, size)
 
 
-def stand(design: Design, feet: Feet | None) -> Design:
-    """The design with its feet on z = 0, if it has any.
-
-    All states are moved by the same height, that of the locked shell's lowest foot.
-    """
+def stand(design: Design, feet: Feet | None) -> tuple[Design, Feet | None]:
+    """The design and its feet, if it has any, raised or lowered until the lowest is on z = 0."""
     if feet is None:
-        return design
-    return replace(design, origin=design.origin - np.array([0.0, 0.0, feet.lowest]))
+        return design, None
+    origin = design.origin - np.array([0.0, 0.0, feet.z])
+    return replace(design, origin=origin), replace(feet, z=0.0)
 
 
 def _outermost(low: Array, size: float) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from orishell.conventions.record import record
+from orishell.conventions.record import Angle, record
 from orishell.deployment.box import Box, smallest_box
 from orishell.motion import Mechanism, diagonal, panel_normals
 from orishell.motion.quads import area_vectors, grid_corners, lengths
@@ -18,9 +18,26 @@ THIN = 1e-3
 class Pack:
     """The state of a motion that fits into the smallest box, panels with their thickness."""
 
-    drive: float  # its drive angle (radians)
-    box: Box
-    layers: int  # how many panels lie on top of each other there, see :func:`count_layers`
+    WRITTEN = ("drive", "length", "width", "height", "layers")
+
+    drive: Angle  # its drive angle
+    box: Box  # turned as it may be
+    layers: int  # how many panels lie on top of each other: boards make it that many times as thick
+
+    @property
+    def length(self) -> float:
+        """The longest side of its box."""
+        return self.box.length
+
+    @property
+    def width(self) -> float:
+        """The side between."""
+        return self.box.width
+
+    @property
+    def height(self) -> float:
+        """The shortest side."""
+        return self.box.height
 
 
 def find_pack(mechanism: Mechanism, limit: float, states: int = 25, thickness: float = 0.0) -> Pack:

@@ -18,13 +18,13 @@ At both of these drives the first derivative vanishes, for the motion goes back 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.record import record
+from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
 from orishell.motion.grid import Vertex, VertexPair
 from orishell.numerics import Enclosure
@@ -58,23 +58,24 @@ class ColumnDistances(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Tie:
     """A cable between two vertices of one column, taut at the target."""
 
-    ends: VertexPair  # row and column of both vertices, counted from 0 in the whole grid
-    length: float  # their distance at the target, in the unit of the sheet
-    # their distance in the flat sheet and at the pack (length)
+    WRITTEN = ("ends", "length", "flat", "packed", "grows", "slack", "fails_at")
+
+    ends: VertexPair  # its vertices by row and column of the whole grid
+    # their distance at the target, in the flat sheet, and at the end of the motion
+    length: float
     flat: float
     packed: float
-    # whether it is proved that the distance grows strictly all the way from the pack to the flat
-    # sheet; None if that was not examined, because the family does not say
+    # whether it is proved that its vertices move apart all the way from the end of the motion to
+    # the flat sheet; None if the family does not say
     grows: bool | None = None
-    # whether it is proved that the tie is slack all the way from the pack to the target; None if
-    # that was not examined
+    # whether it is proved to be slack from the end of the motion to the target; None if the family
+    # does not say
     slack: bool | None = None
-    # if it is not proved, the drive nearest to the target about which it is not (radians)
-    fails_at: float | None = None
+    fails_at: Angle | None = None  # where its vertices do not move apart, nearest to the target
     # if it is disproved, the range of the drive (radians), of several the nearest to the target,
     # over which the distance does not grow towards the flat sheet; None if it is left undecided
     shrinks: tuple[float, float] | None = None

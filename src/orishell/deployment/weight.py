@@ -21,12 +21,13 @@ and what raising takes is given as work.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 import numpy as np
 from numpy.polynomial import Chebyshev
 from numpy.typing import ArrayLike
 
-from orishell.conventions.record import record
+from orishell.conventions.record import Angle, record
 from orishell.motion import Mechanism
 from orishell.motion.quads import dots, grid_corners, lengths
 from orishell.numerics.arrays import Array
@@ -50,38 +51,46 @@ STATIONARY = 1e-6
 
 @record
 class OwnWeight:
-    """A shell under its own weight, from flat to packed.
+    """A shell under its own weight, from flat to packed, flaps that are clipped on left out."""
 
-    Forces and energies are in the unit of force that the weight was given in, and in it times the
-    unit of length.
-    """
+    WRITTEN = (
+        "force_unit",
+        "total",
+        "at_feet",
+        "largest_from_pack",
+        "tipping",
+        "raise_from_flat",
+        "raise_from_pack",
+        "drives",
+        "forces",
+    )
 
-    total: float  # weight of all panels
-    drives: Array  # drive angles (N,) from flat to the pack, the target's among them (radians)
-    energy: Array  # potential energy (N,) of the panels over the feet
-    span: Array  # distance (N,) of the feet, the mean of all inner columns
-    # Force (N,) by which the feet push outwards, all together. Not a number in the flat sheet, and
-    # where the distance of the feet is stationary.
-    thrust: Array
-    target_thrust: float  # the same at the target
-    largest_force: float  # the largest size of it from the pack to the target
-    # drives (radians) where the energy is largest: there the shell would fall to either side
-    tipping: tuple[float, ...]
-    # what raising it to the target takes, without what is to be held back on the way
-    work_from_flat: float
-    work_from_pack: float
-
-    @property
-    def opens(self) -> bool:
-        """Whether gravity opens the shell at its target, so that ties carry it, not flaps."""
-        return self.target_thrust > 0
+    force_unit: Literal["N", "weight"]  # Newtons, or the shell's weight if its mass is not known
+    total: float  # its weight
+    # force at the target by which the feet, all of one side together, push outwards: positive where
+    # own weight opens the shell and ties carry it, negative where flaps do
+    at_feet: float
+    # the largest force at the feet on the way from the end of the motion to the target
+    largest_from_pack: float
+    tipping: tuple[Angle, ...]  # drives at which the shell would fall to either side
+    # what raising it takes: work, in the unit of force times metres
+    raise_from_flat: float
+    raise_from_pack: float
+    # the force at the feet along the motion; None where none raises or holds it
+    drives: tuple[Angle, ...]
+    forces: tuple[float | None, ...]
+    # at the same drives (N,), potential energy of the panels over the feet (force times length),
+    # and distance of the feet, the mean of all inner columns (length)
+    energy: Array
+    span: Array
 
 
 def measure_weight(
     mechanism: Mechanism,
     feet_rows: tuple[int, int],
-    weight_per_area: float,
+    weight_per_area: float | None,
     *,
+    metres: float = 1.0,
     pack: float | None = None,
     states: int = 91,
 ) -> OwnWeight:
@@ -96,13 +105,17 @@ def measure_weight(
     feet_rows
         Rows of vertices that are its feet.
     weight_per_area
-        Weight of the panels (force per length squared).
+        Weight of the panels (N per length squared); None if it is not known.
+    metres
+        The unit of length, for work (m).
     pack
         Drive angle of the pack (radians); None for the end of the motion.
     states
         Number of states from flat to the pack, the target not counted.
     """
-    body = _Body.of(mechanism, feet_rows, weight_per_area)
+    body = _Body.of(mechanism, feet_rows, weight_per_area or 1.0)
+    total = body.weight * float(body.shares.sum())
+    unit = total if weight_per_area is None else 1.0
     target = mechanism.target_drive
     end = mechanism.end_drive if pack is None else pack
     drives = np.union1d(np.linspace(0.0, end, states), [target])
@@ -111,16 +124,17 @@ def measure_weight(
     thrust = np.array([body.thrust(drive) for drive in drives.tolist()])
     there = int(np.searchsorted(drives, target))
     return OwnWeight(
-        total=weight_per_area * float(body.shares.sum()),
-        drives=drives,
-        energy=energy,
-        span=span,
-        thrust=thrust,
-        target_thrust=float(thrust[there]),
-        largest_force=float(np.nanmax(np.abs(thrust[there:]))),
+        force_unit="weight" if weight_per_area is None else "N",
+        total=total / unit,
+        at_feet=float(thrust[there]) / unit,
+        largest_from_pack=float(np.nanmax(np.abs(thrust[there:]))) / unit,
         tipping=_tipping(drives, energy),
-        work_from_flat=_climb(energy[: there + 1]),
-        work_from_pack=_climb(energy[there:][::-1]),
+        raise_from_flat=_climb(energy[: there + 1]) * metres / unit,
+        raise_from_pack=_climb(energy[there:][::-1]) * metres / unit,
+        drives=tuple(drives.tolist()),
+        forces=tuple(None if np.isnan(force) else force / unit for force in thrust.tolist()),
+        energy=energy / unit,
+        span=span,
     )
 
 

@@ -10,11 +10,11 @@ from orishell.curves.trace import SMALLEST_CELL
 from orishell.numerics.arrays import Array, Booleans, Complex, Integers
 
 EVEN = 1e-6
-"""Need for stations along the whole curve that spreads them evenly where nothing else asks."""
+"""Stations that the whole curve needs at least: they are even where nothing else asks for more."""
 ROUNDING = 1e-9
 """A count may exceed a whole number by this share of itself."""
 FEW = 64
-"""Corners up to so many are all kept."""
+"""Up to this many corners are all kept."""
 
 
 @record
@@ -51,8 +51,12 @@ class Path:
     @property
     def straight(self) -> Booleans:
         """Which of the pieces (K,) are straight."""
-        turn = np.abs(self.trace.arriving[1:] - self.trace.heading[:-1])
-        return np.asarray(np.add.reduceat(turn, self.nodes[:-1]) < 1e-9)
+        return np.asarray(np.add.reduceat(np.abs(self.trace.turns), self.nodes[:-1]) < 1e-9)
+
+    @property
+    def of_cells(self) -> Integers:
+        """The piece (N-1,) that each cell of the trace, from sample to sample, belongs to."""
+        return np.repeat(np.arange(len(self)), np.diff(self.nodes))
 
     def corner_turns(self) -> Array:
         """Turns (K-1,) at the corners, positive to the left (radians)."""
@@ -93,9 +97,8 @@ class Path:
         """
         trace = self.trace
         cells = np.diff(trace.arc)
-        turn = np.abs(trace.arriving[1:] - trace.heading[:-1])
-        piece = np.repeat(np.arange(len(self)), np.diff(self.nodes))
-        outer = cells + reach[piece] * turn
+        turn = np.abs(trace.turns)
+        outer = cells + reach[self.of_cells] * turn
         need = np.maximum(outer / step, np.sqrt(outer * turn / (8 * sagitta)))
         need = np.maximum(need, EVEN * cells / trace.length)
         progress = np.concatenate([[0.0], np.cumsum(need)])
@@ -115,10 +118,8 @@ class Path:
         ``places`` (A,) and ``reach`` (K,) are those of :meth:`stations`.
         """
         trace = self.trace
-        of_cell = np.repeat(np.arange(len(self)), np.diff(self.nodes))
-        corner = np.abs(trace.heading - trace.arriving)[:-1]
-        turn = np.abs(trace.arriving[1:] - trace.heading[:-1]) + corner
-        outer = np.diff(trace.arc) + reach[of_cell] * turn
+        turn = np.abs(trace.turns) + np.abs(trace.heading - trace.arriving)[:-1]
+        outer = np.diff(trace.arc) + reach[self.of_cells] * turn
         piece = np.minimum(places, len(self) - 1).astype(np.intp)
         arc = trace.arc[self.nodes[piece]] + (places - piece) * self.lengths[piece]
         lengths, turns = (
@@ -130,7 +131,7 @@ class Path:
         return float((0.5 * lengths * np.tan(0.5 * np.minimum(turns, 0.5 * np.pi))).max())
 
     def _kept(self, progress: Array, sagitta: float, reach: Array) -> Booleans:
-        """Which pieces (K,) begin with a station, others being so short that they need none.
+        """Which pieces (K,) begin with a station: others are so short that they need none.
 
         A corner counts as if its turn were spread over the pieces beside it.
         """

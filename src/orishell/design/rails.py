@@ -129,7 +129,7 @@ class Turning(Rail):
     def scale_range(self) -> tuple[float, float]:
         """The smallest and the largest stretch lambda along g."""
         trace, nodes = self.path.trace, self.path.nodes
-        piece = np.repeat(np.arange(len(self.path)), np.diff(nodes))
+        piece = self.path.of_cells
         turned = trace.heading[:-1] - trace.heading[nodes[piece]]
         inner = self.scales()[piece, 0] * np.exp(turned / np.tan(self.plane))
         every = np.concatenate([inner, self.scales().ravel()])

@@ -30,8 +30,7 @@ class Lattice:
     u: Array
     v: Array
     points: Array  # points (A, B, 3)
-    # how far the surface's corners, and bends, that are not among them are from the chords beside
-    # them
+    # distance of the surface's corners and bends that are not among them from the chords there
     left_out: float
 
     def triangles(self) -> Integers:
@@ -99,10 +98,10 @@ class Surface:
     ) -> Lattice:
         """A lattice of points as close as asked for, with the corners of f and g unless too many.
 
-        Neighbours along f are at most a ``step`` apart, along g so many times ``longer``, and cells
-        a ``sagitta`` from the surface, about (length). Where f and g have so many bends that it
-        takes more cells than ``most``, step and sagitta are doubled until it does not, and what
-        that leaves out is counted.
+        Neighbours along f are at most a ``step`` apart, along g ``longer`` times that, and cells a
+        ``sagitta`` from the surface, about (length). Where f and g have so many bends that it takes
+        more cells than ``most``, step and sagitta are doubled until it does not, and the error of
+        that is counted.
         """
         if sagitta is None:
             sagitta = step / LOOSE
@@ -121,7 +120,8 @@ class Surface:
         v = np.interp(begin + (places - piece) * (end - begin), self.profile.arc, self.profile.t)
         left_out = _left_out(places, lambda at: self.profile.points[of_f.nodes[at.astype(np.intp)]])
         left_out += max(
-            _left_out(u, partial(self._carried, np.asarray(each))) for each in (*reach, 0.0)
+            _left_out(u, partial(lambda x, at: self.rail.carry(at, x)[0], np.asarray(each)))
+            for each in (*reach, 0.0)
         )
         points = self.points(u[:, None], v[None, :])
         if sagitta > wanted:
@@ -130,10 +130,6 @@ class Surface:
             a, b, c, d = np.moveaxis(grid_corners(points), -2, 0)
             left_out += 0.5 * float(lengths(a - b + c - d).max())
         return Lattice(u, v, points, left_out)
-
-    def _carried(self, x: Array, u: Array) -> Array:
-        """Points (..., 3) of the curve that x is carried along."""
-        return self.rail.carry(u, x)[0]
 
     def area(self, step: float | None = None) -> float:
         """Area, of cells with sides of about ``step``; roughly, if none is given."""

@@ -44,6 +44,16 @@ class Distances:
 class Deviation:
     """Distances between a shell and a surface, both ways (length)."""
 
+    WRITTEN = (
+        "max",
+        "rms",
+        "mean",
+        "p95",
+        "sample_spacing",
+        "shell_to_surface",
+        "surface_to_shell",
+    )
+
     shell_to_surface: Distances  # from all points of the shell to the surface
     surface_to_shell: Distances  # from all points of the surface to the shell
 

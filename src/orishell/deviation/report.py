@@ -4,24 +4,8 @@ from __future__ import annotations
 
 from orishell.conventions.record import record
 from orishell.design import Design
-from orishell.deviation import Deviation, Distances
+from orishell.deviation.measure import Deviation, measure_approach, measure_deviation
 from orishell.polylines import Closeness
-
-
-@record
-class SurfaceReport:
-    """Distances between the shell and the surface asked for, both ways."""
-
-    # the larger of both ways: the Hausdorff distance, the root mean square, the mean, and the
-    # distance below which 95 % of the area lies
-    max: float
-    rms: float
-    mean: float
-    p95: float
-    sample_spacing: float  # by how much the largest distance may be off
-    # either way by itself
-    shell_to_surface: Distances
-    surface_to_shell: Distances
 
 
 @record
@@ -41,38 +25,28 @@ class DeviationReport:
     # distances of the polylines that the shell locks on from the target curves
     f: Closeness
     g: Closeness
-    # distances between the shell and the surface; None if they were not measured
-    surface: SurfaceReport | None
+    surface: Deviation | None  # of the shell from the surface; None if it was not measured
     # how f or g lie in that surface otherwise than they are drawn; empty where they lie as drawn
     tilted: str
     approached: ApproachReport | None  # what the family approaches instead, if it does
 
 
-def describe_deviation(
-    design: Design, deviation: Deviation | None, approach: Deviation | None
-) -> DeviationReport:
-    """How close the polylines are to f and g, and the shell to the surface asked for."""
-    approached = design.approached
+def describe_deviation(design: Design, *, measured: bool = True) -> DeviationReport | None:
+    """How close a shell is to its target; None if it has none.
+
+    measured: Whether distances from surfaces are asked for, beside those from f and g.
+    """
+    if design.swept is None:
+        return None
+    approach = measure_approach(design) if measured else None
+    approached = None
+    if design.approached is not None:
+        largest, rms = (None, None) if approach is None else (approach.max, approach.rms)
+        approached = ApproachReport(design.approached.what, largest, rms)
     return DeviationReport(
         f=design.closeness["f"],
         g=design.closeness["g"],
-        surface=None
-        if deviation is None
-        else SurfaceReport(
-            max=deviation.max,
-            rms=deviation.rms,
-            mean=deviation.mean,
-            p95=deviation.p95,
-            sample_spacing=deviation.sample_spacing,
-            shell_to_surface=deviation.shell_to_surface,
-            surface_to_shell=deviation.surface_to_shell,
-        ),
+        surface=measure_deviation(design) if measured else None,
         tilted=design.tilted,
-        approached=None
-        if approached is None
-        else ApproachReport(
-            what=approached.what,
-            max=None if approach is None else approach.max,
-            rms=None if approach is None else approach.rms,
-        ),
+        approached=approached,
     )

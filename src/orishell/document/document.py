@@ -115,15 +115,10 @@ class Document:
         return self.state(SHELL)
 
     def state(self, which: int | str) -> DocumentState:
-        """A state by its number, 0 the first, or by its name.
+        """A state by its number, 0 the first, or by its name, as ``which`` says.
 
         Where no state has a name, "flat" is the first and "target" the last; where there is none
         at all, both are the flat sheet.
-
-        Parameters
-        ----------
-        which
-            The state's number or name.
 
         Raises
         ------
@@ -145,13 +140,7 @@ class Document:
         return self.states[number]
 
     def clipped_at(self, which: int | str) -> tuple[Document, ...]:
-        """The boards that are clipped on in a state: all of them at the target, none elsewhere.
-
-        Parameters
-        ----------
-        which
-            The state's number or name.
-        """
+        """The boards that are clipped on in a state: all where ``which`` is the target, or none."""
         return self.clipped if which in (SHELL, self.named.get(SHELL)) else ()
 
     def boards_in(self, state: DocumentState) -> Array:
@@ -237,6 +226,11 @@ class Document:
         return np.asarray(
             np.linalg.norm(area_vectors(vertices.positions[self.mesh.faces]), axis=-1)
         )
+
+    def edge_lengths(self) -> Array:
+        """Length (E,) of every edge of the flat sheet."""
+        ends = self.require_flat()[self.mesh.edges]
+        return np.asarray(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
 
     def _flat_state(self) -> DocumentState:
         flat = self.require_flat()

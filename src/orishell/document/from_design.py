@@ -34,13 +34,8 @@ def document_of_motion(
 ) -> Document:
     """The document of a motion; its states are made when a format asks for them.
 
-    unit: Unit of length of the coordinates.
-    title: One line that says what it is.
-    curves: Polylines (k, 3) that the shell follows, by name.
-    origin: Where the motion's frame stands in the world (3,); None for the world's origin.
-    clipped: The sheet with flaps that are clipped on at the target, if there are any.
-    panel, boards, flaps: What panels are made of, and the boards of both sheets; None if they have
-        no thickness.
+    Arguments are as the fields of :class:`~orishell.document.Document`; ``clipped`` is the sheet
+    with flaps that are clipped on at the target, and ``flaps`` are its boards.
     """
     grid = motion.mechanism.grid
     states = states_of(motion)
@@ -63,11 +58,7 @@ def document_of_motion(
 
 
 def document_of_design(design: Design, unit: str = "unit", *, frames: int = 25) -> Document:
-    """The document of a design as a family's design function returns it.
-
-    unit: Unit of length of the coordinates; "unit" if none is known.
-    frames: Number of states from flat to the target.
-    """
+    """The document of a design as a family's design function returns it."""
     motion = FoldingMotion(design.mechanism, frames)
     return document_of_motion(motion, unit, curves=design.targets, clipped=design.clipped)
 
@@ -77,8 +68,7 @@ def _clipped_flaps(
 ) -> tuple[Document, ...]:
     """The flaps of a sheet, each a strip of panels on its own, in the sheet's frame.
 
-    Panels have the row and column that they would have beside the sheet without flaps: left of
-    its column 0 is column -1.
+    Panels have the row and column that they have beside the sheet: left of column 0 is column -1.
     """
     grid, strip = mechanism.grid, Grid(mechanism.grid.rows, 2)
     mesh = build_mesh(strip.faces_vertices(), strip.vertex_count, strip.edges_vertices())
@@ -120,24 +110,17 @@ def _of_column(boards: Boards, column: int, columns: int) -> Boards:
 
 
 def states_of(motion: FoldingMotion, progress: Progress = no_progress, what: str = "") -> States:
-    """The states of a motion, made as they are taken.
-
-    what: What they are taken for.
-    """
+    """The states of a motion, made as they are taken; ``what`` is told with their progress."""
     return States(motion, find_assignment(motion.mechanism).on_edges() != 0, progress, what)
 
 
 @record
 class States(Sequence[DocumentState]):
-    """The states of a motion, made one by one.
-
-    motion: The motion.
-    folds: Which edges (E,) fold: the others have an angle of exactly 0.
-    progress, what: Is told the share that is done when all are taken, and what for.
-    """
+    """The states of a motion, made one by one."""
 
     motion: FoldingMotion
-    folds: Booleans
+    folds: Booleans  # which edges (E,) fold: the others have an angle of exactly 0
+    # is told the share that is done when all are taken, and what for
     progress: Progress = no_progress
     what: str = ""
 

@@ -20,13 +20,11 @@ FOLDERS = (
 """Each has a module ``pattern`` with its FAMILY."""
 
 
-def _family(folder: str) -> Family:
-    family = import_module(f"{__package__}.{folder}.pattern").FAMILY
-    assert isinstance(family, Family)
-    return family
-
-
-FAMILIES: dict[str, Family] = {each.name: each for each in map(_family, FOLDERS)}
+FAMILIES: dict[str, Family] = {
+    family.name: family
+    for folder in FOLDERS
+    for family in [import_module(f"{__package__}.{folder}.pattern").FAMILY]
+}
 
 
 def require_family(name: str, where: str) -> str:

@@ -12,7 +12,7 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import SHELL, Document, DocumentState
 from orishell.io.fold_reader import FoldFile, FoldFrame
-from orishell.io.format import DEFAULT_SETTINGS, Format, Settings
+from orishell.io.format import DEFAULT_SETTINGS, Settings
 from orishell.motion.mesh import measure_mesh_folds
 from orishell.numerics.arrays import Array
 
@@ -28,7 +28,9 @@ def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
     unit
         Unit of length to be stated instead of the file's own.
     """
-    flat = _find_flat(file.frames)
+    level = [frame for frame in file.frames if not frame.positions[:, 2].any()]
+    named = [frame for frame in level if "creasePattern" in frame.classes]
+    flat = next(iter(named or level), None)
     folded = [
         frame for frame in file.frames if frame is not flat and "creasePattern" not in frame.classes
     ]
@@ -37,30 +39,22 @@ def document_of_fold(file: FoldFile, unit: str | None = None) -> Document:
     )
     titles = {frame.title: number for number, frame in enumerate(folded)}
     known = file.unit if file.unit in MILLIMETRES else "unit"
+    plane = None
+    if flat is not None:
+        plane = np.ascontiguousarray(flat.positions[:, :2])
+        plane.flags.writeable = False
     return Document(
         title=file.title,
         unit=unit or known,
         mesh=file.mesh,
-        assignment=file.assignment or _guess(file),
-        flat=None if flat is None else _in_plane(flat.positions),
+        assignment=file.assignment or tuple("U" if fold else "B" for fold in file.mesh.crease),
+        flat=plane,
         fold_angles_deg=_fold_angles(file, flat, states[titles.get(SHELL, -1)] if states else None),
         states=states,
         grid_shape=file.grid_shape,
         curves={},
         named={name: titles[name] for name in ("flat", SHELL, "pack") if name in titles},
     )
-
-
-def _find_flat(frames: tuple[FoldFrame, ...]) -> FoldFrame | None:
-    level = [frame for frame in frames if not frame.positions[:, 2].any()]
-    named = [frame for frame in level if "creasePattern" in frame.classes]
-    return next(iter(named or level), None)
-
-
-def _in_plane(positions: Array) -> Array:
-    flat = np.ascontiguousarray(positions[:, :2])
-    flat.flags.writeable = False
-    return flat
 
 
 def _fold_angles(file: FoldFile, flat: FoldFrame | None, shell: DocumentState | None) -> Array:
@@ -74,24 +68,17 @@ def _fold_angles(file: FoldFile, flat: FoldFrame | None, shell: DocumentState | 
     return np.rad2deg(measure_mesh_folds(file.mesh, shell.positions))
 
 
-def _guess(file: FoldFile) -> tuple[str, ...]:
-    """The assignment of a file that gives none: borders B, creases unassigned (U)."""
-    return tuple("U" if crease else "B" for crease in file.mesh.crease.tolist())
-
-
 def write_fold(path: str | Path, document: Document, settings: Settings = DEFAULT_SETTINGS) -> None:
     """Write a FOLD file (the contract's page says what is in it).
 
     Coordinates and angles have all their digits: :func:`orishell.io.read_fold` gives back the
-    same numbers to the last bit.
+    same numbers to the last bit. States are taken one by one, so that only one need be in memory.
+    Without a flat sheet the first state is the key frame.
 
     Parameters
     ----------
     path
         The file to write.
-    document
-        What is written. States are taken one by one, so that only one need be in memory. Without
-        a flat sheet the first state is the key frame.
     """
     import orjson
 
@@ -161,6 +148,3 @@ def _mesh(document: Document) -> dict[str, Any]:
         "faces_edges": mesh.faces_edges(),
         **({"orishell:grid_shape": list(shape)} if shape is not None else {}),
     }
-
-
-FORMAT = Format("fold", "shell.fold", (".fold",), "pattern and motion (FOLD 1.2)", write_fold)

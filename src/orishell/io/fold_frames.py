@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
+from orishell.io.format import plain_line
 from orishell.motion.mesh import QuadMesh
 from orishell.numerics.arrays import Array
+
+T = TypeVar("T")
 
 
 def number_table(
@@ -19,18 +23,12 @@ def number_table(
 ) -> NDArray[Any]:
     """A list of lists of numbers, all of one length, as array (rows, width).
 
-    value: The list.
-    where: Frame and key, for messages.
-    row: What one row is ("vertex", "panel").
-    widths: Lengths that a row may have.
-    whole: Whether the numbers are whole.
+    ``row`` is what one row is ("vertex", "panel"), ``widths`` the lengths that it may have.
 
     Raises InputError: Naming the first row that does not fit.
     """
     if not isinstance(value, list):
-        raise InputError(
-            "this value does not fit", where=where, got=shown(value), expected="a list"
-        )
+        raise misfit(value, where, "a list")
     if not value:
         raise InputError("this list is empty", where=where)
     try:
@@ -106,33 +104,33 @@ MAX_BYTES = 5_000_000_000
 
 @record
 class Frames:
-    """The frames of a file, and which frame each inherited value comes from.
+    """The frames of a file, and which frame each inherited value comes from."""
 
-    raw: Every frame's keys and values; the key frame is number 0.
-    sources: For every frame the number of the frame that each inheritable key comes from.
-    """
-
-    raw: tuple[dict[str, Any], ...]
-    sources: tuple[dict[str, int], ...]
+    raw: tuple[dict[str, Any], ...]  # keys and values that each frame itself has; 0: the key frame
+    sources: tuple[dict[str, int], ...]  # the frame that each inheritable key comes from
 
     def __len__(self) -> int:
         return len(self.raw)
 
-    def own(self, number: int) -> dict[str, Any]:
-        """The keys and values that a frame itself has."""
-        return self.raw[number]
+    def common(self, key: str, read: Callable[[Any, str], T]) -> T | None:
+        """What is read from the values of a key, the same in all frames; None if none has it.
 
-    def value(self, number: int, key: str) -> Any:
-        """The value of a key that a frame itself has."""
-        return self.raw[number][key]
-
-    def owner(self, number: int, key: str) -> int | None:
-        """The frame that a frame's value comes from; None if it has no such value."""
-        return self.sources[number].get(key)
-
-    def owners(self, key: str) -> list[int]:
-        """All frames that have an inheritable key themselves."""
-        return [number for number, frame in enumerate(self.raw) if key in frame]
+        ``read`` is given a value and its place, as messages name it.
+        """
+        known: Any = None
+        for number, frame in enumerate(self.raw):
+            if key in frame:
+                where = self.place(number, key)
+                found: Any = read(frame[key], where)
+                if known is not None and not np.array_equal(known, found):
+                    raise InputError(
+                        "the frames differ in more than their coordinates and fold angles",
+                        where=where,
+                        expected="the same list in every frame that has one",
+                        remedy="write each model to a file of its own",
+                    )
+                known = found
+        return known  # type: ignore[no-any-return]
 
     def place(self, number: int, key: str) -> str:
         """A key as messages name it."""
@@ -152,16 +150,6 @@ def read_frames(path: Path) -> Frames:
     raw = (content, *frames)
     parents = [None, *(_parent(frame, number, len(raw)) for number, frame in enumerate(frames, 1))]
     return Frames(raw, _sources(raw, parents))
-
-
-def differing(where: str) -> InputError:
-    """The error for a list that must be the same in all frames and is not."""
-    return InputError(
-        "the frames differ in more than their coordinates and fold angles",
-        where=where,
-        expected="the same list in every frame that has one",
-        remedy="write each model to a file of its own",
-    )
 
 
 def _parent(frame: dict[str, Any], number: int, count: int) -> int | None:
@@ -227,29 +215,25 @@ def _read_json(path: Path) -> dict[str, Any]:
 
 def read_title(frames: Frames) -> str:
     """What the file calls itself, without line breaks; empty if it does not."""
-    title = frames.own(0).get("file_title", "")
-    if not isinstance(title, str):
-        raise misfit(title, "file_title", "a text")
-    return "".join(each if each.isprintable() else " " for each in title[:200])
+    return plain_line(_text(frames.raw[0].get("file_title", ""), "file_title")[:200])
 
 
 def read_unit(frames: Frames) -> str:
     """The unit of length of all frames; "unit" if none is named."""
-    unit = None
-    for owner in frames.owners("frame_unit"):
-        value, where = frames.value(owner, "frame_unit"), frames.place(owner, "frame_unit")
-        if not isinstance(value, str):
-            raise misfit(value, where, "a text")
-        if unit is not None and value != unit:
-            raise differing(where)
-        unit = value
+    unit = frames.common("frame_unit", _text)
     return "unit" if unit is None else unit
+
+
+def _text(value: Any, where: str) -> str:
+    if not isinstance(value, str):
+        raise misfit(value, where, "a text")
+    return value
 
 
 def read_grid_shape(frames: Frames, mesh: QuadMesh) -> tuple[int, int] | None:
     """Rows and columns of vertices that the file states, if its panels do form that grid."""
-    for owner in frames.owners("orishell:grid_shape"):
-        match frames.value(owner, "orishell:grid_shape"):
+    for frame in frames.raw:
+        match frame.get("orishell:grid_shape"):
             case [int(rows), int(columns)] if rows * columns == mesh.vertex_count and columns > 1:
                 corners = np.sort(mesh.faces, axis=1)
                 first = corners[:, :1]

@@ -13,7 +13,6 @@ from orishell.conventions.record import record
 from orishell.document import LARGEST
 from orishell.io.fold_frames import (
     Frames,
-    differing,
     misfit,
     number_list,
     number_table,
@@ -105,7 +104,7 @@ def _read(path: Path, frames: Frames) -> FoldFile:
                 positions,
                 _fold_angles(frames, number, edges),
                 _drive(frames, number),
-                str(frames.own(number).get("frame_title", "")),
+                str(frames.raw[number].get("frame_title", "")),
             )
             for number, positions in coordinates.items()
         ),
@@ -114,30 +113,25 @@ def _read(path: Path, frames: Frames) -> FoldFile:
 
 def _coordinates(frames: Frames) -> dict[int, Array]:
     """Positions (V, 3) of every frame that has any; frames that inherit them share an array."""
-    arrays: dict[int, Array] = {}
-    result: dict[int, Array] = {}
-    first = None
-    for number in range(len(frames)):
-        owner = frames.owner(number, "vertices_coords")
-        if owner is None:
-            continue
-        where = frames.place(owner, "vertices_coords")
-        if owner not in arrays:
-            value = frames.value(owner, "vertices_coords")
-            arrays[owner] = _positions(value, where)
-        result[number] = arrays[owner]
-        first = where if first is None else first
-        count = len(next(iter(result.values())))
-        if len(arrays[owner]) != count:
+    key = "vertices_coords"
+    arrays = {
+        number: _positions(frame[key], frames.place(number, key))
+        for number, frame in enumerate(frames.raw)
+        if key in frame
+    }
+    if not arrays:
+        raise InputError("this key is missing in every frame", where=key)
+    first = next(iter(arrays))
+    for number, positions in arrays.items():
+        if len(positions) != len(arrays[first]):
             raise InputError(
                 "the frames differ in the number of vertices",
-                where=where,
-                got=str(len(arrays[owner])),
-                expected=f"{count}, as {first}",
+                where=frames.place(number, key),
+                got=str(len(positions)),
+                expected=f"{len(arrays[first])}, as {frames.place(first, key)}",
             )
-    if not result:
-        raise InputError("this key is missing in every frame", where="vertices_coords")
-    return result
+    owners = enumerate(source.get(key) for source in frames.sources)
+    return {number: arrays[owner] for number, owner in owners if owner is not None}
 
 
 def _positions(value: Any, where: str) -> Array:
@@ -159,7 +153,7 @@ def _positions(value: Any, where: str) -> Array:
 
 def _faces(frames: Frames, coordinates: dict[int, Array], vertex_count: int) -> Integers:
     for number in coordinates:
-        if frames.owner(number, "faces_vertices") is None:
+        if "faces_vertices" not in frames.sources[number]:
             raise InputError(
                 "this key is missing",
                 where=frames.place(number, "faces_vertices"),
@@ -176,22 +170,17 @@ def _vertex_numbers(
     frames: Frames, key: str, row: str, width: int, vertex_count: int
 ) -> Integers | None:
     """The vertices (rows, width) of faces or edges, which are the same in all frames."""
-    known: Integers | None = None
-    for owner in frames.owners(key):
-        where = frames.place(owner, key)
-        found = number_table(frames.value(owner, key), where, row, widths=(width,), whole=True)
+
+    def read(value: Any, where: str) -> Integers:
+        found = number_table(value, where, row, widths=(width,), whole=True)
         _require_range(found, vertex_count, where)
-        if known is not None and not np.array_equal(known, found):
-            raise differing(where)
-        known = found.astype(np.int64)
-    return known
+        return found.astype(np.int64)
+
+    return frames.common(key, read)
 
 
 def _assignment(frames: Frames, edges: Integers | None) -> tuple[str, ...] | None:
-    assignment = None
-    for owner in frames.owners("edges_assignment"):
-        where = frames.place(owner, "edges_assignment")
-        value = frames.value(owner, "edges_assignment")
+    def read(value: Any, where: str) -> tuple[str, ...]:
         _require_length(value, edges, where)
         for edge, letter in enumerate(value):
             if not isinstance(letter, str) or letter not in LETTERS:
@@ -201,16 +190,15 @@ def _assignment(frames: Frames, edges: Integers | None) -> tuple[str, ...] | Non
                     got=shown(letter),
                     expected="one of " + ", ".join(sorted(LETTERS)),
                 )
-        if assignment is not None and assignment != tuple(value):
-            raise differing(where)
-        assignment = tuple(value)
-    return assignment
+        return tuple(value)
+
+    return frames.common("edges_assignment", read)
 
 
 def _fold_angles(frames: Frames, number: int, edges: Integers | None) -> Array | None:
     for key in ("edges_foldAngle", "edges_foldAngles"):
-        if key in frames.own(number):
-            value, where = frames.value(number, key), frames.place(number, key)
+        if key in frames.raw[number]:
+            value, where = frames.raw[number][key], frames.place(number, key)
             break
     else:
         return None
@@ -230,7 +218,7 @@ def _fold_angles(frames: Frames, number: int, edges: Integers | None) -> Array |
 
 
 def _drive(frames: Frames, number: int) -> float | None:
-    value = frames.own(number).get("orishell:drive_deg")
+    value = frames.raw[number].get("orishell:drive_deg")
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, int | float):
@@ -239,7 +227,7 @@ def _drive(frames: Frames, number: int) -> float | None:
 
 
 def _classes(frames: Frames, number: int) -> tuple[str, ...]:
-    value = frames.own(number).get("frame_classes", [])
+    value = frames.raw[number].get("frame_classes", [])
     if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
         raise misfit(value, frames.place(number, "frame_classes"), "a list of texts")
     return tuple(value)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 from typing import Self
+from uuid import UUID
 
 from orishell.conventions.errors import InputError
 from orishell.document import FLAT, SHELL, Document
@@ -29,6 +31,23 @@ class Settings:
 
 
 DEFAULT_SETTINGS = Settings()
+_FIRST_ID = UUID("6f1c2c1e-3d55-8c7e-9c38-0e1a00000000")
+
+
+def numbered_ids() -> Iterator[UUID]:
+    """Ids by their order, for libraries that would make random ones."""
+    return (UUID(int=_FIRST_ID.int + number) for number in count(1))
+
+
+def plain_line(text: str) -> str:
+    """A line of text with a blank for every control character.
+
+    Parameters
+    ----------
+    text
+        The line.
+    """
+    return "".join(each if each.isprintable() else " " for each in text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +58,8 @@ class Format:
     file: str  # the file that is written for a designed shell; others may be written beside it
     endings: tuple[str, ...]  # endings of file names that mean this format
     what: str  # what is in it, in a few words
-    # writes a document to a path, and whatever belongs to it beside the path
+    # writes a document to a path, and what belongs to it beside the path; refuses a document that
+    # lacks what it shows: a state of that name, a flat sheet, boards, a unit
     write: Callable[[Path, Document, Settings], None]
     # whether it shows the surface that the shell follows, if the document has it
     lays_surface: bool = False

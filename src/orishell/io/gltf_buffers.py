@@ -13,9 +13,8 @@ from orishell.numerics.arrays import Array, Booleans, Integers
 Singles = NDArray[np.float32]
 
 VERTICES: Final = 34962
-"""What a view is for: attributes of vertices."""
 INDICES: Final = 34963
-"""What a view is for: numbers of vertices."""
+"""What a view is for: attributes of vertices, or numbers of vertices."""
 ROUNDING: Final = 1e-12
 _FLOAT, _SHORT = 5126, 5123
 

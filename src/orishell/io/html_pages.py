@@ -67,7 +67,8 @@ def program_page(
     The title is not escaped yet; ``what`` the page draws is said where JavaScript is off. Under
     ``name`` the program finds its data: JSON, or bytes in base64, of the media type ``kind``.
     """
-    program = _inside_script(program)
+    # Both occur in its strings only.
+    program = program.replace("</", "<\\/").replace("<!--", "<\\!--")
     policy = (
         f"default-src 'none'; script-src '{content_digest(program)}'; "
         f"style-src '{content_digest(_STYLE)}'; base-uri 'none'; form-action 'none'"
@@ -82,11 +83,6 @@ def program_page(
         data=data.replace("<", "\\u003c"),
         program=program,
     )
-
-
-def _inside_script(program: str) -> str:
-    r"""A program as it may stand in a page: ``</`` and ``<!--`` occur in its strings only."""
-    return program.replace("</", "<\\/").replace("<!--", "<\\!--")
 
 
 _STATIC_STYLE = """
@@ -145,10 +141,9 @@ _STATIC_PAGE = """\
 
 
 def static_page(title: str, parts: Iterable[str]) -> str:
-    """A whole page, which is also well-formed XML.
+    """A whole page, which is also well-formed XML, of parts that the functions below make.
 
-    title: Its title, not escaped yet.
-    parts: What stands in it, made by the functions beside this one.
+    Its title is not escaped yet.
     """
     body = "\n".join(part for part in parts if part)
     policy = (
@@ -159,10 +154,7 @@ def static_page(title: str, parts: Iterable[str]) -> str:
 
 
 def content_digest(text: str) -> str:
-    """The hash by which a content security policy allows a script or a style.
-
-    text: What stands between its tags.
-    """
+    """The hash by which a content security policy allows what stands between two tags."""
     digest = base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest())
     return f"sha256-{digest.decode('ascii')}"
 
@@ -184,11 +176,7 @@ def bullets(texts: Iterable[str], kind: str = "") -> str:
 
 
 def picture(png: bytes, text: str) -> str:
-    """A picture inside the page, and what it shows.
-
-    png: The picture's file.
-    text: What it shows.
-    """
+    """A picture inside the page, and what it shows."""
     source = base64.b64encode(png).decode("ascii")
     image = f'<img src="data:image/png;base64,{source}" alt="{escape(text)}"/>'
     return f'<figure>{image}<figcaption class="soft">{escape(text)}</figcaption></figure>'
@@ -204,11 +192,8 @@ def table(
 ) -> str:
     """A table; nothing where there are no rows.
 
-    head: Headings of its columns; none for a list of names and values.
-    rows: Its cells, the first of each row its name.
-    caption: What it is.
-    numbers: So many of the last columns are numbers, set to the right.
-    totals: So many of the last rows are totals.
+    The first cell of each row is its name, the last ``numbers`` of them are set to the right. The
+    last ``totals`` rows are totals. A list of names and values has no ``head``.
     """
     lines = list(rows)
     if not lines:

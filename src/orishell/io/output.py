@@ -14,10 +14,10 @@ import re
 import secrets
 import shutil
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import cleaning_up, uninterrupted
@@ -34,14 +34,11 @@ _HASH = re.compile("[0-9a-f]{64}")
 
 @dataclass(frozen=True, slots=True)
 class Manifest:
-    """Which files of a directory are this program's.
+    """Which files of a directory are this program's."""
 
-    files: Hash of every file of the last run, by name.
-    earlier: Possible hashes of the files of runs before, by name, as long as the last one moves its
-        files; None when all is done.
-    """
-
-    files: dict[str, str]
+    files: dict[str, str]  # hash of every file of the last run, by name
+    # possible hashes of the files of runs before, by name, as long as the last one moves its files;
+    # None when all is done
     earlier: dict[str, list[str]] | None = None
 
     @property
@@ -55,14 +52,9 @@ class Manifest:
         return found
 
     def text(self) -> str:
-        """The text of the list, as it is written to its file."""
+        """What its file has."""
         moving = {} if self.earlier is None else {"earlier": self.earlier}
         return json.dumps({"about": ABOUT, "files": self.files, **moving}, indent=1) + "\n"
-
-    @classmethod
-    def of(cls, files: Iterable[Path]) -> Self:
-        """The list of some files."""
-        return cls({file.name: hash_of(file) or "" for file in files})
 
 
 def read_manifest(directory: Path, name: str = NAME) -> Manifest | None:
@@ -99,11 +91,9 @@ def _entries(content: Any, key: str) -> dict[str, list[str]] | None:
 
 
 def require_one_run(path: Path) -> None:
-    """Refuse a file that lies among those of two runs, because one was broken off.
+    """Refuse a file, there or not, if the last run that wrote it did not finish moving its files.
 
-    path: The file, whether it is there or not.
-
-    Raises InputError if the last run that wrote it did not finish moving its files.
+    Raises InputError then.
     """
     manifest = read_manifest(path.parent)
     if manifest is None or manifest.earlier is None or path.name not in manifest.known:
@@ -118,7 +108,7 @@ def require_one_run(path: Path) -> None:
 
 
 def hash_of(path: Path) -> str | None:
-    """SHA-256 of a file, in hexadecimal digits; None if there is no such file, or it is a link."""
+    """SHA-256 of a file in hexadecimal digits; None if it is not there, or a link."""
     try:
         if path.is_symlink() or not path.is_file():
             return None
@@ -128,9 +118,8 @@ def hash_of(path: Path) -> str | None:
         return None
 
 
-DRAFT = ".orishell-"
-"""What the names of temporary directories begin with."""
-_DRAFT_NAME = re.compile(re.escape(DRAFT) + "[0-9a-f]{16}")
+_DRAFT = re.compile(r"\.orishell-[0-9a-f]{16}")
+"""Names of temporary directories."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +178,7 @@ class OutputDirectory:
         """As :meth:`adding`, and files of an earlier run are removed, unless they were changed."""
         with self._drafting() as draft:
             yield draft
-            new = Manifest.of(sorted(draft.iterdir()))
+            new = Manifest({file.name: hash_of(file) or "" for file in sorted(draft.iterdir())})
             with self._alone():
                 before = read_manifest(self.path, self.manifest) or Manifest({})
                 (draft / self.manifest).write_text(Manifest(new.files, before.known).text())
@@ -203,7 +192,7 @@ class OutputDirectory:
     @contextlib.contextmanager
     def _drafting(self) -> Iterator[Path]:
         """A temporary directory beside the files; those of runs that are dead are removed."""
-        draft = self.path / f"{DRAFT}{secrets.token_hex(8)}"
+        draft = self.path / f".orishell-{secrets.token_hex(8)}"
         made: list[Path] = []
 
         def discard() -> None:
@@ -232,7 +221,7 @@ class OutputDirectory:
 
     def _remove_dead(self) -> None:
         for path in self.path.iterdir():
-            if _DRAFT_NAME.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
+            if _DRAFT.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
                 with _locked(path, wait=False) as free:
                     if free:
                         shutil.rmtree(path, ignore_errors=True)

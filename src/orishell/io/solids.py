@@ -20,6 +20,11 @@ corner 0 to corner 2, or from corner 1 to corner 3."""
 TRIANGLES.flags.writeable = False
 
 
+def y_up(points: Array) -> Array:
+    """Points (..., 3) turned about the x axis so that z comes to lie on y; without -0.0."""
+    return np.asarray(points[..., [0, 2, 1]] * [1.0, 1.0, -1.0] + 0.0)
+
+
 def find_splits(corners: Array) -> Integers:
     """The diagonal (F,) that splits each panel (F, 4, 3): 1 where the first runs outside, else 0.
 
@@ -36,15 +41,12 @@ def split_panels(corners: Array) -> Array:
 
 
 def find_frames(corners: Array, along: Integers) -> tuple[Array, Array]:
-    """Origin and axes of a frame fixed in every panel, as it moves.
+    """Origins (F, 3) and axes (F, 3, 3) of frames fixed in panels (F, 4, 3), as they move.
 
-    corners: Corners (F, 4, 3) of the panels.
-    along: The corner (F,) at which the diagonal begins that the x axis follows, the same in all
-        states: see :func:`~orishell.motion.quads.longer_diagonals`.
-
-    Returns origins: Means (F, 3) of the corners.
-    Returns axes: Rotations (F, 3, 3) with the unit axes x, y, z as columns; z is the panel's
-        normal. A panel without an area has any z square to its x axis.
+    Origins are the means of the corners. Axes are columns: z is the panel's normal, and x follows
+    the diagonal from the corner ``along`` (F,), the same in all states, as
+    :func:`~orishell.motion.quads.longer_diagonals` finds it. A panel without an area has any z
+    square to its x axis.
     """
     panels = np.arange(len(corners))
     x = _normalised(corners[panels, along + 2] - corners[panels, along], 0)
@@ -96,20 +98,13 @@ class Solids:
 
 @record
 class SolidMesh:
-    """Boards as one mesh of triangles, closed around each of them, in a document's frame and unit.
+    """Boards as one mesh, closed around each of them, in a document's frame and unit."""
 
-    names: What the boards are called, as in "3,12 top".
-    sides: The face (B,) that each lies on: 1 top, -1 bottom, 0 for a panel in one piece.
-    vertices: Vertices (N, 3), those of a board one after the other.
-    triangles: Numbers (T, 3) of their corners, counter-clockwise seen from outside.
-    first_vertex, first_triangle: Numbers (B + 1,) with which the boards begin, and the last one
-        ends.
-    """
-
-    names: tuple[str, ...]
-    sides: Integers
-    vertices: Array
-    triangles: Integers
+    names: tuple[str, ...]  # as in "3,12 top"
+    sides: Integers  # the face (B,) that each lies on, as in Boards
+    vertices: Array  # vertices (N, 3), those of a board one after the other
+    triangles: Integers  # their corners (T, 3), counter-clockwise seen from outside
+    # numbers (B + 1,) with which the boards begin, and the last one ends
     first_vertex: Integers
     first_triangle: Integers
 
@@ -126,24 +121,28 @@ class SolidMesh:
 
 
 def solids_in(document: Document, which: int | str) -> tuple[Solids, ...]:
-    """The boards in a state; at the target, those that are clipped on come after the sheet's.
-
-    which: The state's number or name.
-
-    Raises InputError if panels have no thickness, or there is no such state.
-    """
+    """The boards in a state; at the target, those that are clipped on come after the sheet's."""
     clipped = (_solids(flap, flap.shell) for flap in document.clipped_at(which))
     return (_solids(document, document.state(which)), *clipped)
 
 
 def solids_lying(document: Document) -> tuple[Solids, ...]:
-    """The boards as they are cut: the flat sheet, z up, and what is clipped on lies beside it.
-
-    Raises InputError if panels have no thickness.
-    """
+    """The boards as they are cut: the flat sheet, z up, and what is clipped on lies beside it."""
     sheet = _solids(document, _lying(document.require_flat()))
     beside = zip(document.clipped, lying_beside(document), strict=True)
     return (sheet, *(_solids(flap, _lying(flat)) for flap, flat in beside))
+
+
+def find_surface(document: Document, which: int | str) -> tuple[Array, Integers]:
+    """Vertices (N, 3) in a state, and corners of panels (F, 4) or of the boards' triangles (F, 3).
+
+    Where panels have a thickness it is the closed surfaces of their boards, those that are clipped
+    on at the target last.
+    """
+    if document.boards is None:
+        return document.state(which).positions, document.mesh.faces
+    mesh = mesh_of(solids_in(document, which))
+    return mesh.vertices, mesh.triangles
 
 
 def mesh_of(solids: tuple[Solids, ...]) -> SolidMesh:

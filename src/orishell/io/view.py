@@ -11,7 +11,7 @@ as it was meshed, with displacements and stresses (in MPa) of every load case.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NotRequired, TypedDict
 
 import numpy as np
@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document, DocumentState, FirstContact
-from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
 
 VERSION = 1
@@ -74,12 +73,7 @@ class Header(TypedDict):
 
 
 def dump_view(document: Document, curves: Curves | None = None) -> bytes:
-    """The view of a document.
-
-    document: The sheet. Of its states at most so many are taken that :data:`MOST` coordinates are
-        kept, the first, the last and those with a name among them.
-    curves: f and g as they are drawn, if the header is to have them.
-    """
+    """The view of a document, with the first, the last and the named states among those taken."""
     shell = document.shell.positions if len(document.states) else np.zeros((0, 3))
     origin = (shell.min(axis=0) + shell.max(axis=0)) / 2 if len(shell) else np.zeros(3)
     return _dump_about(origin, document, curves)
@@ -89,7 +83,10 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
     """The view of a document, with coordinates in space from an origin (3,) in its frame."""
     import orjson
 
-    numbers = _kept(document)
+    count = len(document.states)
+    most = max(2, MOST // (3 * document.mesh.vertex_count))
+    taken = np.rint(np.linspace(0, count - 1, min(count, most))).astype(int)
+    numbers = sorted({*map(int, taken), *document.named.values()})
     states = [document.states[number] for number in numbers]
     arrays = _arrays(document, states, origin)
     places: dict[str, ArrayPlace] = {}
@@ -123,14 +120,6 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
     return b"".join([struct.pack("<I", len(text)), text, *blocks])
 
 
-def _kept(document: Document) -> list[int]:
-    """Numbers of the states that are taken, those with a name among them."""
-    count = len(document.states)
-    most = max(2, MOST // (3 * document.mesh.vertex_count))
-    numbers = np.rint(np.linspace(0, count - 1, min(count, most))).astype(int)
-    return sorted({*map(int, numbers), *document.named.values()})
-
-
 def _arrays(
     document: Document, states: Sequence[DocumentState], origin: Array
 ) -> dict[str, NDArray[Any]]:
@@ -160,22 +149,16 @@ def _arrays(
     if document.distances is not None:
         arrays["distance"] = document.distances.astype("<f4")
     if document.loaded is not None:
-        arrays |= _loaded_arrays(document.loaded, placed, MILLIMETRES[document.require_unit()])
+        loaded, cases = document.loaded, document.loaded.cases
+        megapascals = MILLIMETRES[document.require_unit()] ** 2
+        arrays |= {
+            "loaded_points": placed(loaded.points),
+            "loaded_triangles": loaded.triangles.astype("<u4"),
+            "loaded_panels": loaded.panels.astype("<u4"),
+            "loaded_ties": loaded.ties.reshape(-1, 2).astype("<u4"),
+            "displacements": np.stack([case.displacements for case in cases]).astype("<f4"),
+            "stresses": (np.stack([case.stresses for case in cases]) / megapascals).astype("<f4"),
+        }
     for number, strip in enumerate(document.clipped):
         arrays[f"clipped_{number}"] = np.frombuffer(_dump_about(origin, strip, None), "u1")
     return arrays
-
-
-def _loaded_arrays(
-    loaded: LoadedShell, placed: Callable[[Array], NDArray[np.float32]], millimetres: float
-) -> dict[str, NDArray[Any]]:
-    displacements = np.stack([case.displacements for case in loaded.cases])
-    stresses = np.stack([case.stresses for case in loaded.cases])
-    return {
-        "loaded_points": placed(loaded.points),
-        "loaded_triangles": loaded.triangles.astype("<u4"),
-        "loaded_panels": loaded.panels.astype("<u4"),
-        "loaded_ties": loaded.ties.reshape(-1, 2).astype("<u4"),
-        "displacements": displacements.astype("<f4"),
-        "stresses": (stresses / millimetres**2).astype("<f4"),
-    }

@@ -68,7 +68,7 @@ def find_lock(
         lock = replace(lock, clipped_contact=met and _at_target(met, lock))
     if design.panel is None or lock.early or flaps_only:
         return lock
-    end = lock.closes_to if beyond else min(lock.closes_to, lock.target)
+    end = lock.closes_to if beyond else min(lock.closes_to, lock.target_drive)
     built, path = prove_boards(design, end, size, progress)
     lock = replace(lock, built=built, boards_proof=path.proof)
     if path.contact is not None:
@@ -82,7 +82,12 @@ def find_lock(
 
 def _at_target(found: Contact, lock: Lock) -> Contact:
     """A contact of clipped flaps, whose sheet has another drive at the target than the shell's."""
-    return replace(found, drive=lock.target, clear_until=lock.target, depth=lock.depth)
+    return replace(
+        found,
+        drive=lock.target_drive,
+        clear_until=lock.target_drive,
+        corrugation_depth=lock.corrugation_depth,
+    )
 
 
 def _lock_of_panels(

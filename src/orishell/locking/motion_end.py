@@ -143,7 +143,7 @@ def end_motion(
             )
         end = design.mechanism.target_drive
         depth = corrugation_depth(design.mechanism.positions(end))
-        return design, replace(lock, target=end, depth=depth)
+        return design, replace(lock, target_drive=end, corrugation_depth=depth)
     if narrower is not None:
         width = widest_flap(design, narrower, tolerance, boards=contact.sides is not None)
         if width is not None:
@@ -153,7 +153,7 @@ def end_motion(
         raise _clash(design, lock)
     if lock.built is None and design.panel is not None:
         # Panels meet before: nobody has looked at boards.
-        lock = replace(lock, built=build_panels(design, lock.target))
+        lock = replace(lock, built=build_panels(design, lock.target_drive))
     return design, lock
 
 
@@ -165,7 +165,7 @@ def require_pack(design: Design, lock: Lock) -> None:
     DesignError
         If it does not.
     """
-    if lock.closes_to > lock.target * (1 + NO_PACK):
+    if lock.closes_to > lock.target_drive * (1 + NO_PACK):
         return
     contact = lock.first_contact
     # From the flat sheet, flaps are part of it unless something else is said.
@@ -176,7 +176,7 @@ def require_pack(design: Design, lock: Lock) -> None:
         keys=("deployment.from",),
         size="" if contact is None else f"panels meet there ({contact.kind})",
         candidates=[*further, Remedy({"deployment.from": "flat", **clipped})],
-        excess=1 - (lock.closes_to / lock.target - 1) / NO_PACK,
+        excess=1 - (lock.closes_to / lock.target_drive - 1) / NO_PACK,
     )
 
 
@@ -187,7 +187,7 @@ def _clash(design: Design, lock: Lock) -> ClashError:
     if contact is lock.clipped_contact:
         return refuse_clipped(design, contact)
     if contact.sides is not None:
-        return _clash_of_boards(contact, lock.target)
+        return _clash_of_boards(contact, lock.target_drive)
     first, second = (list(panel) for panel in contact.panels)
     if contact.drive == 0:
         return ClashError(
@@ -196,12 +196,13 @@ def _clash(design: Design, lock: Lock) -> ClashError:
             excess=1.0,
         )
     aim = "stage" if design.swept is None else "target"
-    at, target = in_degrees(contact.drive), in_degrees(lock.target)
+    at, target = in_degrees(contact.drive), in_degrees(lock.target_drive)
     error = ClashError(
         f"panels {first} and {second} meet before the shell reaches its {aim} ({contact.kind})",
         place=f"at drive {at} of {target} degrees",
-        size=f"the corrugation is {contact.depth:.4g} deep there, {lock.depth:.4g} at the {aim}",
-        excess=1 - contact.drive / lock.target,
+        size=f"the corrugation is {contact.corrugation_depth:.4g} deep there, "
+        f"{lock.corrugation_depth:.4g} at the {aim}",
+        excess=1 - contact.drive / lock.target_drive,
         flap=flap_width(design) if "flap" in contact.kind else 0.0,
     )
     if design.swept is None and contact.clear_until > 0:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from orishell.clash import ProofRecord
 from orishell.conventions.formatting import in_degrees
+from orishell.conventions.record import Angle, record
 from orishell.solids import BuiltPanels
 
 Panel = tuple[int, int]
@@ -24,25 +24,26 @@ Kind = Literal[
 Cause = Literal["flaps", "clash", "crease", "hinges", "boards"]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Contact:
     """Two panels that touch."""
 
-    drive: float  # where they touch (radians)
-    # up to here no panels touch, proved: 0 if the path was not examined (radians)
-    clear_until: float
+    drive: Angle  # the drive angle at which they touch
+    clear_until: Angle  # up to here no panels touch, proved; 0 if the path was not examined
     # the two panels; those of flaps that are clipped on are in the columns beside the sheet's, -1
     # the one on the left
     panels: tuple[Panel, Panel]
-    # two flaps of one column (neighbours of these at the end of the motion are what the design
-    # means), or of both; a flap on another panel; neighbours about a crease that is folded flat; a
-    # panel of the sheet's border on another; panels inside it; boards on panels
+    # which parts of the sheet they belong to: two flaps of one column (neighbours of these at the
+    # end of the motion are what the design means), or of both; a flap on another panel; neighbours
+    # about a crease that is folded flat; a panel of the sheet's border on another; panels inside
+    # it; boards on panels
     kind: Kind
-    depth: float  # depth of the corrugation there (length)
-    # which boards of the panels touch, "top", "bottom" or "panel"; None if panels do
+    corrugation_depth: float  # depth of the corrugation there (length)
+    # which boards of the panels touch, "top", "bottom" or, where panels are solid, "panel"; None if
+    # panels without a thickness do
     sides: tuple[str, str] | None = None
-    # how far one reaches into the other at least, where they were looked at in one state only; None
-    # along a path, on which they only touch (length)
+    # how far one reaches into the other, if they were looked at in one state only; None if they
+    # touch on the way (length)
     overlap: float | None = None
 
     @property
@@ -57,33 +58,43 @@ class Contact:
         return first, second
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Lock:
     """How a motion ends."""
 
-    drive: float | None  # where it ends, or None if nothing ends it (radians)
-    # flaps folded onto each other as designed, panels that clash, another crease that is folded
-    # flat, hinges that close no further, or boards: they meet there, or leave too little of a panel
-    # beyond
+    WRITTEN = (
+        "drive",
+        "cause",
+        "target_drive",
+        "corrugation_depth",
+        "first_contact",
+        "touching_at_end",
+        "clipped_contact",
+        "path",
+    )
+
+    drive: Angle | None  # where it ends; None if nothing ends it
+    # what ends it: flaps folded onto each other as designed, panels that clash, another crease that
+    # is folded flat, hinges that close no further, or boards, which meet there or would leave too
+    # little of a panel
     cause: Cause | None
-    first_contact: Contact | None  # the first contact, if there is one
-    target: float  # drive of the target state (radians)
-    depth: float  # depth of the corrugation in that state (length)
-    # pairs of panels, flaps and neighbours left out, that touch at the target and not before
-    touching: tuple[tuple[Panel, Panel], ...]
-    proof: ProofRecord | None  # how the path was examined, or None if it was not
+    first_contact: Contact | None  # the panels that touch first, if any do
+    target_drive: Angle  # where the shell meets its target
+    # mean distance of inner vertices from the line between those above and below, at the target
+    corrugation_depth: float
+    # pairs of panels that touch at the end of the motion and are not meant to
+    touching_at_end: tuple[tuple[Panel, Panel], ...]
+    path: ProofRecord | None  # how contact was looked for; None if it was not
     # the boards of panels that have a thickness; None if they have none
     built: BuiltPanels | None = None
-    # how the path was examined for contact of boards, or None if it was not
-    boards_proof: ProofRecord | None = None
-    # what flaps that are clipped on at the target reach into there, or boards of theirs touch; None
-    # if nothing
+    boards_proof: ProofRecord | None = None  # how contact of boards was; None if it was not
+    # what flaps that are clipped on at the target meet there; None if nothing, or if there are none
     clipped_contact: Contact | None = None
 
     def __repr__(self) -> str:
-        target = f"target at {in_degrees(self.target)} degrees"
+        target = f"target at {in_degrees(self.target_drive)} degrees"
         end = "no end" if self.drive is None else f"{self.cause} at {in_degrees(self.drive)}"
-        path = "path not examined" if self.proof is None else "path examined"
+        path = "path not examined" if self.path is None else "path examined"
         return f"{type(self).__name__}({end}, {target}, {path})"
 
     @property
@@ -91,7 +102,7 @@ class Lock:
         """As far as the motion goes, proved free of contact if its path was examined (radians)."""
         if self.cause in {"clash", "boards"} and self.first_contact is not None:
             return self.first_contact.clear_until
-        return self.target if self.drive is None else self.drive
+        return self.target_drive if self.drive is None else self.drive
 
     @property
     def early(self) -> bool:
@@ -102,5 +113,34 @@ class Lock:
     def obstacle(self) -> Contact | None:
         """What keeps the shell from its target, or its clipped flaps from their place there."""
         first = self.first_contact
-        met = self.cause in {"clash", "boards"} and first is not None and first.drive < self.target
+        met = (
+            self.cause in {"clash", "boards"}
+            and first is not None
+            and first.drive < self.target_drive
+        )
         return first if met else self.clipped_contact
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Panels that meet before the target, or touch there and should not."""
+        contact = self.obstacle
+        if contact is not None and contact is self.clipped_contact:
+            first, second = contact.names
+            return (
+                f"{first} and {second} meet when flaps are clipped on at the target: these have no "
+                "room there",
+            )
+        if contact is not None:
+            one, other = (list(panel) for panel in contact.panels)
+            return (
+                f"panels {one} and {other} meet at drive {in_degrees(contact.drive)} of "
+                f"{in_degrees(self.target_drive)} degrees: the shell stops there, short of its "
+                "target",
+            )
+        if self.touching_at_end:
+            one, other = (list(panel) for panel in self.touching_at_end[0])
+            return (
+                f"{len(self.touching_at_end)} pairs of panels touch at the target without being "
+                f"meant to, for example {one} and {other}",
+            )
+        return ()

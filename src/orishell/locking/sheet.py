@@ -50,9 +50,7 @@ class Sheet:
         elif build is not None:
             limit = target
             if design.opens_from_pack:
-                limit = drive_for_height(
-                    mechanism, build.height, end, build.share, build.setback, gap=build.gap
-                )
+                limit = drive_for_height(mechanism, build, end)
             end, stop = (limit, "boards") if limit < end else (end, stop)
         folds = np.abs(mechanism.fold_angles(end).row)
         if stop == "flaps":

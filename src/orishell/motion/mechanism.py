@@ -16,7 +16,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import record
 from orishell.motion.grid import CreaseValues, Grid, Positions, crease_signs
-from orishell.motion.quads import lengths
+from orishell.motion.quads import grid_corners, lengths, unit_normals
 from orishell.numerics.arrays import Array
 
 
@@ -26,12 +26,10 @@ class Mechanism(Protocol):
     @property
     def grid(self) -> Grid:
         """The grid of vertices."""
-        ...
 
     @property
     def inner_columns(self) -> slice:
         """Columns 1 ... n: those that are to meet the target, without flaps or border strips."""
-        ...
 
     @property
     def flap_columns(self) -> tuple[int, ...]:
@@ -40,11 +38,9 @@ class Mechanism(Protocol):
         Where there is one, the motion ends at the target: there they are folded onto themselves,
         or, with a stop, their boards meet, although the sheet would go on.
         """
-        ...
 
     def without_flaps(self) -> Mechanism:
         """The sheet without its flaps, which goes on beyond its target; itself if it has none."""
-        ...
 
     def with_stop(self, stop: float) -> Mechanism:
         """The sheet whose flaps stop short of folding flat; itself if it has none.
@@ -57,30 +53,25 @@ class Mechanism(Protocol):
         DesignError
             If it is too large for the sheet.
         """
-        ...
 
     @property
     def still(self) -> Mechanism:
-        """The same sheet, turning as little as may be while it folds: contact is looked for in it.
+        """The same sheet, turning as little as possible while it folds: for the proof of contact.
 
-        Panels touch or not however the sheet as a whole turns, and what turns less needs fewer
-        states to be examined.
+        Contact does not depend on how the sheet turns as a whole, and less turning needs fewer
+        states.
         """
-        ...
 
     @property
     def target_drive(self) -> float:
         """The drive angle at which the shell meets its target; the flat sheet is drive 0."""
-        ...
 
     @property
     def end_drive(self) -> float:
         """The drive angle at which a crease is folded flat, at the target or beyond it."""
-        ...
 
     def positions(self, drive: ArrayLike) -> Array:
         """Positions (..., rows, columns, 3) of all vertices at drive angles (...) (radians)."""
-        ...
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), in closed form (radians).
@@ -88,7 +79,6 @@ class Mechanism(Protocol):
         Before ``end_drive`` all of them are below pi in size: the proof of the path rests on it,
         where panels share a vertex.
         """
-        ...
 
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of edges while the drive is between ``start`` and ``stop``.
@@ -98,7 +88,6 @@ class Mechanism(Protocol):
         radian squared: along rows (S, columns-1), the largest of all rows; down columns
         (S, rows-1), the largest of all columns.
         """
-        ...
 
 
 @record
@@ -207,11 +196,7 @@ def mechanism_in_one_line(mechanism: Mechanism) -> str:
 
 def panel_normals(positions: Positions) -> Array:
     """Unit normals (..., rows-1, columns-1, 3) of the panels, +z on the flat sheet."""
-    p, q = positions[..., :-1, :-1, :], positions[..., 1:, :-1, :]
-    r, s = positions[..., 1:, 1:, :], positions[..., :-1, 1:, :]
-    normal = np.cross(r - p, s - q)
-    normal /= lengths(normal)[..., None]
-    return np.asarray(normal)
+    return unit_normals(grid_corners(positions))
 
 
 def measure_fold_angles(positions: Positions) -> CreaseValues:

@@ -154,7 +154,7 @@ def _require_corners(faces: Integers) -> None:
 
 
 def _keys(pairs: Integers, vertex_count: int) -> Integers:
-    """One number for each pair of vertices (..., 2), whichever comes first."""
+    """One number for each pair of vertices (..., 2), in either order."""
     return np.asarray(pairs.min(axis=-1) * np.int64(vertex_count) + pairs.max(axis=-1))
 
 

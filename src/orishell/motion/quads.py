@@ -66,10 +66,8 @@ def unit_normals(corners: Corners) -> Array:
 
 def diagonal_gaps(corners: Corners) -> Array:
     """Distances (...) between the two diagonals of every panel: zero if it is plane."""
-    gap = np.einsum(
-        "...i,...i->...", unit_normals(corners), corners[..., 1, :] - corners[..., 0, :]
-    )
-    return np.asarray(np.abs(gap))
+    side = corners[..., 1, :] - corners[..., 0, :]
+    return np.asarray(np.abs(np.einsum("...i,...i->...", unit_normals(corners), side)))
 
 
 def sector_angles(corners: Corners) -> Array:
@@ -91,10 +89,11 @@ def _edges_at(corners: Corners) -> tuple[Vectors, Vectors]:
 
 
 def grid_corners(positions: Positions) -> Array:
-    """Corners (rows-1, columns-1, 4, 3) of every panel of a grid: top left first."""
-    return np.stack(
-        [positions[:-1, :-1], positions[1:, :-1], positions[1:, 1:], positions[:-1, 1:]], axis=-2
-    )
+    """Corners (..., rows-1, columns-1, 4, 3) of every panel of a grid: top left first."""
+    upper, lower = positions[..., :-1, :, :], positions[..., 1:, :, :]
+    left, right = slice(None, -1), slice(1, None)
+    sides = (upper, left), (lower, left), (lower, right), (upper, right)
+    return np.stack([row[..., side, :] for row, side in sides], axis=-2)
 
 
 def signed_areas(corners: Array) -> Array:

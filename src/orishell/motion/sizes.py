@@ -111,10 +111,7 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
     """
     flat = mechanism.positions(0.0)
     size = float(np.linalg.norm(np.ptp(flat.reshape(-1, 3), axis=0)))
-    edges = {
-        "a row": lengths(np.diff(flat, axis=1)),
-        "a column": lengths(np.diff(flat, axis=0)),
-    }
+    edges = {"a row": lengths(np.diff(flat, axis=1)), "a column": lengths(np.diff(flat, axis=0))}
     name = min(edges, key=lambda each: float(edges[each].min()))
     shortest = float(edges[name].min())
     if shortest < RESOLUTION * size:
@@ -123,8 +120,7 @@ def require_resolution(mechanism: Mechanism, candidates: Iterable[Remedy]) -> No
             "a panel is so small that the rounding of coordinates would bend it",
             place=f"at row {row}, column {column}",
             size=f"an edge of {name} is {plain(shortest)} long, and must be at least "
-            f"{RESOLUTION:g} "
-            f"of the sheet's diagonal, which is {plain(size)}",
+            f"{RESOLUTION:g} of the sheet's diagonal, which is {plain(size)}",
             candidates=candidates,
             excess=1 - shortest / (RESOLUTION * size),
         )

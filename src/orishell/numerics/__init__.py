@@ -1,6 +1,6 @@
-"""Interval arithmetic, bisection, and types of arrays."""
+"""Interval arithmetic, elementary functions, bisection, and types of arrays."""
 
-from orishell.numerics.elementary import FUNCTIONS, power_of
+from orishell.numerics.elementary import FUNCTIONS, Elementary, Jet, power
 from orishell.numerics.enclosure import (
     Enclosure,
     Interval,
@@ -10,9 +10,11 @@ from orishell.numerics.enclosure import (
 
 __all__ = [
     "FUNCTIONS",
+    "Elementary",
     "Enclosure",
     "Interval",
-    "power_of",
+    "Jet",
+    "power",
     "spinning_acceleration",
     "turning_acceleration",
 ]

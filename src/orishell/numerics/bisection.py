@@ -13,12 +13,10 @@ def bisect(
     relative: float = 1e-4,
     absolute: float = 0.0,
 ) -> float:
-    """Return the working value nearest to one that does not work.
+    """Return the working value nearest to ``bad``, which does not work; ``good`` does.
 
-    works: Whether a value works.
-    good, bad: A value that works, and one that does not, on either side.
-    relative, absolute: Their distance is halved until it is no more than this share of the working
-        value and this, in its unit, together. One of the two must be positive.
+    Their distance is halved until it is at most ``relative`` times the working value, plus
+    ``absolute``. One of the two must be positive.
     """
     while abs(bad - good) > relative * abs(good) + absolute:
         middle = 0.5 * (good + bad)
@@ -27,11 +25,7 @@ def bisect(
 
 
 def bisect_integers(works: Callable[[int], bool], good: int, bad: int) -> int:
-    """Return the working whole number nearest to one that does not work.
-
-    works: Whether a number works.
-    good, bad: A number that works, and one that does not, on either side.
-    """
+    """Return the working whole number nearest to ``bad``, which does not work; ``good`` does."""
     while abs(bad - good) > 1:
         middle = (good + bad) // 2
         good, bad = (middle, bad) if works(middle) else (good, middle)
@@ -41,12 +35,9 @@ def bisect_integers(works: Callable[[int], bool], good: int, bad: int) -> int:
 def largest_below(
     works: Callable[[float], bool], bad: float, *, smallest: float, relative: float = 1e-3
 ) -> float | None:
-    """Return the largest working value below one that does not work, or None if there is none.
+    """Return the largest working value below ``bad``, which does not work, or None if none is.
 
-    works: Whether a value works.
-    bad: A value that does not; not negative.
-    smallest: The smallest share of it that is tried.
-    relative: How near to the largest to come, relative to the value.
+    Down to the share ``smallest`` of it, and to within ``relative`` of the largest.
     """
     least, good = smallest * bad, 0.5 * bad
     while not works(good):

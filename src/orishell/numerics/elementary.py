@@ -1,39 +1,78 @@
-"""Elementary functions over intervals: their values and first two derivatives there.
+"""Elementary functions with their first two derivatives, at numbers and over intervals.
 
-Where a function is not defined throughout an interval nothing is known of it, nor of the second
-derivative where the first one jumps.
+One table serves both: over an interval a function, or a derivative, has its extremes at the ends
+and where it turns. Where a function is not defined throughout an interval nothing is known of it,
+nor of the second derivative where the first one jumps.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeAlias
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans
 from orishell.numerics.enclosure import Enclosure, Interval
 
-Curved = Callable[[Array], Array]
+Jet: TypeAlias = tuple[Array, Array, Array]
+"""Value, first and second derivative, each of the shape of the variable."""
+
+
+@record
+class Elementary:
+    """A function of one argument."""
+
+    jet: Callable[[Array], Jet]  # value and two derivatives at arguments (...); nan if undefined
+    over: Callable[[Interval], Enclosure]  # bounds of all three over intervals (...) of arguments
+
+    def of(self, inner: Enclosure) -> Enclosure:
+        """The function of ``inner``, by the chain rule."""
+        return self.over(inner.value).of(inner)
+
+
+Turns: TypeAlias = tuple[float, ...]
+
+
+def _smooth(
+    jet: Callable[[Array], Jet],
+    value: Turns = (),
+    first: Turns = (),
+    second: Turns = (),
+    *,
+    period: float | None = None,
+    defined: Callable[[Interval], Booleans] | None = None,
+) -> Elementary:
+    """A function, the arguments at which it and its derivatives turn, and where it is defined.
+
+    With a ``period`` they turn again after each. What is nan at an end is nan over the interval.
+    """
+    turns = [
+        [(turn, jet(np.asarray(turn))[k]) for turn in each]
+        for k, each in enumerate((value, first, second))
+    ]
+
+    def over(v: Interval) -> Enclosure:
+        found = []
+        for begin, end, extremes in zip(jet(v.low), jet(v.high), turns, strict=True):
+            low, high = np.asarray(np.minimum(begin, end)), np.asarray(np.maximum(begin, end))
+            for turn, extreme in extremes:
+                within = (v.low < turn) & (turn < v.high) if not period else _meets(v, turn, period)
+                np.minimum(low, extreme, out=low, where=within)
+                np.maximum(high, extreme, out=high, where=within)
+            found.append(Interval(low, high))
+        result = Enclosure(*found)
+        if defined is None:
+            return result
+        known = defined(v)
+        return result.each(lambda interval: _known(known, interval))
+
+    return Elementary(jet, over)
 
 
 def _known(where: Booleans, interval: Interval) -> Interval:
     return interval.through(lambda ends: np.where(where, ends, np.nan))
-
-
-def _if_defined(where: Booleans, result: Enclosure) -> Enclosure:
-    return result.each(lambda interval: _known(where, interval))
-
-
-def _bending(function: Curved, v: Interval, turns: tuple[float, ...]) -> Interval:
-    """The range of a function that is monotone but for extrema at ``turns``."""
-    first, second = function(v.low), function(v.high)
-    low, high = np.minimum(first, second), np.maximum(first, second)
-    for turn in turns:
-        within = (v.low < turn) & (turn < v.high)
-        extreme = function(np.asarray(turn))
-        low = np.where(within, np.minimum(low, extreme), low)
-        high = np.where(within, np.maximum(high, extreme), high)
-    return Interval(low, high)
 
 
 def _meets(v: Interval, start: float, period: float) -> Booleans:
@@ -42,143 +81,124 @@ def _meets(v: Interval, start: float, period: float) -> Booleans:
     return np.asarray(last >= np.ceil((v.low - start) / period))
 
 
-def _cosine(v: Interval) -> Interval:
-    ends = Interval.between(np.cos(v.low), np.cos(v.high))
-    return Interval(
-        np.where(_meets(v, np.pi, 2 * np.pi), -1.0, ends.low),
-        np.where(_meets(v, 0.0, 2 * np.pi), 1.0, ends.high),
-    )
+def _sin(v: Array) -> Jet:
+    s, c = np.sin(v), np.cos(v)
+    return s, c, -s
 
 
-def _sine(v: Interval) -> Interval:
-    ends = Interval.between(np.sin(v.low), np.sin(v.high))
-    return Interval(
-        np.where(_meets(v, -np.pi / 2, 2 * np.pi), -1.0, ends.low),
-        np.where(_meets(v, np.pi / 2, 2 * np.pi), 1.0, ends.high),
-    )
+def _cos(v: Array) -> Jet:
+    s, c = np.sin(v), np.cos(v)
+    return c, -s, -c
 
 
-def _sin(v: Interval) -> Enclosure:
-    s = _sine(v)
-    return Enclosure(s, _cosine(v), s.times(-1.0))
+def _tan(v: Array) -> Jet:
+    t = np.tan(v)
+    return t, 1 + t * t, 2 * t * (1 + t * t)
 
 
-def _cos(v: Interval) -> Enclosure:
-    c = _cosine(v)
-    return Enclosure(c, _sine(v).times(-1.0), c.times(-1.0))
+def _asin(v: Array) -> Jet:
+    r = 1 / np.sqrt(1 - v * v)
+    return np.arcsin(v), r, v * r**3
 
 
-def _tan(v: Interval) -> Enclosure:
-    t = v.through(np.tan)
-    result = Enclosure(t, t.squared().plus(1.0), t.through(lambda u: 2 * u * (1 + u * u)))
-    return _if_defined(~_meets(v, np.pi / 2, np.pi), result)
+def _acos(v: Array) -> Jet:
+    r = 1 / np.sqrt(1 - v * v)
+    return np.arccos(v), -r, -v * r**3
 
 
-def _asin(v: Interval) -> Enclosure:
-    first = v.squared().through(lambda u: 1 / np.sqrt(1 - u))
-    second = v.through(lambda u: u / np.sqrt(1 - u * u) ** 3)
-    result = Enclosure(v.through(np.arcsin), first, second)
-    return _if_defined((v.low >= -1) & (v.high <= 1), result)
+def _atan(v: Array) -> Jet:
+    r = 1 / (1 + v * v)
+    return np.arctan(v), r, -2 * v * r * r
 
 
-def _acos(v: Interval) -> Enclosure:
-    sine = _asin(v).times(-1.0)
-    return Enclosure(sine.value.plus(np.pi / 2), sine.first, sine.second)
+def _sinh(v: Array) -> Jet:
+    s, c = np.sinh(v), np.cosh(v)
+    return s, c, s
 
 
-def _atan(v: Interval) -> Enclosure:
-    square = v.squared()
-    turn = 1 / np.sqrt(3.0)
-    return Enclosure(
-        v.through(np.arctan),
-        Interval(1 / (1 + square.high), 1 / (1 + square.low)),
-        _bending(lambda u: -2 * u / (1 + u * u) ** 2, v, (-turn, turn)),
-    )
+def _cosh(v: Array) -> Jet:
+    s, c = np.sinh(v), np.cosh(v)
+    return c, s, c
 
 
-def _sinh(v: Interval) -> Enclosure:
-    s = v.through(np.sinh)
-    return Enclosure(s, _bending(np.cosh, v, (0.0,)), s)
+def _tanh(v: Array) -> Jet:
+    t = np.tanh(v)
+    return t, 1 - t * t, -2 * t * (1 - t * t)
 
 
-def _cosh(v: Interval) -> Enclosure:
-    c = _bending(np.cosh, v, (0.0,))
-    return Enclosure(c, v.through(np.sinh), c)
+def _exp(v: Array) -> Jet:
+    y = np.exp(v)
+    return y, y, y
 
 
-def _tanh(v: Interval) -> Enclosure:
-    t = v.through(np.tanh)
-    square = t.squared()
-    turn = 1 / np.sqrt(3.0)
-    return Enclosure(
-        t,
-        Interval(1 - square.high, 1 - square.low),
-        _bending(lambda u: -2 * u * (1 - u * u), t, (-turn, turn)),
-    )
+def _log(v: Array) -> Jet:
+    return np.log(v), 1 / v, -1 / (v * v)
 
 
-def _exp(v: Interval) -> Enclosure:
-    y = v.through(np.exp)
-    return Enclosure(y, y, y)
+def _sqrt(v: Array) -> Jet:
+    y = np.sqrt(v)
+    return y, 0.5 / y, -0.25 / (v * y)
 
 
-def _log(v: Interval) -> Enclosure:
-    result = Enclosure(
-        v.through(np.log), Interval(1 / v.high, 1 / v.low), v.through(lambda u: -1 / (u * u))
-    )
-    return _if_defined(v.low > 0, result)
+def _abs(v: Array) -> Jet:
+    return np.abs(v), np.sign(v), np.zeros_like(v)
 
 
-def _sqrt(v: Interval) -> Enclosure:
-    y = v.through(np.sqrt)
-    first = Interval(0.5 / y.high, 0.5 / y.low)
-    return _if_defined(v.low >= 0, Enclosure(y, first, v.through(lambda u: -0.25 / u**1.5)))
-
-
-def _abs(v: Interval) -> Enclosure:
+def _abs_over(v: Interval) -> Enclosure:
     kink = (v.low < 0) & (v.high > 0)
-    zero = np.zeros_like(v.low)
     value = Interval.between(np.abs(v.low), np.abs(v.high))
     # At the end of an interval the derivative is that of its inside.
     first = Interval.between(np.where(v.low < 0, -1.0, 1.0), np.where(v.high > 0, 1.0, -1.0))
-    value = Interval(np.where(kink, 0.0, value.low), value.high)
-    result = Enclosure(value, first, _known(~kink, Interval(zero, zero)))
-    return _if_defined(v.low <= v.high, result)
+    second = np.where(kink, np.nan, np.zeros_like(v.low))
+    result = Enclosure(
+        Interval(np.where(kink, 0.0, value.low), value.high), first, Interval(second, second)
+    )
+    return result.each(lambda interval: _known(v.low <= v.high, interval))
 
 
-FUNCTIONS: dict[str, Callable[[Interval], Enclosure]] = {
-    "sin": _sin,
-    "cos": _cos,
-    "tan": _tan,
-    "asin": _asin,
-    "acos": _acos,
-    "atan": _atan,
-    "sinh": _sinh,
-    "cosh": _cosh,
-    "tanh": _tanh,
-    "exp": _exp,
-    "log": _log,
-    "sqrt": _sqrt,
-    "abs": _abs,
+_QUARTERS, _HALVES, _THIRD = (-np.pi / 2, np.pi / 2), (0.0, np.pi), 1 / np.sqrt(3.0)
+
+FUNCTIONS: dict[str, Elementary] = {
+    "sin": _smooth(_sin, _QUARTERS, _HALVES, _QUARTERS, period=2 * np.pi),
+    "cos": _smooth(_cos, _HALVES, _QUARTERS, _HALVES, period=2 * np.pi),
+    "tan": _smooth(
+        _tan, first=(0.0,), period=np.pi, defined=lambda v: ~_meets(v, np.pi / 2, np.pi)
+    ),
+    "asin": _smooth(_asin, first=(0.0,)),
+    "acos": _smooth(_acos, first=(0.0,)),
+    "atan": _smooth(_atan, first=(0.0,), second=(-_THIRD, _THIRD)),
+    "sinh": _smooth(_sinh, first=(0.0,)),
+    "cosh": _smooth(_cosh, (0.0,), second=(0.0,)),
+    "tanh": _smooth(_tanh, first=(0.0,), second=(-np.arctanh(_THIRD), np.arctanh(_THIRD))),
+    "exp": _smooth(_exp),
+    "log": _smooth(_log, defined=lambda v: v.low > 0),
+    "sqrt": _smooth(_sqrt),
+    "abs": Elementary(_abs, _abs_over),
 }
-"""The functions of formulas, each of an interval of its argument."""
+"""The functions of formulas."""
 
 
-def power_of(v: Interval, exponent: float) -> Enclosure:
-    """The power v**exponent over an interval.
+def power(exponent: float) -> Elementary:
+    """The power of a constant exponent; derivatives of a constant or linear term are exactly 0.
 
     Parameters
     ----------
-    v
-        Interval (...) of the base.
     exponent
-        The exponent.
+        Any number; with a fraction, the power is defined for arguments that are not negative.
     """
     n = exponent
-    return Enclosure(_monomial(1.0, v, n), _monomial(n, v, n - 1), _monomial(n * (n - 1), v, n - 2))
+    terms = (1.0, n), (n, n - 1), (n * (n - 1), n - 2)
+
+    def jet(v: Array) -> Jet:
+        value, first, second = (
+            factor * v**rank if factor != 0 else np.zeros_like(v) for factor, rank in terms
+        )
+        return value, first, second
+
+    return Elementary(jet, lambda v: Enclosure(*(_term(*each, v) for each in terms)))
 
 
-def _monomial(factor: float, v: Interval, rank: float) -> Interval:
+def _term(factor: float, rank: float, v: Interval) -> Interval:
     """The range of factor * v**rank."""
     if factor == 0 or rank == 0:
         return Interval(np.asarray(factor), np.asarray(factor))

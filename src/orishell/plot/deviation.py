@@ -22,6 +22,7 @@ from orishell.plot.scene import (
     add_part,
     brightness,
     choose_camera,
+    colour_scale,
     draw_targets,
     frame,
     line_width,
@@ -35,8 +36,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
 
-
-CREASE = (0.15, 0.15, 0.18)
 SHARE = 0.9
 """The part of the picture's width that the shell is drawn in, beside the bar of colours."""
 
@@ -95,16 +94,12 @@ def _draw_cells(
     camera: Camera,
 ) -> ScalarMappable:
     """Panels from the farthest to the nearest, coloured smoothly within each."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import LinearSegmentedColormap, Normalize
     from matplotlib.path import Path as Outline
 
-    from orishell.plot.shading import ShadedPanels, quad_triangles
+    from orishell.plot.shading import draw_panels, quad_triangles
 
     limit = float(np.abs(distances).max()) or 1.0
-    scale = ScalarMappable(
-        Normalize(-limit, limit), LinearSegmentedColormap.from_list("distance", DISTANCE_MAP)
-    )
+    scale = colour_scale(-limit, limit, DISTANCE_MAP)
     rows, columns = (np.flatnonzero(each) for each in creases)
     panels = points[np.ix_(rows, columns)]
     picture, depth = camera.project(grid_corners(panels))
@@ -116,18 +111,14 @@ def _draw_cells(
     colours = grid_corners(np.asarray(scale.to_rgba(distances))).reshape(-1, 4, 4)
     colours[..., :3] *= brightness(panel_normals(panels), camera).ravel()[panel, None, None]
 
-    place = np.empty_like(order)
-    place[order] = np.arange(len(order))
-    behind = np.argsort(place[panel], kind="stable")
+    corners = camera.project(grid_corners(points))[0].reshape(-1, 4, 2)
     outlines = np.take(picture, [0, 1, 2, 3, 0], axis=-2).reshape(-1, 5, 2)
-    axes.add_artist(
-        ShadedPanels(
-            quad_triangles(camera.project(grid_corners(points))[0].reshape(-1, 4, 2)[behind]),
-            quad_triangles(colours[behind]),
-            2 * np.cumsum(np.bincount(place[panel])),
-            [Outline(outline) for outline in outlines[order]],
-            edge=(*CREASE, 0.8),
-            width=line_width(camera.project(panels)[0], SHARE * WIDTH, 0.6, 0.12),
-        )
+    draw_panels(
+        axes,
+        (quad_triangles(corners), quad_triangles(colours), np.repeat(panel, 2)),
+        order,
+        [*map(Outline, outlines)],
+        edge=(0.15, 0.15, 0.18, 0.8),
+        width=line_width(camera.project(panels)[0], SHARE * WIDTH, 0.6, 0.12),
     )
     return scale

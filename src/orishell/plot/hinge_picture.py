@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,12 +32,7 @@ def section_height(section: HingeSection) -> float:
 
 
 def draw_hinge_section(figure: Figure, section: HingeSection, unit: str) -> None:
-    """Draw the section in its states, at the bottom of a picture, all to one scale.
-
-    figure: A picture with room for it at the bottom.
-    section: What to draw.
-    unit: Unit of length.
-    """
+    """Draw the section in its states, at the bottom of a picture, all to one scale."""
     low, high = _window(section)
     width = WIDTH / ABREAST
     left = 0.5 * (WIDTH - width * len(section.folds))
@@ -72,12 +66,11 @@ def _scale(section: HingeSection) -> float:
 def _window(section: HingeSection) -> tuple[float, float]:
     """Lowest and highest point of the pictures of all states (length)."""
     margin = ABOVE * (section.setback + section.build.thickness)
-    drawn = [_profile(each, _reach(section)) for each in section.profiles]
     heights = np.concatenate(
         [
-            folded(points, fold, right=each.right)[:, 1]
+            folded(_profile(each, _reach(section)), fold, right=each.right)[:, 1]
             for fold in section.folds
-            for each, points in zip(section.profiles, drawn, strict=True)
+            for each in section.profiles
         ]
     )
     return float(heights.min() - margin), float(heights.max() + margin)
@@ -143,7 +136,7 @@ def _explain(figure: Figure, section: HingeSection) -> None:
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    sides: Sequence[int] = sorted({each.side for each in section.profiles}, reverse=True)
+    sides = sorted({each.side for each in section.profiles}, reverse=True)
     named = [FACES.get(side, SOLID) for side in sides]
     marks: list[Patch | Line2D] = [
         Patch(facecolor=LIGHT[colour], edgecolor=LINE, label=name) for name, colour in named

@@ -24,16 +24,6 @@ class Profile:
     # end comes last, P being twice the number of heights
     points: Array
 
-    def folded(self, fold: float) -> Array:
-        """The outline (P, 2) as :func:`folded` has it.
-
-        Parameters
-        ----------
-        fold
-            The fold angle, valley positive (radians).
-        """
-        return folded(self.points, fold, right=self.right)
-
 
 @record
 class HingeSection:
@@ -64,10 +54,6 @@ def find_hinge_section(
     ----------
     motion
         The motion of the sheet; of its states flat, target and pack are shown.
-    boards
-        What is built of its panels.
-    build
-        What panels are made of.
 
     Returns
     -------
@@ -122,10 +108,9 @@ def find_hinge_section(
 
 
 def _cut(outlines: Array, start: Array, way: Array) -> Array | None:
-    """Outline (2 H, 2) of a board's section from a point along a unit vector; None if it is missed.
+    """Outline (2 H, 2) of the section of outlines (H, K, 3); None if they are missed.
 
-    outlines: Corners (H, K, 3) of the board's outlines.
-    start, way: Point (2,) and direction (2,) in the flat sheet.
+    It is cut from a point (2,) of the flat sheet along a unit vector (2,).
     """
     flat = outlines[..., :2]
     along = np.roll(flat, -1, axis=1) - flat
@@ -142,13 +127,10 @@ def _cut(outlines: Array, start: Array, way: Array) -> Array | None:
 
 
 def folded(points: Array, fold: float, *, right: bool) -> Array:
-    """Points (..., 2) of a panel, from its own distances and heights, as the section shows them.
+    """Points (..., 2) of a panel folded by an angle (radians), as the section shows them.
 
-    The crease is in the origin, the bisecting plane upright through it.
-
-    points: Distances from the crease and heights over the hinge plane (..., 2).
-    fold: The fold angle, valley positive (radians).
-    right: Whether the panel lies on the right.
+    They are distances from the crease and heights over the hinge plane. In the section the crease
+    is in the origin, the bisecting plane upright through it.
     """
     away, height = points[..., 0], points[..., 1]
     cosine, sine = np.cos(fold / 2), np.sin(fold / 2)

@@ -14,7 +14,7 @@ from orishell.conventions.quantities import plain
 from orishell.motion import FoldingMotion, find_assignment, panel_normals
 from orishell.motion.grid import CreaseValues
 from orishell.motion.quads import grid_corners
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.plot.hinge_picture import draw_hinge_section, section_height
 from orishell.plot.hinge_section import HingeSection
 from orishell.plot.scene import (
@@ -26,6 +26,7 @@ from orishell.plot.scene import (
     Camera,
     add_part,
     choose_camera,
+    draw_lines,
     draw_targets,
     frame,
     line_width,
@@ -99,32 +100,29 @@ def plot_overview(
         drives.append(contact.drive)
     states = [motion.mechanism.positions(drive) for drive in drives]
 
-    width = WIDTH
     sheet = _landscape(motion.flat.positions[..., :2])
-    above = row_height(width / 2, [sheet, camera.project(locked)[0]])
+    above = row_height(WIDTH / 2, [sheet, camera.project(locked)[0]])
     count = len(states)
     spans = [np.ptp(camera.project(each)[0].reshape(-1, 2), axis=0) for each in states]
-    below = row_height(width / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
+    below = row_height(WIDTH / count, [np.stack([np.zeros(2), np.max(spans, axis=0)])])
     base = 0.0 if hinge is None else section_height(hinge)
     foot = base + BORDER + below + TITLE + LEGEND
     figure = new_figure(foot + above + TITLE + HEADING, title)
 
-    pattern = add_part(figure, 0, foot, width / 2, above)
-    thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), width / 2)
+    pattern = add_part(figure, 0, foot, WIDTH / 2, above)
+    thinned = _draw_pattern(pattern, sheet, find_assignment(motion.mechanism), WIDTH / 2)
     size = np.ptp(sheet.reshape(-1, 2), axis=0)
     set_title(pattern, f"Crease pattern, {plain(size[0], 3)} × {plain(size[1], 3)} {unit}{thinned}")
-    shell = add_part(figure, width / 2, foot, width / 2, above)
-    _draw_shell(shell, locked, camera, width / 2)
+    shell = add_part(figure, WIDTH / 2, foot, WIDTH / 2, above)
+    _draw_shell(shell, locked, camera, WIDTH / 2)
     draw_targets(shell, targets, camera)
     sizes = " × ".join(plain(extent, 3) for extent in np.ptp(locked.reshape(-1, 3), axis=0))
     shown = f"{last}, with f and g" if targets else last
     set_title(shell, f"{shown}, {sizes} {unit}")
-    frames = [
-        add_part(figure, k * width / count, base + BORDER, width / count, below)
-        for k in range(count)
-    ]
+    each = WIDTH / count
+    frames = [add_part(figure, k * each, base + BORDER, each, below) for k in range(count)]
     for axes, drive, positions in zip(frames, drives, states, strict=True):
-        _draw_shell(axes, positions, camera, width / count)
+        _draw_shell(axes, positions, camera, each)
         packed = "Pack, drive" if drive == motion.pack else "Drive"
         set_title(axes, f"{packed} {np.rad2deg(drive):.3g}°")
     if contact is not None:
@@ -135,22 +133,12 @@ def plot_overview(
     save(figure, path)
 
 
-def _thin(positions: Array, signs: CreaseValues, most: int) -> tuple[Array, CreaseValues, int, int]:
-    """Every k-th row and column of a sheet too fine to draw, k odd so that signs alternate."""
-    rows, columns = positions.shape[:2]
-    down, right = (_stride(count - 3, most) for count in (rows, columns))
-    i = np.unique(np.concatenate([[0], np.arange(1, rows - 1, down), [rows - 2, rows - 1]]))
-    j = np.unique(
-        np.concatenate([[0], np.arange(1, columns - 1, right), [columns - 2, columns - 1]])
-    )
-    row = signs.row[np.ix_(i[1:-1] - 1, j[:-1])]
-    column = signs.column[np.ix_(i[:-1], j[1:-1] - 1)]
-    return positions[np.ix_(i, j)], CreaseValues(row, column), down, right
-
-
-def _stride(count: int, most: int) -> int:
-    stride = max(1, -(-count // most))
-    return stride + 1 - stride % 2
+def _thinned(count: int, most: int) -> tuple[Integers, int]:
+    """Every k-th of rows or columns too many to draw, k odd so that signs alternate, and k."""
+    stride = max(1, -(-(count - 3) // most))
+    stride += 1 - stride % 2
+    kept = np.concatenate([[0], np.arange(1, count - 1, stride), [count - 2, count - 1]])
+    return np.unique(kept), stride
 
 
 def _landscape(sheet: Array) -> Array:
@@ -161,25 +149,24 @@ def _landscape(sheet: Array) -> Array:
 
 def _draw_pattern(axes: Axes, sheet: Array, signs: CreaseValues, inches: float) -> str:
     """Draw the sheet (rows, columns, 2), and say which rows and columns are left out."""
-    from matplotlib.collections import LineCollection
-
-    sheet, signs, down, right = _thin(sheet, signs, PATTERN_DRAWN)
+    (i, down), (j, right) = (_thinned(count, PATTERN_DRAWN) for count in sheet.shape[:2])
+    sheet = sheet[np.ix_(i, j)]
+    row = signs.row[np.ix_(i[1:-1] - 1, j[:-1])]
+    column = signs.column[np.ix_(i[:-1], j[1:-1] - 1)]
     width = line_width(sheet, inches, 1.3, 0.35)
     rows = np.stack([sheet[1:-1, :-1], sheet[1:-1, 1:]], axis=-2)
     columns = np.stack([sheet[:-1, 1:-1], sheet[1:, 1:-1]], axis=-2)
     for sign, colour, style in ((-1, MOUNTAIN, "-"), (1, VALLEY, "-"), (0, UNFOLDED, (0, (3, 2)))):
-        segments = np.concatenate([rows[signs.row == sign], columns[signs.column == sign]])
+        segments = np.concatenate([rows[row == sign], columns[column == sign]])
         if len(segments):
-            axes.add_collection(
-                LineCollection(list(segments), colors=colour, linewidths=width, linestyles=[style])
-            )
+            draw_lines(axes, segments, colour, width, style)
     border = np.concatenate([sheet[0], sheet[1:, -1], sheet[-1, -2::-1], sheet[-2::-1, 0]])
     axes.plot(*border.T, color=RIM, linewidth=max(1.2, width), solid_joinstyle="miter")
     axes.fill(*border.T, color=PAPER, zorder=0)
     axes.set_aspect("equal")
     axes.axis("off")
     names = [(MOUNTAIN, "mountain"), (VALLEY, "valley"), (RIM, "border")]
-    if (signs.row == 0).any() or (signs.column == 0).any():
+    if (row == 0).any() or (column == 0).any():
         names.insert(2, (UNFOLDED, "unfolded"))
     for colour, name in names:
         axes.plot([], [], color=colour, label=name, linestyle="--" if colour == UNFOLDED else "-")
@@ -191,11 +178,7 @@ def _draw_shell(axes: Axes, positions: Array, camera: Camera, inches: float) -> 
     """Draw the panels, from the farthest to the nearest."""
     from matplotlib.collections import PolyCollection
 
-    empty = CreaseValues(
-        np.zeros((positions.shape[0] - 2, positions.shape[1] - 1)),
-        np.zeros((positions.shape[0] - 1, positions.shape[1] - 2)),
-    )
-    positions = _thin(positions, empty, SHELL_DRAWN)[0]
+    positions = positions[np.ix_(*(_thinned(n, SHELL_DRAWN)[0] for n in positions.shape[:2]))]
     corners = grid_corners(positions).reshape(-1, 4, 3)
     picture, depth = camera.project(corners)
     order = np.argsort(depth.mean(axis=-1), kind="stable")
@@ -231,11 +214,10 @@ def _mark_panels(axes: Axes, positions: Array, contact: DrawnContact, camera: Ca
 
 def _shade(normals: Array, camera: Camera) -> Array:
     """Colours (F, 4): the paper's front and back, lit from the upper left."""
-    towards = camera.axes()[2]
+    right, up, towards = camera.axes()
     front = normals @ towards >= 0
     facing = np.where(front[:, None], normals, -normals)
     light = LAMP / np.linalg.norm(LAMP)
-    right, up, _ = camera.axes()
     lamp = light[0] * right + light[2] * up + 0.75 * towards
     brightness = 0.55 + 0.45 * np.clip(facing @ (lamp / np.linalg.norm(lamp)), 0, 1)
     colour = np.where(front[:, None], PAPER, BACK) * brightness[:, None]

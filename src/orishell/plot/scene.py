@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from orishell.conventions.colours import LIGHT
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
-
-from orishell.conventions.colours import LIGHT
 
 LAMP = (-0.45, 0.75, 0.70)
 """Where light comes from: to the right, towards the viewer, up."""
 SHADE = 0.12
 """Panels that turn away from the light are darker by this share."""
 DPI = 200
+GRID: dict[str, Any] = {"visible": True, "color": "#e4e4e4", "linewidth": 0.6}
 WIDTH = 13.0
 """Of every picture, in inches."""
 HEADING, TITLE, LEGEND, BORDER = 0.45, 0.4, 0.45, 0.12
@@ -85,6 +86,31 @@ def new_figure(height: float, heading: str) -> Figure:
     return figure
 
 
+def new_chart(size: tuple[float, float] = (8.0, 5.2)) -> Figure:
+    """An empty picture of a size (inches) for charts, which find their places themselves."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+    layout = ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1)
+    figure = Figure(figsize=size, facecolor="white", layout=layout)
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def save_chart(figure: Figure, path: Path) -> None:
+    """Write a chart as PNG, without the name of the program that drew it."""
+    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+
+
+def colour_scale(low: float, high: float, colours: Sequence[str]) -> ScalarMappable:
+    """Colours for numbers from ``low`` to ``high``."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import LinearSegmentedColormap, Normalize
+
+    return ScalarMappable(Normalize(low, high), LinearSegmentedColormap.from_list("scale", colours))
+
+
 def add_part(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
     """A part of a picture (inches), which has a title above it and may have a legend below."""
     across, up = figure.get_size_inches()
@@ -102,12 +128,11 @@ def save(figure: Figure, path: Path) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
-    # As small as with the usual strategy, in two thirds of the time.
-    quick = zlib.Z_RLE
     canvas: Any = FigureCanvasAgg(figure)
     canvas.draw()
     pixels = np.ascontiguousarray(np.asarray(canvas.buffer_rgba())[..., :3])
-    Image.fromarray(pixels).save(path, dpi=(DPI, DPI), compress_type=quick)
+    # As small as with the usual strategy, in two thirds of the time.
+    Image.fromarray(pixels).save(path, dpi=(DPI, DPI), compress_type=zlib.Z_RLE)
 
 
 def line_width(picture: Array, inches: float, widest: float, share: float) -> float:
@@ -121,8 +146,7 @@ def draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> No
     """Target curves on top of the shell, with a pale outline."""
     from matplotlib.patheffects import Normal, Stroke
 
-    names = {"f": "f, the swept curve", "g": "g, swept along"}
-    for name, label in names.items():
+    for name, label in (("f", "f, the swept curve"), ("g", "g, swept along")):
         if name in targets:
             curve = camera.project(targets[name])[0]
             outline = [Stroke(linewidth=4.5, foreground="white", alpha=0.8), Normal()]
@@ -130,6 +154,15 @@ def draw_targets(axes: Axes, targets: Mapping[str, Array], camera: Camera) -> No
             axes.plot(*curve.T, color=colour, linewidth=2.2, label=label, path_effects=outline)
     if targets:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, frameon=False)
+
+
+def draw_lines(axes: Axes, lines: Array, colour: str, width: float, style: Any = "-") -> None:
+    """Draw lines (L, 2, 2) of one look."""
+    from matplotlib.collections import LineCollection
+
+    axes.add_collection(
+        LineCollection(list(lines), colors=colour, linewidths=width, linestyles=[style])
+    )
 
 
 def frame(axes: Axes, picture: Array) -> None:

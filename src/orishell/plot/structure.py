@@ -21,6 +21,8 @@ from orishell.plot.scene import (
     add_part,
     brightness,
     choose_camera,
+    colour_scale,
+    draw_lines,
     frame,
     new_figure,
     row_height,
@@ -88,8 +90,11 @@ def plot_structure(
         bottom = LEGEND + (rows - 1 - down) * row
         axes = add_part(figure, right * width, bottom + BAR, width, height)
         colours = panels.draw(axes, points, each.case, camera)
-        _draw_unloaded(axes, shell, panels, camera)
-        _draw_ties(axes, shell, points, each.taut, camera)
+        unloaded = camera.project(shell.points)[0][panels.border]
+        draw_lines(axes, unloaded, UNLOADED, 0.7, (0, (3, 2)))
+        ties = camera.project(points)[0][shell.ties]
+        draw_lines(axes, ties[each.taut], TAUT, 1.6)
+        draw_lines(axes, ties[~each.taut], SLACK, 1.6, (0, (2, 2)))
         _draw_supports(axes, shell, camera)
         frame(axes, np.concatenate(pictures))
         _say(axes, each, scale)
@@ -102,13 +107,10 @@ def plot_structure(
 
 
 def exaggeration(points: Array, displacements: Array) -> float:
-    """A round number by which displacements are drawn larger, so that they can be seen.
+    """A round number by which displacements (N, 3) of nodes (N, 3) are drawn larger, to be seen.
 
     1, 2 or 5 times a power of ten: the largest displacement is drawn as at most :data:`DRAWN` of
     the diagonal of the shell's box. ``frontend/src/shared/loaded.ts`` has the same rule.
-
-    points: Nodes (N, 3).
-    displacements: Their displacements (N, 3).
     """
     largest = float(np.linalg.norm(displacements, axis=-1).max(initial=0.0))
     if not largest:
@@ -122,12 +124,12 @@ def exaggeration(points: Array, displacements: Array) -> float:
 class _Panels:
     """The panels of a loaded shell: how many, their triangles and their outlines."""
 
-    count: int  # Number of panels (P)
-    panel: Integers  # The panel (T,) of every triangle
-    triangles: Integers  # Nodes (T, 3)
-    rims: Integers  # Ends (R, 2) of the lines round every panel, panel after panel
-    ends: Integers  # Where those of each panel (P,) end
-    border: Integers  # Ends (B, 2) of the lines round the whole sheet
+    count: int
+    panel: Integers  # the panel (T,) of every triangle
+    triangles: Integers  # nodes (T, 3)
+    rims: Integers  # ends (R, 2) of the lines round every panel, panel after panel
+    ends: Integers  # where those of each panel (P,) end
+    border: Integers  # ends (B, 2) of the lines round the whole sheet
 
     @classmethod
     def of(cls, shell: LoadedShell) -> _Panels:
@@ -142,17 +144,12 @@ class _Panels:
 
     def draw(self, axes: Axes, points: Array, case: LoadedCase, camera: Camera) -> ScalarMappable:
         """Panels at points (N, 3) from the farthest to the nearest, coloured by displacement."""
-        from matplotlib.cm import ScalarMappable
-        from matplotlib.colors import LinearSegmentedColormap, Normalize
         from matplotlib.path import Path as Outline
 
-        from orishell.plot.shading import ShadedPanels
+        from orishell.plot.shading import draw_panels
 
         amounts = np.linalg.norm(case.displacements, axis=-1)
-        scale = ScalarMappable(
-            Normalize(0.0, float(amounts.max()) or 1.0),
-            LinearSegmentedColormap.from_list("amount", AMOUNT_MAP),
-        )
+        scale = colour_scale(0.0, float(amounts.max()) or 1.0, AMOUNT_MAP)
         corners = points[self.triangles]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
@@ -162,61 +159,25 @@ class _Panels:
         times = np.bincount(self.panel, minlength=self.count)
         sums = np.bincount(self.panel, depth[self.triangles].mean(axis=1), self.count)
         order = np.argsort(sums / np.maximum(times, 1), kind="stable")
-        place = np.argsort(order)
-        behind = np.argsort(place[self.panel], kind="stable")
         lines = np.split(picture[self.rims], self.ends[:-1])
-        axes.add_artist(
-            ShadedPanels(
-                picture[self.triangles][behind],
-                colours[behind],
-                np.cumsum(times[order]),
-                [
-                    Outline(lines[panel].reshape(-1, 2), [1, 2] * len(lines[panel]))
-                    for panel in order
-                ],
-                edge=CREASE,
-                width=0.5,
-            )
-        )
+        outlines = [Outline(each.reshape(-1, 2), [1, 2] * len(each)) for each in lines]
+        cells = picture[self.triangles], colours, self.panel
+        draw_panels(axes, cells, order, outlines, edge=CREASE, width=0.5)
         return scale
-
-
-def _draw_unloaded(axes: Axes, shell: LoadedShell, panels: _Panels, camera: Camera) -> None:
-    from matplotlib.collections import LineCollection
-
-    lines = camera.project(shell.points)[0][panels.border]
-    axes.add_collection(
-        LineCollection(list(lines), colors=UNLOADED, linewidths=0.7, linestyles=[(0, (3, 2))])
-    )
-
-
-def _draw_ties(
-    axes: Axes, shell: LoadedShell, points: Array, taut: Booleans, camera: Camera
-) -> None:
-    from matplotlib.collections import LineCollection
-
-    lines = camera.project(points)[0][shell.ties]
-    for which, colour, style in ((taut, TAUT, "-"), (~taut, SLACK, (0, (2, 2)))):
-        axes.add_collection(
-            LineCollection(list(lines[which]), colors=colour, linewidths=1.6, linestyles=[style])
-        )
 
 
 def _draw_supports(axes: Axes, shell: LoadedShell, camera: Camera) -> None:
     nodes, held = _supports(shell)
     places = camera.project(shell.points[nodes])[0]
     for which, fill in ((held, "black"), (~held, "white")):
-        axes.scatter(*places[which].T, **_mark(fill))
+        x, y = places[which].T
+        axes.scatter(x, y, s=30, marker="^", facecolor=fill, edgecolor="black", linewidth=0.8)
 
 
 def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
     """Supported nodes (S,), and which of them (S,) cannot be displaced at all."""
     nodes, times = np.unique(shell.held[shell.held[:, 1] < 3, 0], return_counts=True)
     return nodes, times == 3
-
-
-def _mark(fill: str) -> dict[str, Any]:
-    return {"marker": "^", "s": 30, "facecolor": fill, "edgecolor": "black", "linewidth": 0.8}
 
 
 def _say(axes: Axes, drawn: DrawnCase, scale: float) -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.numerics.arrays import Array
-from orishell.plot.scene import DPI
+from orishell.plot.scene import GRID, new_chart, save_chart
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -41,14 +41,9 @@ def plot_tradeoff(
     unit
         Unit of length.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
     from matplotlib.ticker import StrMethodFormatter
 
-    layout = ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1)
-    figure = Figure(figsize=(8.0, 5.2), facecolor="white", layout=layout)
-    FigureCanvasAgg(figure)
+    figure = new_chart()
     axes = figure.add_subplot()
     panels, errors, _ = zip(*tried, strict=True)
     axes.plot(panels, errors, "o-", color=LINE, markersize=4, linewidth=1, label="designs tried")
@@ -65,12 +60,12 @@ def plot_tradeoff(
     axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(StrMethodFormatter("{x:g}"))
-    axes.set_xlabel("panels, flaps left out")
+    axes.set_xlabel("panels (without flaps)")
     axes.set_ylabel(f"largest distance between shell and surface ({unit})")
     axes.set_title("Fewest panels for a distance from the surface")
-    axes.grid(visible=True, which="both", color="#e4e4e4", linewidth=0.6)
+    axes.grid(which="both", **GRID)
     axes.legend(loc="upper right", frameon=False)
-    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+    save_chart(figure, path)
 
 
 BEATEN, FRONT, KNEE, BEGUN = "#b9b9b9", "#1f5fbf", "#d62728", "#0a8f3c"
@@ -91,16 +86,11 @@ def plot_front(
 ) -> None:
     """Write the picture as PNG.
 
-    path: The file.
     front, beaten, begun_with: Designs that no other beats, feasible ones that others beat, and that
         with which the search began, if it can be made: (designs, objectives) each.
     knee: Which of the front is its knee.
     labels: The objectives.
     """
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-
     if len(labels) == 1:  # nothing to set it against: a line of designs
         labels = [*labels, ""]
         front, beaten, begun_with = (
@@ -109,12 +99,7 @@ def plot_front(
     pairs = list(combinations(range(len(labels)), 2))
     across = min(len(pairs), ACROSS)
     down = -(-len(pairs) // across)
-    figure = Figure(
-        figsize=(SIDE * across + 0.6, SIDE * down + 0.6),
-        facecolor="white",
-        layout=ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1),
-    )
-    FigureCanvasAgg(figure)
+    figure = new_chart((SIDE * across + 0.6, SIDE * down + 0.6))
     for k, pair in enumerate(pairs):
         axes = figure.add_subplot(down, across, k + 1)
         _draw_pair(axes, *(each[:, pair] for each in (front, beaten, begun_with)), knee=knee)
@@ -126,7 +111,7 @@ def plot_front(
     figure.legend(handles, words, loc="outside upper center", ncols=2 * across, frameon=False)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # letters that the font lacks
-        figure.savefig(path, dpi=DPI, metadata={"Software": None})
+        save_chart(figure, path)
 
 
 def _draw_pair(axes: Axes, front: Array, beaten: Array, begun_with: Array, *, knee: int) -> None:
@@ -141,5 +126,5 @@ def _draw_pair(axes: Axes, front: Array, beaten: Array, begun_with: Array, *, kn
     dots(begun_with, "the design to begin with", BEGUN, 60, "s")
     dots(front, "no other beats these", FRONT, 26)
     dots(front[knee : knee + 1], "knee", KNEE, 60)
-    axes.grid(visible=True, color="#e4e4e4", linewidth=0.6)
+    axes.grid(**GRID)
     axes.set_axisbelow(True)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.colours import LIGHT
-from orishell.plot.scene import DPI
+from orishell.plot.scene import GRID, new_chart, save_chart
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,16 +36,10 @@ class DrawnWeight:
 
 def plot_weight(path: Path, weight: DrawnWeight) -> None:
     """Write the picture of own weight as PNG."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-
-    layout = ConstrainedLayoutEngine(h_pad=0.1, w_pad=0.1)
-    figure = Figure(figsize=(8.0, 5.2), facecolor="white", layout=layout)
-    FigureCanvasAgg(figure)
+    figure = new_chart()
     draw_weight(figure.add_subplot(), weight)
     figure.legend(loc="outside lower center", ncols=2, frameon=False)
-    figure.savefig(path, dpi=DPI, metadata={"Software": None})
+    save_chart(figure, path)
 
 
 def draw_weight(axes: Axes, weight: DrawnWeight) -> None:
@@ -79,6 +73,6 @@ def draw_weight(axes: Axes, weight: DrawnWeight) -> None:
         ylim=(min(low, 0) - margin, max(high, 0) + margin),
         xlabel="drive (degrees); 0 is the flat sheet, which no force at the feet lifts",
         ylabel=f"outward force at each line of feet ({weight.unit})",
-        title="What the shell's own weight does on the way",
+        title="Own weight along the deployment",
     )
-    axes.grid(visible=True, color="#e4e4e4", linewidth=0.6)
+    axes.grid(**GRID)

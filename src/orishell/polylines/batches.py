@@ -49,12 +49,7 @@ def rotated_search(search: Search[T], angle: float) -> Search[T]:
 
 
 def run_search(search: Search[T], nearest: Callable[[Array], tuple[Array, Array]]) -> T:
-    """Run a search to its end, and return what it finds.
-
-    search: The search.
-    nearest: Answers it: the points (P, 2) of the curve nearest to points (P, 2), and their
-        distances.
-    """
+    """Run a search to its end; ``nearest`` answers it, and what it finds is returned."""
     try:
         points = next(search)
         while True:

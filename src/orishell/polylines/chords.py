@@ -1,8 +1,8 @@
 """Polylines that follow a curve, their vertices placed where the curve bends.
 
 The first guess puts vertices as dense as the square root of the curvature. On coarse polylines and
-near inflections that is not yet even, so it is corrected by what the edges really leave out, until
-all leave the curve by the same distance.
+near inflections that is not yet even, so it is corrected by the edges' errors, until all leave the
+curve by the same distance.
 
 A balanced polyline errs on both sides: its vertices overshoot the curve as far as its edges
 undershoot it. That halves the distance on the inside of a curve; the ends, which are kept, cost a
@@ -19,6 +19,7 @@ from orishell.conventions.record import record
 from orishell.curves import Trace, remembered
 from orishell.numerics.arrays import Array, Integers
 from orishell.polylines.closeness import Closeness, measure_closeness, measure_edges, thinned
+from orishell.polylines.plane import normals_at
 
 Spacing = Literal["curvature", "equal"]
 Placement = Literal["inscribed", "balanced"]
@@ -30,9 +31,8 @@ ROUNDING = 1e-12
 this share of the length are noise of an exact polyline."""
 SWEEPS = 60
 """Corrections at most: enough for five digits where there are few inflections."""
-IDLE_SWEEPS = 20
-"""Corrections that go by without bringing the polyline closer by :data:`GAIN` before they end."""
-GAIN = 1e-4
+IDLE_SWEEPS, GAIN = 20, 1e-4
+"""They end after this many in a row that did not bring the polyline closer by this share."""
 EVEN = 1e-6
 """The errors are even when they agree to this, relative to the largest."""
 LARGEST_CORRECTION = 2.0
@@ -106,7 +106,7 @@ def _evened_out(trace: Trace, count: int, spacing: Spacing, placement: Placement
         vertices = trace.curve.position(t)
         if placement == "balanced":
             offsets = _admissible(trace, t, offsets, kept)
-            vertices = vertices + offsets[:, None] * _normals(trace, t)
+            vertices = vertices + offsets[:, None] * normals_at(trace, t)
         errors = measure_edges(trace, t, vertices, offsets)
         distance = float(errors.largest.max())
         if distance < (1 - GAIN) * least:
@@ -138,7 +138,7 @@ def _equal(trace: Trace, count: int) -> Array:
 def _bends(trace: Trace, count: int) -> tuple[Array, Integers]:
     """Square root of curvature over every cell (N-1,), and the samples that take a vertex."""
     corners = trace.corners
-    turn = np.maximum(np.abs(trace.arriving[1:] - trace.heading[:-1]) - ROUNDING, 0.0)
+    turn = np.maximum(np.abs(trace.turns) - ROUNDING, 0.0)
     if len(corners) + 2 > count:
         # Too many corners for one vertex each: see them as curvature spread over a chord.
         turn = _spread_turn(trace, trace.length / (count - 1))
@@ -172,27 +172,16 @@ def _correction(trace: Trace, t: Array, uneven: Array) -> Array:
     factor = np.sqrt(uneven)
     factor = np.clip(factor / factor.mean(), 1 / LARGEST_CORRECTION, LARGEST_CORRECTION)
     middle = 0.5 * (trace.t[:-1] + trace.t[1:])
-    corrected: Array = factor[np.searchsorted(t, middle) - 1]
-    return corrected
+    return np.asarray(factor[np.searchsorted(t, middle) - 1])
 
 
 def _admissible(trace: Trace, t: Array, offsets: Array, kept: Array) -> Array:
-    """The offsets (n,), limited to a share of the pieces beside them, zero at ends and where kept.
-
-    kept: Parameters (K,) of corners, whose vertices stay.
-    """
+    """The offsets (n,), limited by the pieces beside them, 0 at ends and where kept (K,)."""
     pieces = np.diff(np.interp(t, trace.t, trace.arc))
     limit = np.zeros(len(t))
     limit[1:-1] = LARGEST_OFFSET * np.minimum(pieces[1:], pieces[:-1])
     limit[np.isin(t, kept)] = 0.0
-    clipped: Array = np.clip(offsets, -limit, limit)
-    return clipped
-
-
-def _normals(trace: Trace, t: Array) -> Array:
-    """Unit normals (n, 2) to the left of the curve."""
-    heading = trace.heading_at(t)
-    return np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
+    return np.asarray(np.clip(offsets, -limit, limit))
 
 
 def _spread_turn(trace: Trace, window: float) -> Array:

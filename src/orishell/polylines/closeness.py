@@ -23,26 +23,21 @@ less: those at the far end are the next vertex's."""
 
 @record
 class EdgeErrors:
-    """Errors of a polyline of n vertices, each belonging to a point of the curve.
+    """Errors of a polyline of n vertices, each belonging to a point of the curve."""
 
-    largest: Largest distance (n-1,) between each edge and its piece of the curve.
-    half_range: Half of the way (n-1,) from the largest error of each edge on one side to that on
-        the other, those at its far ends left out.
-    bias: Errors (n,) around each vertex: the largest to the left plus the largest to the right of
-        the curve (negative). Zero where they balance.
-    """
-
-    largest: Array
+    largest: Array  # largest distance (n-1,) between each edge and its piece of the curve
+    # half the way (n-1,) from the largest error of each edge on one side to that on the other,
+    # without those at its far ends
     half_range: Array
+    # errors (n,) around each vertex: the largest to the left plus the largest to the right of the
+    # curve (negative); zero where they balance
     bias: Array
 
 
 def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> EdgeErrors:
-    """Return how far every edge of a polyline leaves its piece of the curve.
+    """Return how far every edge leaves its piece of the curve.
 
-    t: Parameters (n,) to which the vertices belong, increasing, from end to end.
-    vertices: Vertices (n, 2).
-    offsets: Their distances (n,) from the curve, positive to its left.
+    The vertices (n, 2) belong to the parameters t (n,), at distances ``offsets`` (n,) to the left.
     """
     part = np.arange(1, CURVE_SAMPLES) / CURVE_SAMPLES
     between = trace.curve.position(t[:-1, None] * (1 - part) + t[1:, None] * part)
@@ -83,10 +78,9 @@ def measure_edges(trace: Trace, t: Array, vertices: Array, offsets: Array) -> Ed
 
 SAMPLES_PER_EDGE = 8
 MOST_SAMPLES = 20_000
-"""Traces of twice as many samples or more are thinned to this number, or little more; corners are
-all kept."""
+"""Traces of twice as many samples or more are thinned to about this number; corners are kept."""
 FEW = 200_000
-"""Distances of points from edges that are all computed; of more, those that a search tree finds."""
+"""Distances of points from edges that are all computed; above, a search tree picks the edges."""
 COARSE_SHARE = 0.1
 """A polyline that leaves g by more than this share of g's rise draws a warning."""
 

@@ -82,8 +82,8 @@ class _Levels:
     """Staircases along one curve, described by the levels of their edges.
 
     Edge e (0 ... m) lies at a constant value, its level, of one oblique coordinate: v for even e,
-    which run along ``up``, u for odd e, which run along ``down``. Corner i (1 ... m) is where
-    edges i-1 and i meet; odd ones lie on the side of the curve that ``up`` leads to.
+    which run along ``up``, u for odd e, along ``down``. Corner i (1 ... m) is where edges i-1 and
+    i meet; odd ones lie on the side of the curve that ``up`` leads to.
     """
 
     trace: Trace
@@ -109,11 +109,6 @@ class _Levels:
         """The level of the last edge, and where on it the curve ends."""
         u, v = float(self.u[-1]), float(self.v[-1])
         return (v, u) if self.edges % 2 else (u, v)
-
-    @property
-    def side(self) -> Array:
-        """+1 for odd corners, -1 for even ones (m,)."""
-        return alternating(self.edges - 1)
 
     def signed_distances(self, level: Array) -> Search[tuple[Array, Array, Array]]:
         """Signed distances (m,) of the corners, and their derivatives by both levels of each."""
@@ -160,7 +155,7 @@ class _Levels:
 
 def _balance(levels: _Levels) -> Search[Staircase]:
     """Move the inner edges until all corners are equally far from the curve (damped Newton)."""
-    side, level = levels.side, levels.first_guess()
+    side, level = alternating(levels.edges - 1), levels.first_guess()  # +1 at odd corners
     distance, by_before, by_after = yield from levels.signed_distances(level)
     height = float(np.abs(distance).mean())
     best = (float(np.abs(distance).max()), level)
@@ -197,7 +192,7 @@ def _newton_step(side: Array, before: Array, after: Array, residual: Array) -> t
 
 
 def _solve(entries: Array, rows: Integers, columns: Integers, right: Array) -> Array:
-    """The solution (m,) of a sparse system, not a number where there is none."""
+    """The solution (m,) of a sparse system, nan where there is none."""
     if len(right) <= DENSE:
         matrix = np.zeros((len(right), len(right)))
         matrix[rows, columns] = entries

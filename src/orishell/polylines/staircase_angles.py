@@ -25,12 +25,10 @@ MARGIN = 1e-4
 """How far "auto" stays inside an open interval, relative to it."""
 XI_ACCURACY = 1e-6
 """How near "auto" comes to the widest xi (radians)."""
-COARSE_ACCURACY = 2e-3
-"""The same while searching theta."""
+COARSE_ACCURACY, COARSE_EDGES = 2e-3, 24
+"""The same while searching theta, and edges used: the best rotation hardly depends on either."""
 WORTHWHILE = 1e-3
 """"auto" leaves a curve unrotated unless a rotation brings it closer by this share."""
-COARSE_EDGES = 24
-"""Edges used while searching theta: the best rotation hardly depends on their number."""
 
 
 def xi_limit(low: float, high: float) -> float:
@@ -135,7 +133,6 @@ def choose_theta(trace: Trace, edges: int, xi: float | None) -> float:
     margin = MARGIN * (end - begin)
     begin, end = begin + margin, end - margin
     coarse = min(edges, COARSE_EDGES)
-
     nearest = Nearest.to(trace)
 
     def costs(thetas: Iterable[float], edges: int = coarse) -> Array:

@@ -16,6 +16,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.curves import Trace
 from orishell.numerics.arrays import Array, Complex
+from orishell.polylines.plane import normals_at
 
 MEAN_ANGLE = np.pi / 2
 """"auto" makes the mean angle of the zigzag this: half way from a flat sheet to a closed one."""
@@ -45,9 +46,8 @@ class Zigzag:
     def __post_init__(self) -> None:
         edges = self._edges()
         turn = np.angle(edges[1:] * edges[:-1].conj())
-        angles = np.pi + self.first * alternating(len(turn)) * turn
         object.__setattr__(self, "lengths", np.abs(edges))
-        object.__setattr__(self, "angles", angles)
+        object.__setattr__(self, "angles", np.pi + self.first * alternating(len(turn)) * turn)
 
     @property
     def axis(self) -> float:
@@ -145,7 +145,7 @@ def smallest_radius(trace: Trace) -> tuple[float, float]:
 
     Both offsets of the curve at a smaller distance are regular.
     """
-    curvature = _turns(trace) / np.diff(trace.arc)
+    curvature = np.abs(trace.turns) / np.diff(trace.arc)
     at = int(curvature.argmax())
     radius = float(1 / curvature[at]) if curvature[at] > 0 else np.inf
     return radius, float(0.5 * (trace.t[at] + trace.t[at + 1]))
@@ -179,15 +179,10 @@ def choose_depth(trace: Trace, inner: int) -> float:
     return float(brentq(excess, 0.0, min(deep, most), xtol=1e-13 * trace.length))
 
 
-def _turns(trace: Trace) -> Array:
-    """How much the curve turns from sample to sample (N-1,), corners left out (radians)."""
-    return np.abs(trace.arriving[1:] - trace.heading[:-1])
-
-
 def _place_feet(trace: Trace, inner: int, end_steps: float) -> tuple[Array, Array]:
     """Feet (m+2, 2) of the vertices on the curve, and unit normals (m+2, 2) to the left there."""
     cells = np.diff(trace.arc)
-    turns = _turns(trace)
+    turns = np.abs(trace.turns)
     corners = np.abs(trace.heading - trace.arriving).sum()
     mean = (turns.sum() + corners) / trace.length
     weight = np.cbrt(turns / cells + mean) * cells if mean > 1e-9 / trace.length else cells
@@ -195,8 +190,7 @@ def _place_feet(trace: Trace, inner: int, end_steps: float) -> tuple[Array, Arra
     steps = np.concatenate([[0.0], np.arange(inner) + end_steps, [inner - 1 + 2 * end_steps]])
     t = np.interp(steps / steps[-1] * progress[-1], progress, trace.t)
     t[0], t[-1] = trace.t[0], trace.t[-1]
-    heading = trace.heading_at(t)
-    return trace.curve.position(t), np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
+    return trace.curve.position(t), normals_at(trace, t)
 
 
 def _offset(feet: Array, normal: Array, depth: float, first: int) -> Zigzag:

@@ -84,9 +84,7 @@ def _as_far_as_it_goes(design: Design) -> Design:
     mechanism, build = design.mechanism, design.panel
     end = drive_at_fold(mechanism, design.largest_fold)
     if build is not None:
-        end = drive_for_height(
-            mechanism, build.height, end, build.share, build.setback, gap=build.gap
-        )
+        end = drive_for_height(mechanism, build, end)
     target = mechanism.target_drive
     return design if end >= target else design.ended_at(max(end, LEAST * target))
 

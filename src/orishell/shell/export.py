@@ -14,8 +14,9 @@ from orishell.conventions.quantities import Unit
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory, document_of_fold, read_fold
-from orishell.io.all_formats import FOLD, format_of
 from orishell.io.format import DEFAULT_SETTINGS, Format, Settings
+from orishell.io.formats import format_of
+from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.shell.make import Shell
 from orishell.shell.pictures import draw_pictures, lay_surface
 from orishell.shell.steps import Clock
@@ -53,7 +54,7 @@ def write_shell(
                 "this is no format",
                 where="write_shell: formats",
                 got=repr(format_)[:60],
-                expected="formats, as orishell.io.all_formats.find_formats gives them by name",
+                expected="formats, as orishell.io.formats.find_formats gives them by name",
             )
     directory = path_of(directory, "write_shell: directory")
     clock = Clock()

@@ -12,28 +12,21 @@ from orishell.conventions.errors import DesignError, InputError, printable
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, followed, no_progress
 from orishell.conventions.record import record
+from orishell.deployment import Site, find_site
 from orishell.deployment.feet import find_feet, stand
+from orishell.deployment.report import describe_deployment
 from orishell.design import Design
 from orishell.design_file import DesignFile, read_design_file
-from orishell.deviation import (
-    Deviation,
-    measure_approach,
-    measure_deviation,
-)
+from orishell.deviation import Deviation
 from orishell.deviation.report import describe_deviation
 from orishell.document import Document, FirstContact
 from orishell.document.from_design import document_of_motion
-from orishell.locking import (
-    Lock,
-    lock_without_clash,
-    require_pack,
-)
-from orishell.locking.report import describe_lock, describe_panels
+from orishell.locking import Lock, lock_without_clash, require_pack
+from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, extents, sheet_area
-from orishell.shell.caveats import find_caveats, warn_of_lock
-from orishell.shell.deployment_report import describe_deployment
+from orishell.shell.build_warnings import warn_of_building
+from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.designed import designed, ended
-from orishell.shell.holding import warn_of_deployment
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
@@ -41,15 +34,19 @@ from orishell.shell.report import (
     SheetReport,
     describe_assignment,
     describe_choice,
-    describe_feet,
 )
 from orishell.shell.size_trials import Choice
-from orishell.shell.steps import Clock, Question, Step, not_checked, require_steps
+from orishell.shell.steps import Clock, Step, require_steps
 from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance
 from orishell.shell.verdict import find_verdict
 from orishell.structure.results import Analysis
-from orishell.verification.residuals import measure_residuals, require_verified
+from orishell.verification.residuals import (
+    AssignmentCheck,
+    Residuals,
+    measure_residuals,
+    require_verified,
+)
 from orishell.workshop.quantities import measure_quantities
 
 ClashPolicy = Literal["refused", "allowed", "unexamined"]
@@ -64,6 +61,7 @@ class Shell:
     file: DesignFile  # the design file
     design: Design  # what the family made of it
     lock: Lock  # how its motion ends
+    site: Site  # where it stands, what ties it, and what it weighs
     motion: FoldingMotion  # its states
     # how close the locked shell is to the surface asked for; None if that was not measured, or
     # there is no target
@@ -140,47 +138,69 @@ def _made(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
     """The shell of a file, which is refused without remedies."""
-    clock = Clock()
-    file, design, lock, choice = _designed(file, progress, clash, clock)
-    feet = find_feet(design)
-    if file.ground == "z0":
-        design = stand(design, feet)
-    motion = _motion(file, design, lock)
-    flat = motion.flat
-    residuals = assignment = None
-    if "verification" not in skip:
-        residuals, assignment = measure_residuals(
-            followed(motion, len(motion), progress, "verifying"), flat
-        )
-        require_verified(residuals, assignment)
-    clock.lap("fold")
-
-    deviation = approach = None
-    if design.swept is not None and "deviation" not in skip:
-        deviation, approach = measure_deviation(design), measure_approach(design)
-    clock.lap("deviation")
-
-    document = _document(file, design, lock, motion)
     try:
-        deployment = describe_deployment(file, design, lock, feet, skip)
-        quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
-        structure = analysis = None
-        if "structure" not in skip and file.structure is not None:
-            found = load_shell(file, design, lock, file.structure, progress)
-            analysis, structure = found.analysis, found.report
-            document = replace(document, loaded=found.drawn)
-            clock.lap("structure")
+        return _step_by_step(file, progress, clash, skip)
     except InputError as error:
         raise error.located(f"{file.path}:") from None
-    width, height, _ = extents(flat.positions)
-    found_out: dict[Question, bool] = {
-        "verification": residuals is not None,
-        "clash": clash != "unexamined",
-        "clipping": design.clipped is None,
-        "deviation": deviation is not None or design.swept is None,
-        "stock": quantities.stock is not None,
-        "structure": structure is not None or file.structure is None,
+
+
+def _step_by_step(
+    file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
+) -> Shell:
+    clock = Clock()
+    file, choice = _sized(file, progress)
+    if choice is not None:
+        clock.lap("choose")
+    design = designed(file)
+    clock.lap("design")
+    design, lock = _ended(file, design, clash, progress)
+    if clash != "unexamined":
+        clock.lap("clash")
+    if file.deployment.start == "pack":
+        require_pack(design, lock)
+    feet = find_feet(design)
+    if file.ground == "z0":
+        design, feet = stand(design, feet)
+    motion = FoldingMotion(
+        design.mechanism, file.frames, None if file.deployment.start == "flat" else lock.closes_to
+    )
+    residuals, assignment = _verified(motion, progress, "verification" not in skip)
+    clock.lap("fold")
+    deviation = describe_deviation(design, measured="deviation" not in skip)
+    clock.lap("deviation")
+    site = find_site(
+        design,
+        feet,
+        file.deployment,
+        lock.built,
+        unit=file.unit,
+        areal_density=file.workshop.areal_density,
+    )
+    deployment = describe_deployment(
+        design,
+        lock,
+        site,
+        file.deployment.start,
+        packed="pack" not in skip,
+        weighed="weight" not in skip,
+    )
+    document = _document(file, design, lock, motion)
+    quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
+    structure = analysis = None
+    if "structure" not in skip and file.structure is not None:
+        found = load_shell(design, lock, site, file.structure, progress)
+        analysis, structure = found.analysis, found.report
+        document = replace(document, loaded=found.drawn)
+        clock.lap("structure")
+    unknown = {
+        "whether panels stay rigid": residuals is None,
+        "contact between panels on the way": clash == "unexamined",
+        "how clipped flaps are brought to their place": design.clipped is not None,
+        "distance from the surface": deviation is not None and deviation.surface is None,
+        "the layout on the stock": quantities.stock is None,
+        "the structure": structure is None and file.structure is not None,
     }
+    width, height, _ = extents(motion.flat.positions)
     report = Report(
         family=file.family,
         unit=file.unit,
@@ -193,20 +213,18 @@ def _made(
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,
-            *warn_of_lock(lock),
-            *find_caveats(design, lock, feet, file.unit, file.workshop),
-            *warn_of_deployment(file, design, lock, deployment, skip),
-            *([] if structure is None else structure.warnings),
+            *lock.warnings,
+            *warn_of_building(design, lock, feet, file.unit, file.workshop),
+            *warn_of_deployment(file, design, lock, deployment, mended="remedies" not in skip),
+            *(() if structure is None else structure.warnings),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
-        lock=describe_lock(lock),
-        not_checked=not_checked(found_out),
-        stands=describe_feet(design, feet),
-        deviation=describe_deviation(design, deviation, approach)
-        if design.swept is not None
-        else None,
-        sheet=SheetReport(width, height, sheet_area(flat.positions)),
+        lock=lock,
+        not_checked=tuple(words for words, missing in unknown.items() if missing),
+        stands=feet,
+        deviation=deviation,
+        sheet=SheetReport(width, height, sheet_area(motion.flat.positions)),
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
         panel=describe_panels(design, lock),
@@ -216,41 +234,46 @@ def _made(
     report = replace(report, verdict=find_verdict(report))
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
     return Shell(
-        file, design, lock, motion, deviation, choice, document, report, clock.seconds, analysis
+        file=file,
+        design=design,
+        lock=lock,
+        site=site,
+        motion=motion,
+        deviation=None if deviation is None else deviation.surface,
+        choice=choice,
+        document=document,
+        report=report,
+        seconds=clock.seconds,
+        analysis=analysis,
     )
 
 
-def _designed(
-    file: DesignFile,
-    progress: Progress,
-    clash: ClashPolicy,
-    clock: Clock,
-) -> tuple[DesignFile, Design, Lock, Choice | None]:
-    """The file with rows and columns, its design, how its motion ends, and the choice made."""
-    choice: Choice | None = None
-    try:
-        if file.tolerance is not None:
-            pattern, choice = meet_tolerance(file, file.tolerance, progress)
-            file = file.sized(pattern)
-            clock.lap("choose")
-        design = designed(file)
-        clock.lap("design")
-        if clash == "unexamined":
-            lock = lock_without_clash(design)
-        else:
-            design, lock = ended(file, design, allow_clash=clash == "allowed", progress=progress)
-            clock.lap("clash")
-        if file.deployment.start == "pack":
-            require_pack(design, lock)
-    except InputError as error:
-        raise error.located(f"{file.path}:") from None
-    return file, design, lock, choice
+def _sized(file: DesignFile, progress: Progress) -> tuple[DesignFile, Choice | None]:
+    """The file with rows and columns, and what they were chosen from if it has a tolerance."""
+    if file.tolerance is None:
+        return file, None
+    pattern, choice = meet_tolerance(file, file.tolerance, progress)
+    return file.sized(pattern), choice
 
 
-def _motion(file: DesignFile, design: Design, lock: Lock) -> FoldingMotion:
-    if file.deployment.start == "flat":
-        return FoldingMotion(design.mechanism, file.frames)
-    return FoldingMotion(design.mechanism, file.frames, lock.closes_to)
+def _ended(
+    file: DesignFile, design: Design, clash: ClashPolicy, progress: Progress
+) -> tuple[Design, Lock]:
+    if clash == "unexamined":
+        return design, lock_without_clash(design)
+    return ended(file, design, allow_clash=clash == "allowed", progress=progress)
+
+
+def _verified(
+    motion: FoldingMotion, progress: Progress, asked: bool
+) -> tuple[Residuals | None, AssignmentCheck | None]:
+    """How exactly all states fold, if that is asked for; refused if that is wrong."""
+    if not asked:
+        return None, None
+    states = followed(motion, len(motion), progress, "verifying")
+    residuals, assignment = measure_residuals(states, motion.flat)
+    require_verified(residuals, assignment)
+    return residuals, assignment
 
 
 def _document(file: DesignFile, design: Design, lock: Lock, motion: FoldingMotion) -> Document:

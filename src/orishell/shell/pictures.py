@@ -10,6 +10,7 @@ import numpy as np
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
 from orishell.deployment import FROM_FLAT
+from orishell.deployment.report import DeploymentReport
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.deviation import Deviation, locked_shell, measure_points, measure_signed
@@ -25,7 +26,6 @@ from orishell.plot import (
     plot_tradeoff,
     plot_weight,
 )
-from orishell.shell.deployment_report import DeploymentReport
 from orishell.shell.size_trials import Choice, Trial
 
 CELLS = 40
@@ -108,16 +108,16 @@ def weight_of(deployment: DeploymentReport, lock: Lock) -> DrawnWeight | None:
     if weight is None:
         return None
     in_newtons = weight.force_unit == "N"
-    marked = {"target": tidy_degrees(lock.target)}
+    marked = {"target": tidy_degrees(lock.target_drive)}
     if deployment.start == "pack":
-        marked["pack"] = deployment.end_drive_deg
+        marked["pack"] = tidy_degrees(deployment.end_drive)
     return DrawnWeight(
-        weight.drives_deg,
+        tuple(map(tidy_degrees, weight.drives)),
         weight.forces,
         unit="N" if in_newtons else "share of its weight",
         largest=max(weight.total if in_newtons else 1.0, weight.largest_from_pack),
         marked_deg=marked,
-        tipping_deg=weight.tipping_deg,
+        tipping_deg=tuple(map(tidy_degrees, weight.tipping)),
     )
 
 

@@ -13,14 +13,15 @@ import numpy as np
 
 from orishell.conventions.record import as_table, record
 from orishell.deployment.feet import Feet
+from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
 from orishell.families.pattern import Tolerance
-from orishell.locking.report import LockReport, PanelReport
+from orishell.locking import Lock
+from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
-from orishell.shell.deployment_report import DeploymentReport
+from orishell.shell.row import Row
 from orishell.shell.size_trials import Choice, Trial
-from orishell.shell.verdict import Row
 from orishell.structure.report import StructureReport
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
@@ -39,16 +40,6 @@ class AssignmentReport:
     constant: bool | None
     # whether Maekawa's condition holds at every inner vertex; None if that was not measured
     maekawa: bool | None
-
-
-@record
-class StandsReport:
-    """What the shell stands on."""
-
-    rows: tuple[int, int]  # the rows of vertices that are its feet
-    z: float  # height of the lowest of their vertices
-    uneven: float  # by how much the highest lies above it
-    level: bool  # whether all are at one height
 
 
 @record
@@ -107,9 +98,9 @@ class Report:
     # how exactly it folds; None if that was not measured
     residuals: Residuals | None
     assignment: AssignmentReport
-    lock: LockReport  # how the motion ends
+    lock: Lock  # how the motion ends
     not_checked: tuple[str, ...]  # what was left out on request
-    stands: StandsReport | None  # what it stands on; None if it cannot stand
+    stands: Feet | None  # what it stands on; None if it cannot stand
     deviation: DeviationReport | None  # how close it is to its target; None without one
     # sizes of the flat sheet and of the shell
     sheet: SheetReport
@@ -143,18 +134,6 @@ def describe_assignment(design: Design, check: AssignmentCheck | None) -> Assign
         unfolded=int((creases == 0).sum()),
         constant=None if check is None else check.constant,
         maekawa=None if check is None else check.maekawa,
-    )
-
-
-def describe_feet(design: Design, feet: Feet | None) -> StandsReport | None:
-    """What the shell stands on; None if it cannot stand."""
-    if feet is None:
-        return None
-    return StandsReport(
-        rows=feet.rows,
-        z=float(feet.lowest + design.origin[2]),
-        uneven=0.0 if feet.level else feet.uneven,
-        level=feet.level,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from typing import Literal, get_args
 
 from orishell.conventions.errors import InputError
@@ -34,18 +34,6 @@ STEPS: tuple[Step, ...] = get_args(Step)
 MEASURES: tuple[Step, ...] = ("deviation", "pack", "weight")
 """What is measured of a shell, and changes nothing of it."""
 
-Question = Step | Literal["clash", "clipping"]
-"""What may be found out of a shell: its parts, contact on its way, the way of clipped flaps."""
-
-_NOT_CHECKED: dict[Question, str] = {
-    "verification": "whether panels stay rigid",
-    "clash": "contact between panels on the way",
-    "clipping": "how clipped flaps are brought to their place",
-    "deviation": "distance from the surface",
-    "stock": "the layout on the stock",
-    "structure": "the structure",
-}
-
 
 def require_steps(skip: Collection[str]) -> None:
     """Refuse a part that there is not, which would be found out all the same.
@@ -60,11 +48,3 @@ def require_steps(skip: Collection[str]) -> None:
             got=", ".join(map(repr, unknown)),
             expected=f"some of {', '.join(STEPS)}",
         )
-
-
-def not_checked(found_out: Mapping[Question, bool]) -> tuple[str, ...]:
-    """What nobody has looked at, in words.
-
-    found_out: Whether a part was found out, or is not asked for by the file.
-    """
-    return tuple(words for part, words in _NOT_CHECKED.items() if not found_out[part])

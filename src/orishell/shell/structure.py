@@ -8,14 +8,11 @@ import numpy as np
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
-from orishell.deployment.feet import find_feet
+from orishell.deployment import Site
 from orishell.design import Design
-from orishell.design_file import DesignFile
 from orishell.document import LoadedCase, LoadedShell
 from orishell.locking import Lock
-from orishell.shell.deployment_report import areal_density, pairs_of_ties
 from orishell.structure.analyse import analyse
 from orishell.structure.build_warnings import name_of
 from orishell.structure.model import Frame
@@ -77,32 +74,29 @@ def analyse_structure(
             remedy="add the table [structure], or pass a Structure",
         )
     try:
-        return analyse(
-            shell.design, structure, _frame(shell.file, shell.design, shell.lock), progress
-        )
+        return analyse(shell.design, structure, _frame(shell.site, shell.lock), progress)
     except InputError as error:
         raise error.located(f"{shell.file.path}:") from None
 
 
 def load_shell(
-    file: DesignFile, design: Design, lock: Lock, structure: Structure, progress: Progress
+    design: Design, lock: Lock, site: Site, structure: Structure, progress: Progress
 ) -> Loaded:
     """Analyse a design as a structure, and say what was found.
 
     Raises InputError: As :func:`analyse_structure` does.
     """
-    analysis = analyse(design, structure, _frame(file, design, lock), progress)
+    analysis = analyse(design, structure, _frame(site, lock), progress)
     report = describe_structure(structure, analysis, design.panel)
     return Loaded(analysis, report, _drawn(structure, analysis, report))
 
 
-def _frame(file: DesignFile, design: Design, lock: Lock) -> Frame:
-    feet, metres = find_feet(design), conversion(file.unit, "m")
+def _frame(site: Site, lock: Lock) -> Frame:
     return Frame(
-        unit=file.unit,
-        feet=None if feet is None else feet.rows,
-        ties=tuple(pairs_of_ties(design, file.deployment, feet)),
-        areal_mass=areal_density(file, design, lock.built) * metres**2,
+        unit=site.unit,
+        feet=None if site.feet is None else site.feet.rows,
+        ties=site.ties,
+        areal_mass=site.areal_density * site.metres**2,
         built=lock.built,
     )
 

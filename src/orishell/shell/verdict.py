@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Literal
 
+from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
-from orishell.conventions.record import record
+from orishell.deployment.report import DeploymentReport
+from orishell.deviation.report import DeviationReport
+from orishell.locking import Contact
+from orishell.shell.report import Report
+from orishell.shell.row import Row, Sign
 from orishell.structure.build_warnings import LARGE, LEAST_BUCKLING, name_of
 from orishell.structure.case_report import GOVERNING
+from orishell.structure.report import StructureReport
 
-if TYPE_CHECKING:
-    from orishell.deviation.report import DeviationReport
-    from orishell.locking.report import ContactReport
-    from orishell.shell.deployment_report import DeploymentReport
-    from orishell.shell.report import Report
-    from orishell.structure.report import StructureReport
-
-Sign = Literal["fails", "warns", "holds", "says"]
-"""A finding speaks against the shell, wants attention, is proved or computed, or only informs."""
 ORDER: tuple[Sign, ...] = ("fails", "warns", "holds", "says")
 COLLAPSED = 0.25
 """A shell displaced by this share of its height is no longer the shell that was analysed."""
@@ -35,15 +31,6 @@ CLOSING = {
     "boards": "the thickness of its boards stops it closing",
     None: "only its supports stop it closing",
 }
-
-
-@record
-class Row:
-    """A finding."""
-
-    sign: Sign  # what it means for the shell
-    subject: str  # what it is about, in a word
-    finding: str  # what was found, in a line
 
 
 def find_verdict(report: Report) -> tuple[Row, ...]:
@@ -112,26 +99,30 @@ def _reaches(report: Report) -> Iterator[Row]:
     if report.feasible is None:
         yield Row("warns", "clear", "not known: nobody looked whether panels meet on the way")
         return
-    target = f"{lock.target_drive_deg:.6g} degrees"
+    target = _degrees(lock.target_drive)
     if lock.clipped_contact is not None:
         panels = _panels_of(lock.clipped_contact)
         yield Row("fails", "clear", f"no: {panels} meet when flaps are clipped on at {target}")
     contact = lock.first_contact
     proved = "" if lock.path is None else f" (proved between {lock.path.states} states)"
     if contact is not None and lock.cause in ("clash", "boards"):
-        meets = f"{_panels_of(contact)} meet at {contact.drive_deg:.6g} degrees ({contact.kind})"
-        if contact.drive_deg < lock.target_drive_deg:
+        meets = f"{_panels_of(contact)} meet at {_degrees(contact.drive)} ({contact.kind})"
+        if contact.drive < lock.target_drive:
             yield Row("fails", "clear", f"no: {meets}, short of the {aim} at {target}")
         else:
-            there = contact.drive_deg <= lock.target_drive_deg * (1 + SAME)
+            there = contact.drive <= lock.target_drive * (1 + SAME)
             beyond = "" if there else f", beyond the {aim}"
             yield Row("holds", "clear", f"nothing touches before {meets}{beyond}{proved}")
     elif lock.path is not None:
-        end = f"{report.deployment.end_drive_deg:.6g} degrees"
+        end = _degrees(report.deployment.end_drive)
         yield Row("holds", "clear", f"nothing touches from flat to {end}{proved}")
 
 
-def _panels_of(contact: ContactReport) -> str:
+def _degrees(drive: float) -> str:
+    return f"{tidy_degrees(drive):.6g} degrees"
+
+
+def _panels_of(contact: Contact) -> str:
     sides = contact.sides or ("", "")
     first, second = (
         f"{list(panel)}{f' {side}' if side in {'top', 'bottom'} else ''}"
@@ -167,7 +158,7 @@ def _held(report: Report) -> Iterator[Row]:
     loose = (push > 0 and held.opening is None) or (push < 0 and held.closing is None)
     both = held.closing is not None and held.opening is not None
     sign: Sign = "warns" if loose else "holds" if both else "says"
-    where = f"at {report.lock.target_drive_deg:.6g} degrees"
+    where = f"at {_degrees(report.lock.target_drive)}"
     text = f"{CLOSING[held.closing]}; {opening}"
     if held.closing is None and held.opening is None:
         text = "only its supports stop it closing and opening"
@@ -246,7 +237,7 @@ def _travels(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
     if packed is not None and deployment.start == "pack":
         box = f"{plain(packed.length)} x {plain(packed.width)} x {plain(packed.height, 2)} {unit}"
         deep = f", {packed.layers} panels deep" if packed.height < SLIM * packed.length else ""
-        yield Row("says", "packs", f"{box} at {packed.drive_deg:.5g} degrees{deep}")
+        yield Row("says", "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
     if weight is None:
         return
     force, does = plain(abs(weight.at_feet), 3), "opens" if weight.at_feet > 0 else "closes"

@@ -25,8 +25,6 @@ def inset_panels(panels: Array, distance: Array, grid: Grid, cut: Array | None =
     it; not where these are 0. The outlines (F, K, 2) have K = 4 corners, or 8 if corners are cut.
     Corner k is where side k begins; where a side is gone its two corners coincide. Sides are the
     edges, or each corner's cut followed by the edge that begins there.
-
-    Raises a DesignError if nothing is left of a panel, which the grid helps to name.
     """
     along = np.roll(panels, -1, axis=1) - panels
     size = np.abs(along).max(axis=(1, 2))
@@ -121,13 +119,13 @@ def build_boards(
 
     low, high = 0.5 * build.membrane, build.height
     made = []
-    for side, distance, present in ((1, back.top, there[0]), (-1, back.bottom, there[1])):
-        flat_outline = outline(distance, present)
-        ends = (low, high) if side > 0 else (-high, -low)
-        number = np.flatnonzero(present)
-        made.append(
-            (number, np.full(len(number), side), np.stack([_at(flat_outline, z) for z in ends], 1))
-        )
+    for side, ends, distance, present in (
+        (1, (low, high), back.top, there[0]),
+        (-1, (-high, -low), back.bottom, there[1]),
+    ):
+        kept, number = outline(distance, present), np.flatnonzero(present)
+        outlines = np.stack([_at(kept, z) for z in ends], axis=1)
+        made.append((number, np.full(len(number), side), outlines))
     panels_of, sides, outlines = (np.concatenate(each) for each in zip(*made, strict=True))
     order = np.lexsort([-sides, panels_of])
     return Boards(panels_of[order], sides[order], outlines[order])

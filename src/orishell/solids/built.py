@@ -85,8 +85,7 @@ def build_panels(design: Design, limit: float, reliefs: Array | None = None) -> 
         If nothing is left of a panel.
     """
     build, mechanism = design.panel, design.mechanism
-    if build is None:
-        raise AssertionError("panels without a thickness are not built")
+    assert build is not None, "panels without a thickness are not built"
     grid, folds = mechanism.grid, largest_folds(mechanism, limit)
     cut = np.zeros((grid.rows, grid.columns)) if reliefs is None else reliefs
     if design.clipped is None:

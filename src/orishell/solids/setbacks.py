@@ -9,9 +9,9 @@ plane that bisects it; at a height b over the membrane they are clear of it if t
 
 on the closing side. On the opening side they move apart, and need no more than half the gap that
 the tool cuts. Between opposite edges of a panel its boards stand back by s from one and by s' from
-the other. Of the way across, its shortest width between them, both together may take a share, and
-neither may be longer than is allowed: so this limits the height b of boards for given fold angles,
-and fold angles for given boards.
+the other. Both together may take a share of the panel's shortest width between these, and neither
+may be longer than is allowed: so this limits the height b of boards for given fold angles, and fold
+angles for given boards.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.design import PanelSpec
 from orishell.motion import Mechanism
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.numerics.arrays import Array, Booleans, Integers
@@ -48,8 +49,8 @@ class SetBacks:
 def largest_folds(mechanism: Mechanism, limit: float) -> CreaseValues:
     """The largest fold angles of all creases on the way from the flat sheet, with their signs.
 
-    Most grow all the way. Of those that do not the largest is that of a parabola through the three
-    states about it, or of these states if that is larger.
+    Most grow all the way. For the others it is the largest of a parabola through the three states
+    about it, or of these states if that is larger.
 
     Parameters
     ----------
@@ -114,68 +115,43 @@ def _largest(angles: Array, among: slice) -> Array:
     return np.asarray(sign * np.minimum(near[1] + rise, np.pi))
 
 
-SHARE = 0.5
-"""Share of the way across a panel that set-backs may take, where nothing else is said."""
 SOUGHT_AMONG = 65
 """States among which the first one that leaves too little is looked for."""
 FINE = 1e-12
 """Accuracy of the drive at which boards stop the motion (relative)."""
 
 
-def largest_height(
-    flat: Array,
-    grid: Grid,
-    folds: CreaseValues,
-    share: float = SHARE,
-    setback: float = np.inf,
-    *,
-    gap: float = 0.0,
-) -> float:
+ANY = PanelSpec()
+"""Panels of which only the share of set-backs is said."""
+
+
+def largest_height(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpec = ANY) -> float:
     """How high boards may stand over the hinge plane (length); infinite where no crease folds.
 
     Parameters
     ----------
     flat
         Vertices (rows, columns, 3) of the flat sheet.
-    share
-        Share of the way across every panel that set-backs may take.
-    setback, gap
-        Longest set-back, and what is cut away between two panels where they open (length).
     """
-    heights = allowed_heights(flat, grid, folds, share=share, setback=setback, gap=gap)
-    return float(heights.min())
+    return float(allowed_heights(flat, grid, folds, build).min())
 
 
-def drive_for_height(
-    mechanism: Mechanism,
-    height: float,
-    end: float | None = None,
-    share: float = SHARE,
-    setback: float = np.inf,
-    *,
-    gap: float = 0.0,
-) -> float:
-    """The drive up to which boards of a height leave enough of every panel (radians).
+def drive_for_height(mechanism: Mechanism, build: PanelSpec, end: float | None = None) -> float:
+    """The drive up to which boards leave enough of every panel (radians).
 
     Parameters
     ----------
-    height
-        How high boards stand over the hinge plane on one face (length).
     end
         The drive up to which the motion is known to be free; None for its end (radians).
-    share
-        Share of the way across every panel that set-backs may take.
-    setback, gap
-        Longest set-back, and what is cut away between two panels where they open (length).
     """
     grid, edges = mechanism.grid, mechanism.grid.faces_edges()
-    room = share * _ways_across(mechanism.positions(0.0), grid)
+    across = _ways_across(mechanism.positions(0.0), grid)
     end = mechanism.end_drive if end is None else end
     bare = bare_faces(mechanism.fold_angles(mechanism.target_drive), grid, mechanism.flap_columns)
 
     def works(drive: float) -> bool:
-        heights = _heights(room, edges, mechanism.fold_angles(drive), setback, gap)
-        return bool((heights[~bare] >= height).all())
+        heights = _heights(across, edges, mechanism.fold_angles(drive), build)
+        return bool((heights[~bare] >= build.height).all())
 
     good = 0.0
     for drive in np.linspace(0.0, end, SOUGHT_AMONG)[1:].tolist():
@@ -185,22 +161,13 @@ def drive_for_height(
     return end
 
 
-def allowed_heights(
-    flat: Array,
-    grid: Grid,
-    folds: CreaseValues,
-    *,
-    share: float = SHARE,
-    setback: float = np.inf,
-    gap: float = 0.0,
-) -> Array:
+def allowed_heights(flat: Array, grid: Grid, folds: CreaseValues, build: PanelSpec) -> Array:
     """How high boards may stand (2, F, 2): faces, upper one first; panels; ways across.
 
     The first way is from left to right, the second from bottom to top. 0 where even the gap takes
-    too much. Parameters are those of :func:`largest_height`.
+    too much.
     """
-    room = share * _ways_across(flat, grid)
-    return _heights(room, grid.faces_edges(), folds, setback, gap)
+    return _heights(_ways_across(flat, grid), grid.faces_edges(), folds, build)
 
 
 def bare_faces(folds: CreaseValues, grid: Grid, columns: Sequence[int]) -> Booleans:
@@ -214,11 +181,10 @@ def bare_faces(folds: CreaseValues, grid: Grid, columns: Sequence[int]) -> Boole
     return np.asarray(shut & np.isin(column, columns))
 
 
-def _heights(
-    room: Array, edges: Integers, folds: CreaseValues, setback: float, gap: float
-) -> Array:
-    """The heights (2, F, 2), from what set-backs may take (F, 2) and the edges (F, 4) of panels."""
-    unit, open_ = find_set_backs(folds, 1.0), find_set_backs(folds, 0.0, gap)
+def _heights(across: Array, edges: Integers, folds: CreaseValues, build: PanelSpec) -> Array:
+    """The heights (2, F, 2), from widths (F, 2) and edges (F, 4) of panels."""
+    room, setback = build.share * across, build.setback
+    unit, open_ = find_set_backs(folds, 1.0), find_set_backs(folds, 0.0, build.gap)
     # Both of them, from opposite edges: what a height of 1 takes, and half the gap.
     near, far = np.split(np.stack([unit.top, unit.bottom])[:, edges], 2, axis=-1)
     near_gap, far_gap = np.split(open_.top[edges], 2, axis=-1)
@@ -235,7 +201,7 @@ def _heights(
 
 
 def _over(length: Array | float, share: Array) -> Array:
-    """Lengths by what a height of 1 takes of them; infinite where it takes nothing."""
+    """Lengths over the share that a height of 1 takes; infinite where it takes nothing."""
     taken = np.broadcast_to(length, share.shape)
     some = (share > 0) & (share < np.inf)
     bound = np.where(share > 0, 0.0, np.inf)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -21,8 +22,7 @@ from orishell.solids.setbacks import allowed_heights, bare_faces, largest_folds,
 class ThicknessLimit:
     """How thick panels may be."""
 
-    # the largest thickness with which set-backs take no more than they may (length)
-    thickness: float
+    thickness: float  # the largest with which set-backs take no more than they may (length)
     crease: str  # the crease that asks for most, by row and column; empty where none does
     on_flap: bool  # whether it is a row crease of a flap
 
@@ -42,9 +42,7 @@ def find_thickness_limit(mechanism: Mechanism, build: PanelSpec) -> ThicknessLim
     """
     grid, flat = mechanism.grid, mechanism.positions(0.0)
     folds = largest_folds(mechanism, mechanism.target_drive)
-    heights = allowed_heights(
-        flat, grid, folds, share=build.share, setback=build.setback, gap=build.gap
-    )
+    heights = allowed_heights(flat, grid, folds, build)
     heights[bare_faces(folds, grid, mechanism.flap_columns)] = np.inf
     of_flaps = np.isin(np.arange(grid.panel_count) % (grid.columns - 1), mechanism.flap_columns)
     _, panel, way = (int(k) for k in np.unravel_index(int(heights.argmin()), heights.shape))
@@ -86,7 +84,7 @@ def thinner(build: PanelSpec, most: float) -> list[Remedy]:
 
 
 def wide_gap(build: PanelSpec, place: str, limit: Callable[[PanelSpec], float]) -> DesignError:
-    """The refusal of a gap that alone takes more of a panel than set-backs may.
+    """The refusal of a gap that takes more of a panel by itself than set-backs may.
 
     Parameters
     ----------
@@ -95,7 +93,15 @@ def wide_gap(build: PanelSpec, place: str, limit: Callable[[PanelSpec], float]) 
     limit
         The largest thickness of panels of some make (length).
     """
-    widest = _widest_gap(build, limit)
+
+    def widest_with(least: float) -> float | None:
+        def works(gap: float) -> bool:
+            return limit(build.having(gap=gap)) > least
+
+        return largest_below(works, build.gap, smallest=NARROWEST, relative=COARSE)
+
+    # With room for panels as thick as they are, or else for any.
+    widest = widest_with(build.thickness) or widest_with(0.0)
     offered = [] if widest is None else [rounded(SURELY * widest)]
     if build.construction == "sandwich":
         offered.append(0.0)
@@ -107,18 +113,6 @@ def wide_gap(build: PanelSpec, place: str, limit: Callable[[PanelSpec], float]) 
         candidates=[Remedy({"panel.gap": gap}) for gap in offered],
         excess=None if widest is None else build.gap / widest - 1,
     )
-
-
-def _widest_gap(build: PanelSpec, limit: Callable[[PanelSpec], float]) -> float | None:
-    """The widest gap with room for panels as thick as they are, or else for any; None if none."""
-
-    def widest(least: float) -> float | None:
-        def works(gap: float) -> bool:
-            return limit(build.having(gap=gap)) > least
-
-        return largest_below(works, build.gap, smallest=NARROWEST, relative=COARSE)
-
-    return widest(build.thickness) or widest(0.0)
 
 
 def _crease(panel: int, way: int, sizes: Array, grid: Grid) -> str:
@@ -166,19 +160,16 @@ def find_stop(mechanism: Mechanism, build: PanelSpec) -> float:
 
 def _no_room(mechanism: Mechanism, build: PanelSpec) -> DesignError:
     """The refusal of boards on flaps that have no room for them, whatever their stop is."""
-
-    def room(other: PanelSpec) -> float:
-        return largest_thickness(mechanism, other)
-
-    most = room(build)
-    if not most and room(build.having(gap=0.0)):
-        return wide_gap(build, "at a flap", room)
+    most = largest_thickness(mechanism, build)
+    if not most and largest_thickness(mechanism, build.having(gap=0.0)):
+        return wide_gap(build, "at a flap", partial(largest_thickness, mechanism))
+    bare = [Remedy({"panel.stop_deg": 0.0})] if build.construction == "sandwich" else []
     return DesignError(
         "boards on flaps would stand back too far from their creases, however early flaps stop",
         place="at the target",
         keys=("panel.thickness",),
         size=limit_in_words(build, most) if most else "no thickness is small enough",
-        candidates=_candidates(build, most),
+        candidates=[*thinner(build, most), *bare, Remedy({"pattern.flap": 0.0})],
         excess=build.thickness / most - 1 if most else None,
     )
 
@@ -192,14 +183,6 @@ def largest_thickness(mechanism: Mechanism, build: PanelSpec) -> float:
     if not mechanism.flap_columns or build.stop == 0:
         return most
     return min(most, 2 * _most(mechanism, _last(mechanism), build))
-
-
-def _candidates(build: PanelSpec, most: float) -> Iterator[Remedy]:
-    """Thinner panels, flaps of membrane only, no flaps."""
-    yield from thinner(build, most)
-    if build.construction == "sandwich":
-        yield Remedy({"panel.stop_deg": 0.0})
-    yield Remedy({"pattern.flap": 0.0})
 
 
 def _angle(steps: int) -> float:
@@ -232,9 +215,7 @@ def _most(mechanism: Mechanism, steps: int, build: PanelSpec) -> float:
             flat[:, flap : flap + 2],
             strip,
             CreaseValues(folds[:, flap : flap + 1], no_columns),
-            build.share,
-            build.setback,
-            gap=build.gap,
+            build,
         )
         for flap in stopped.flap_columns
     )

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import Literal
 
 from orishell.conventions.record import record
-from orishell.locking.report import Panel
+from orishell.locking.result import Panel
 from orishell.motion.grid import Vertex, VertexPair
 from orishell.structure.loads import LoadKind
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import GRAVITY, conversion, plain
-from orishell.locking.report import Panel
+from orishell.locking.result import Panel
 from orishell.motion.grid import VertexPair
 from orishell.numerics.arrays import Array
 from orishell.structure.build_warnings import motion_in_words

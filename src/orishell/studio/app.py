@@ -18,7 +18,7 @@ from starlette.exceptions import HTTPException
 
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
-from orishell.io.all_formats import FORMATS
+from orishell.io.formats import all_formats
 from orishell.studio.api import Info, NamedDesign, Refusal
 from orishell.studio.guard import Guard, Key
 from orishell.studio.labels import (
@@ -101,7 +101,7 @@ def make_app(
             "families": describe_families(),
             "examples": describe_examples(),
             "formats": [
-                {"name": each.name, "file": each.file, "what": each.what} for each in FORMATS
+                {"name": each.name, "file": each.file, "what": each.what} for each in all_formats()
             ],
             "workshop": describe_workshop(),
             "tables": describe_tables(),

@@ -13,11 +13,12 @@ from typing import Any, Final
 from orishell.conventions.errors import ClashError, InputError, OrishellError
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.record import as_table
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import DesignFile, check_design, starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io import Settings
-from orishell.io.all_formats import find_formats
+from orishell.io.formats import all_formats, find_formats
 from orishell.io.view import Curves, dump_view
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
@@ -61,6 +62,7 @@ class Task:
 
     def warm_up(self) -> None:
         """Import what answers need, by answering: a small design of every family, and a proof."""
+        all_formats()
         designs = [parse_toml(starter_file(family)) for family in FAMILIES]
         for design in designs:
             replace(self, payload={"design": design, "states": FEWEST_STATES}).make_view()
@@ -111,7 +113,7 @@ class Task:
         built = document.boards is not None or document.loaded is not None
         other = file.pattern.flap == "auto" or met or built
         return {
-            "report": shell.report,
+            "report": as_table(shell.report),
             "contact": document.contact,
             "distance": _text(document.distances.astype("<f4").tobytes()),
             "refusal": refusal,

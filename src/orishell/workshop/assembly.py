@@ -12,10 +12,10 @@ from orishell.document import Document
 from orishell.motion.boards import Boards
 from orishell.motion.mesh import build_mesh
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.creases import mean_edge
+from orishell.workshop.creases import CREASE_LETTERS, mean_edge
 from orishell.workshop.cut_parts import LETTER_WIDTH, CutPart, Joint, find_outlines, whole_sheet
 from orishell.workshop.draw import panel_labels
-from orishell.workshop.palettes import Drawing, Layer, Line, Text
+from orishell.workshop.palettes import Drawing, Line, Text
 from orishell.workshop.placing import shifted
 from orishell.workshop.settings import Workshop
 from orishell.workshop.tabs import choose_joint_width
@@ -34,8 +34,6 @@ def with_clipped(document: Document) -> Document:
 
     Their vertices, edges, panels and boards come after the sheet's. Each piece lies beside the edge
     that it is clipped on, with a gap. A document with nothing clipped on is returned as it is.
-
-    Raises InputError if there is no flat sheet.
     """
     if not document.clipped:
         return document
@@ -163,28 +161,29 @@ def draw_map(
     own, document = len(document.mesh.faces), with_clipped(document)
     flat, edges = document.require_flat(), document.mesh.edges
     rims = whole_sheet(document).outlines
-    low, high = rims[0].min(axis=0), rims[0].max(axis=0)
-    for rim in rims[1:]:
-        low, high = np.minimum(low, rim.min(axis=0)), np.maximum(high, rim.max(axis=0))
+    around = np.concatenate(rims)
+    low, high = around.min(axis=0), around.max(axis=0)
     letter = BELOW * float(high[0] - low[0])
     shift = 2 * letter - low + np.array([0.0, 4 * letter])
 
     cut = {joint.edge for joint in joints}
     inner = np.array(sorted(set(np.flatnonzero(document.mesh.crease).tolist()) - cut), dtype=int)
-    lines = [Line("ENGRAVE", tab[[1, 2, 3, 0]] + shift) for joint in joints for tab in joint.tabs]
-    lines += shifted((short_creases(document, inner), (), ()), *shift.tolist())[0]
-    seams = flat[edges[sorted(cut)]] + shift
-    lines += [Line("CUT", seam) for seam in seams]
-    lines += [Line("CUT", rim + shift, closed=True) for rim in rims]
+    lines = (
+        *(Line("ENGRAVE", tab[[1, 2, 3, 0]]) for joint in joints for tab in joint.tabs),
+        *short_creases(document, inner),
+        *(Line("CUT", seam) for seam in flat[edges[sorted(cut)]]),
+        *(Line("CUT", rim, closed=True) for rim in rims),
+    )
 
     names = [mark for joint in joints for mark in joint.marks()[:1]]
     if document.boards is not None:
-        taken = np.zeros(len(document.mesh.faces))
+        panels = np.arange(len(document.mesh.faces))
+        taken = np.zeros(len(panels))
         taken[document.mesh.edge_faces[sorted(cut)]] = choose_joint_width(document, workshop)
-        names += panel_labels(document, taken)
+        names += panel_labels(document, panels, taken)
     numbered = [part for part in parts if part.number]
-    texts = [*names, *(number_text(document, part, names) for part in numbered)]
-    placed = [*shifted(((), (), tuple(texts)), *shift.tolist())[2]]
+    texts = (*names, *(number_text(document, part, names) for part in numbered))
+    lines, circles, placed = shifted((lines, (), texts), *shift.tolist())
     stock = workshop.stock or (0.0, 0.0)
     words = [
         f"Assembly map, not to be cut: {len(numbered)} parts, {len(joints)} joints",
@@ -194,13 +193,13 @@ def draw_map(
     if boards:
         words[1] += f" Clipped on at the target: parts {boards[0]} to {boards[-1]}."
     size = min(letter, (high[0] - low[0]) / (0.8 * max(map(len, words))))
-    placed += [
+    placed += tuple(
         Text("ENGRAVE", 2 * letter, (3.5 - 1.8 * k) * letter, float(size), line, anchor="start")
         for k, line in enumerate(words)
-    ]
+    )
     width, height = (high - low + np.array([4, 8]) * letter).tolist()
     title = f"{document.title}, assembly map"
-    return Drawing(title, document.unit, width, height, tuple(lines), (), tuple(placed))
+    return Drawing(title, document.unit, width, height, lines, circles, placed)
 
 
 def short_creases(document: Document, creases: Integers) -> tuple[Line, ...]:
@@ -211,12 +210,10 @@ def short_creases(document: Document, creases: Integers) -> tuple[Line, ...]:
     short = np.stack([ends[:, 0] + trim, ends[:, 1] - trim], axis=1)
     return tuple(
         Line(layer, line)
-        for layer, marks in _LAYERS
+        for layer, marks in CREASE_LETTERS.items()
         for line in short[np.isin(letters, list(marks))]
     )
 
-
-_LAYERS: tuple[tuple[Layer, str], ...] = (("ENGRAVE", "FJU"), ("MOUNTAIN", "M"), ("VALLEY", "V"))
 
 _HOW = {
     "tabs": "Glue each tab to the back of the panel of the same name.",

@@ -6,9 +6,7 @@ that their part numbers can be read when they are glued on. Solid panels are see
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
@@ -27,34 +25,24 @@ from orishell.workshop.boards import (
     solid_marks,
 )
 from orishell.workshop.draw import draw_page, drawn_box, require_drawable
-from orishell.workshop.layout import usable_stock
+from orishell.workshop.layout import KEPT, Known, usable_stock
 from orishell.workshop.nesting import nest_parts
-from orishell.workshop.palettes import ORDER, Drawing, Line, Text
-from orishell.workshop.placing import Content, Placement, draw_stock_sheet, shifted
+from orishell.workshop.palettes import Drawing, Line, Text
+from orishell.workshop.placing import Content, Placement, draw_stock_sheets, gathered, shifted
 from orishell.workshop.settings import Workshop
-from orishell.workshop.title_block import program_and_palette, quoted_size
-
-KEPT = 4
-"""Number of layouts that are kept: formats and the bill ask for the same one."""
+from orishell.workshop.title_block import quoted_size
 
 
 @record
 class BoardPart:
-    """A board as it is cut, seen from outside; solid panels are seen from above.
+    """A board as it is cut, seen from outside; solid panels are seen from above."""
 
-    number: Its number among the boards of the sheet and of what is clipped on.
-    name: Its part number.
-    panel: The panel that carries it.
-    side: 1 top, -1 bottom, 0 solid.
-    outline: Corners (k, 2) of what is cut, counter-clockwise.
-    lines, texts: What is engraved.
-    """
-
-    number: int
-    name: str
-    panel: int
-    side: int
-    outline: Array
+    number: int  # its number among the boards of the sheet and of what is clipped on
+    name: str  # its part number
+    panel: int  # the panel that carries it
+    side: int  # as in Boards
+    outline: Array  # corners (k, 2) of what is cut, counter-clockwise
+    # what is engraved
     lines: tuple[Line, ...]
     texts: tuple[Text, ...]
 
@@ -75,32 +63,21 @@ def board_parts(document: Document) -> tuple[BoardPart, ...]:
         if not len(seen.numbers):
             continue
         if side:
-            lines: Sequence[Sequence[Line]] = [()] * len(seen.names)
-            texts: Sequence[Sequence[Text]] = [(text,) for text in board_labels(document, side)]
+            marks: list[Content] = [((), (), (text,)) for text in board_labels(document, side)]
         else:
-            lines, texts = solid_marks(document)
+            marks = solid_marks(document)
+        each = zip(seen.numbers.tolist(), seen.names, seen.panels.tolist(), strict=True)
         parts += [
-            BoardPart(number, name, panel, side, distinct_corners(outline), (*drawn,), (*words,))
-            for number, name, panel, outline, drawn, words in zip(
-                seen.numbers.tolist(),
-                seen.names,
-                seen.panels.tolist(),
-                seen.outlines,
-                lines,
-                texts,
-                strict=True,
+            BoardPart(number, name, panel, side, distinct_corners(outline), lines, texts)
+            for (number, name, panel), outline, (lines, _, texts) in zip(
+                each, seen.outlines, marks, strict=True
             )
         ]
     return tuple(parts)
 
 
 def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]:
-    """Where boards lie on the stock, within its margins; one for each of :func:`board_parts`.
-
-    The last layouts are kept, as those of the sheet are.
-
-    Raises InputError if a board does not fit the stock.
-    """
+    """Where boards lie on the stock, within its margins; one for each of :func:`board_parts`."""
     document = with_clipped(document)
     outlines = [
         distinct_corners(outline)
@@ -109,50 +86,36 @@ def nest_boards(document: Document, workshop: Workshop) -> tuple[Placement, ...]
     ]
     if not outlines:
         return ()
-    return _nest(_Outlines.of(outlines), *usable_stock(workshop), workshop.spacing)
-
-
-@dataclass(frozen=True, slots=True)
-class _Outlines:
-    """Outlines, equal to others with the same corners."""
-
-    digest: bytes
-    outlines: Sequence[Array] = field(compare=False)
-
-    @classmethod
-    def of(cls, outlines: Sequence[Array]) -> _Outlines:
-        digest = hashlib.sha256(repr([len(outline) for outline in outlines]).encode())
-        digest.update(np.concatenate(outlines).tobytes())
-        return cls(digest.digest(), outlines)
+    return _nest(Known.by(outlines, outlines), *usable_stock(workshop), workshop.spacing)
 
 
 @lru_cache(KEPT)
-def _nest(boards: _Outlines, width: float, height: float, spacing: float) -> tuple[Placement, ...]:
-    return nest_parts(boards.outlines, width, height, spacing)
+def _nest(
+    boards: Known[list[Array]], width: float, height: float, spacing: float
+) -> tuple[Placement, ...]:
+    return nest_parts(boards.content, width, height, spacing)
 
 
 LAYERS = {1: "top", -1: "bottom", 0: "panels"}
 """How the files of the layers end."""
+_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels"}
 
 
 @record
 class BoardLayer:
     """The boards of one layer, drawn apart so that no cut is made twice."""
 
-    ending: str  # How its file's name ends: "top", "bottom" or "panels"
-    title: str  # What it is
-    content: Content  # What is drawn
-    facts: tuple[str, ...]  # What the title block says
+    ending: str  # how its file's name ends: "top", "bottom" or "panels"
+    title: str
+    content: Content
+    facts: tuple[str, ...]  # what the title block says
 
 
 def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, Drawing]]:
     """Drawings of all boards and how their files' names end; none without boards.
 
     Without stock there is one for each layer: "-top" and "-bottom", or "-panels" if they are solid.
-    With stock the boards of both layers are nested together: "-boards-1", "-boards-2", ..., or
-    "-panels-1", ....
-
-    Raises InputError if a board does not fit the stock.
+    With stock the boards of both layers are nested together: "-boards-1", ..., or "-panels-1", ...
     """
     if document.boards is None:
         return
@@ -161,23 +124,19 @@ def draw_boards(document: Document, workshop: Workshop) -> Iterator[tuple[str, D
             page = draw_page(layer.content, layer.title, document.unit, layer.facts, workshop)
             yield f"-{layer.ending}", page
         return
-    parts, placements = board_parts(document), nest_boards(document, workshop)
+    parts = board_parts(document)
     name = "boards" if any(part.side for part in parts) else LAYERS[0]
-    count = 1 + max((placement.sheet for placement in placements), default=-1)
-    for number in range(count):
-        placed = (
-            (part.content(), placement)
-            for part, placement in zip(parts, placements, strict=True)
-            if placement.sheet == number
-        )
-        title = f"{document.title}, {name}, sheet {number + 1} of {count}"
-        yield f"-{name}-{number + 1}", draw_stock_sheet(placed, title, document.unit, workshop)
+    contents = (part.content() for part in parts)
+    placed = [*zip(contents, nest_boards(document, workshop), strict=True)]
+    title = f"{document.title}, {name}"
+    sheets = draw_stock_sheets(placed, title, document.unit, workshop, numbered=True)
+    yield from ((f"-{name}-{number}", sheet) for number, sheet in enumerate(sheets, 1))
 
 
 def board_layers(document: Document, workshop: Workshop) -> tuple[BoardLayer, ...]:
     """The layers of boards as they lie on the sheet, but apart by ``spacing`` at least.
 
-    Where that is 0, boards lie apart by half their thickness.
+    Where that is 0, it is half their thickness.
     """
     parts = board_parts(document)
     moves = _moves_apart(with_clipped(document), workshop)
@@ -185,13 +144,13 @@ def board_layers(document: Document, workshop: Workshop) -> tuple[BoardLayer, ..
     for side, ending in LAYERS.items():
         mine = [part for part in parts if part.side == side]
         if mine:
-            content = _joined(mine, moves, side)
-            facts = (*_facts(document, mine, content), program_and_palette(workshop))
-            layers.append(BoardLayer(ending, f"{document.title}, {_CALLED[side]}", content, facts))
+            mirror = MIRRORED if side < 0 else 1.0
+            content = gathered(
+                shifted(part.content(), *(moves[part.panel] * mirror).tolist()) for part in mine
+            )
+            title, facts = f"{document.title}, {_CALLED[side]}", _facts(document, mine, content)
+            layers.append(BoardLayer(ending, title, content, facts))
     return tuple(layers)
-
-
-_CALLED = {1: "upper boards", -1: "lower boards", 0: "panels"}
 
 
 def _moves_apart(document: Document, workshop: Workshop) -> Array:
@@ -210,19 +169,6 @@ def _moves_apart(document: Document, workshop: Workshop) -> Array:
     way = centres[mesh.edge_faces[creases, 1]] - centres[mesh.edge_faces[creases, 0]]
     across = np.abs(run[:, 0] * way[:, 1] - run[:, 1] * way[:, 0]) / np.hypot(*run.T)
     return np.asarray(centres * (clear / float(across.min())))
-
-
-def _joined(parts: Sequence[BoardPart], moves: Array, side: int) -> Content:
-    """What is drawn of parts, in the order of work."""
-    lines: list[Line] = []
-    texts: list[Text] = []
-    for part in parts:
-        move = moves[part.panel] * (MIRRORED if side < 0 else 1.0)
-        drawn = shifted(part.content(), *move.tolist())
-        lines += drawn[0]
-        texts += drawn[2]
-    lines.sort(key=lambda line: ORDER.index(line.layer))
-    return tuple(lines), (), tuple(texts)
 
 
 def _facts(document: Document, parts: Sequence[BoardPart], content: Content) -> tuple[str, str]:
@@ -247,20 +193,15 @@ def draw_plan(document: Document, workshop: Workshop) -> Drawing:
 
     It is seen from above, and nothing of it is cut. What is clipped on at the target lies beside
     the edge that it is clipped on.
-
-    Raises InputError if there is no flat sheet or no unit.
     """
     document = with_clipped(document)
     require_drawable(document)
     seen = seen_from_outside(document, 0)
     panels = (Line("ENGRAVE", distinct_corners(outline), closed=True) for outline in seen.outlines)
     creases = short_creases(document, np.flatnonzero(document.mesh.crease))
-    lines = (*panels, *creases)
-    texts = board_labels(document, 0)
-    content = lines, (), texts
+    content = (*panels, *creases), (), board_labels(document, 0)
     facts = (
         f"{len(seen.numbers)} panels, {quoted_size(drawn_box(content)[1], document.unit)}",
         "Plan of assembly, seen from above; nothing is cut",
-        program_and_palette(workshop),
     )
     return draw_page(content, f"{document.title}, plan", document.unit, facts, workshop)

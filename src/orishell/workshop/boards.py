@@ -31,18 +31,13 @@ MIRRORED = np.array([-1.0, 1.0])
 
 @record
 class SeenBoards:
-    """The boards of one side as they are seen from there.
+    """The boards of one side as they are seen from there."""
 
-    numbers: Their numbers (B,) among all boards.
-    names: Their part numbers, as in "3,12T".
-    panels: Numbers (B,) of the panels that carry them.
-    outlines: Corners (B, K, 2) of what is cut, counter-clockwise; neighbours may coincide. Solid
-        panels are cut on their hinge plane.
-    """
-
-    numbers: Integers
-    names: tuple[str, ...]
-    panels: Integers
+    numbers: Integers  # their numbers (B,) among all boards
+    names: tuple[str, ...]  # their part numbers, as in "3,12T"
+    panels: Integers  # the panels (B,) that carry them
+    # corners (B, K, 2) of what is cut, counter-clockwise; neighbours may coincide; solid panels are
+    # cut on their hinge plane
     outlines: Array
 
 
@@ -104,8 +99,7 @@ def board_labels(
         LARGEST * mean_edge(document),
         [(boards.outlines, 0.0), (corners, beside)],
     )
-    everywhere = np.ones(len(boards.names), np.bool_)
-    return labels.of(everywhere if panels is None else np.isin(boards.panels, panels))
+    return labels.of(None if panels is None else np.isin(boards.panels, panels))
 
 
 def has_sheet(document: Document) -> bool:
@@ -125,20 +119,14 @@ def sheet_title(document: Document) -> str:
 
 
 def with_glue_areas(document: Document, part: CutPart) -> CutPart:
-    """A part of the sheet with the places of the upper boards marked on it.
-
-    Their part numbers are among the part's labels (:mod:`~orishell.workshop.draw`).
-    """
+    """A part of the sheet with the places of the upper boards marked on it, without their names."""
     if not has_membrane(document):
         return part
     return replace(part, marks=(*part.marks, *_glue_lines(document, part, 1)))
 
 
 def back_of(document: Document, part: CutPart) -> Content:
-    """The back of a part, mirrored about the y axis: its rim and the places of the lower boards.
-
-    Nothing of it is cut: the rim is there to lay the part on.
-    """
+    """The back of a part, mirrored about the y axis: its rim and the places of the lower boards."""
     rims = (
         Line("ENGRAVE", distinct_corners(rim)[::-1] * MIRRORED, closed=True)
         for rim in part.outlines
@@ -175,21 +163,15 @@ class _Chamfers:
     sides: Integers  # The face: 1 top, -1 bottom
 
 
-def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]:
+def solid_marks(document: Document) -> list[Content]:
     """Lines and words on every solid panel, in the sheet's own coordinates.
 
-    Engraved are the edges of both faces where they are chamfered, the angle of the chamfer against
-    a square cut with T or B for the face that it takes from, where there is room for it, and the
-    part number.
+    Edges of both faces where they are chamfered, the chamfer's angle against a square cut with T or
+    B for the face that it takes from, where there is room for it, and the part number.
     """
     solids = seen_from_outside(document, 0)
     size = mean_edge(document)
     chamfers = _find_chamfers(_solid_levels(document), FLUSH * size)
-    lines: list[list[Line]] = [[] for _ in solids.names]
-    texts: list[list[Text]] = [[] for _ in solids.names]
-    for board, ends in zip(chamfers.boards.tolist(), chamfers.ends, strict=True):
-        lines[board].append(Line("ENGRAVE", ends))
-
     inner = _common_faces(document)
     words = tuple(
         f"{angle:.1f}°{'T' if side > 0 else 'B'}"
@@ -208,18 +190,19 @@ def solid_marks(document: Document) -> tuple[list[list[Line]], list[list[Text]]]
     meets = shown & numbers.at(at).meet(angles)
     np.maximum.at(taken, at, np.where(meets, 1.5 * angles.heights, 0.0))
     numbers = label_middles(solids.names, inner, across, most, [(inner, taken)])
+    texts: list[list[Text]] = [[] for _ in solids.names]
     for board, text in zip(at[shown].tolist(), angles.of(shown), strict=True):
         texts[board].append(text)
-    for board, text in enumerate(numbers.of(np.ones(len(inner), np.bool_))):
+    for board, text in enumerate(numbers.of()):
         texts[board].append(text)
-    return lines, texts
+    lines: list[list[Line]] = [[] for _ in solids.names]
+    for board, ends in zip(at.tolist(), chamfers.ends, strict=True):
+        lines[board].append(Line("ENGRAVE", ends))
+    return [((*drawn,), (), (*words,)) for drawn, words in zip(lines, texts, strict=True)]
 
 
 def chamfer_angles(boards: Boards) -> Array:
-    """How far all chamfers (C,) of solid panels lean from a square cut (degrees).
-
-    boards: The panels; boards of a sandwich are cut square.
-    """
+    """How far all chamfers (C,) of solid panels lean from a square cut (degrees)."""
     levels = boards.outlines[boards.sides == 0]
     if not len(levels):
         return np.zeros(0)
@@ -228,10 +211,9 @@ def chamfer_angles(boards: Boards) -> Array:
 
 
 def _find_chamfers(levels: Array, flush: float) -> _Chamfers:
-    """The chamfers of both faces, that at the top before that at the bottom.
+    """The chamfers of solid panels (S, 3, K, 3), at the top and then at the bottom.
 
-    levels: Outlines (S, 3, K, 3) of solid panels.
-    flush: Chamfers narrower than this are none.
+    Those narrower than ``flush`` are none.
     """
     middle = levels[:, 1, :, :2]
     found = []

@@ -26,7 +26,7 @@ DASHES_PER_PANEL, CUTS_PER_PANEL = 4, 20
 MOST_CUTS = 1_000_000
 """Finer dashes are refused: no machine would read the file."""
 
-_MARKS: dict[Layer, str] = {"ENGRAVE": "FJU", "MOUNTAIN": "M", "VALLEY": "V"}
+CREASE_LETTERS: dict[Layer, str] = {"ENGRAVE": "FJU", "MOUNTAIN": "M", "VALLEY": "V"}
 """Assignments of the creases in each layer, in the order in which they are drawn."""
 
 
@@ -72,7 +72,7 @@ def crease_lines(document: Document, part: CutPart, workshop: Workshop) -> tuple
         )
         points = creases.starts[crease, None] + along[..., None] * creases.directions[crease, None]
         layers = creases.layers[crease]
-    return tuple(Line(layer, line) for layer in _MARKS for line in points[layers == layer])
+    return tuple(Line(layer, line) for layer in CREASE_LETTERS for line in points[layers == layer])
 
 
 def relief_holes(document: Document, part: CutPart, workshop: Workshop) -> tuple[Circle, ...]:
@@ -91,6 +91,14 @@ def mean_edge(document: Document) -> float:
     return float(np.mean(np.hypot(sides[..., 0], sides[..., 1])))
 
 
+def dash_length(document: Document, workshop: Workshop) -> float:
+    """Length of a dash with its bridge, before it is rounded to a whole number of them."""
+    if workshop.dash != "auto":
+        return workshop.dash
+    perforation = workshop.creases == "perforation"
+    return mean_edge(document) / (CUTS_PER_PANEL if perforation else DASHES_PER_PANEL)
+
+
 def _holed(document: Document, part: CutPart, workshop: Workshop) -> Booleans:
     """Which vertices (V,) get a hole: inner ones of the sheet with all their panels in the part."""
     mesh = document.mesh
@@ -107,7 +115,7 @@ def _between_rims(document: Document, part: CutPart, radius: Array) -> _Creases:
     flat = document.require_flat()
     letters = np.array([document.assignment[edge] for edge in part.creases.tolist()], dtype="<U1")
     layers = np.full(len(letters), "", dtype="<U8")
-    for layer, marks in _MARKS.items():
+    for layer, marks in CREASE_LETTERS.items():
         layers[np.isin(letters, list(marks))] = layer
     edges = part.creases[layers != ""]
     ends = document.mesh.edges[edges]
@@ -185,9 +193,7 @@ def _cuts(
     """Number of cuts (C,), start of the first, distance from one to the next, and their length."""
     continuous = ~folded | (workshop.creases == "score")
     perforation = workshop.creases == "perforation"
-    per_panel = CUTS_PER_PANEL if perforation else DASHES_PER_PANEL
-    dash = mean_edge(document) / per_panel if workshop.dash == "auto" else workshop.dash
-    duty = workshop.duty
+    dash, duty = dash_length(document, workshop), workshop.duty
     bridge = (1 - duty) * dash
     whole = (lengths - 2 * max(gap, 0.5 * bridge) + bridge) / dash
     counts = np.floor(whole * (1 + STRAIGHT)) if perforation else np.rint(whole)

@@ -1,8 +1,8 @@
 """What is cut in one piece, its rim, and how parts of a split sheet are joined.
 
-A tab (:mod:`~orishell.workshop.tabs`) is glued to the back of the neighbouring panel, the side
-away from +z. The crease at its root is the real crease, scored as ever, and the other part is cut
-there. A strip is two such tabs with the crease between them, glued to the backs of both panels.
+A tab is glued to the back of the neighbouring panel, the side away from +z. The crease at its root
+is scored as ever, and the other part is cut there. A strip is two such tabs with the crease between
+them, glued to the backs of both panels.
 """
 
 from __future__ import annotations
@@ -39,13 +39,9 @@ STRAIGHT = 1e-9
 
 
 def whole_sheet(document: Document) -> CutPart:
-    """The whole sheet as one part, number 0.
+    """The whole sheet as one part, number 0, of all panels and all edges that join two of them.
 
-    Its creases are all edges that join two panels, unfolded ones too. Edges that the document
-    cuts (C) are none of them: the outlines are those of all panels together, and what is cut
-    inside them is drawn once, as lines.
-
-    Raises InputError if there is no flat sheet.
+    Edges that are cut inside its outlines (C) are drawn once, as lines.
     """
     flat = document.require_flat()
     mesh = document.mesh
@@ -58,14 +54,11 @@ def whole_sheet(document: Document) -> CutPart:
 
 
 def find_outlines(faces: Integers, flat: Array) -> tuple[Integers, ...]:
-    """Vertices of every closed outline of some panels of the flat sheet.
+    """Vertices (k,) of every closed outline of panels (P, 4), either way round, of a sheet (V, 2).
 
-    faces: Vertices (P, 4) of the panels, either way round.
-    flat: Vertices (V, 2) of the sheet.
-
-    Returns loops: Numbers (k,) of vertices: counter-clockwise around panels, clockwise around
-        holes; the largest area first, each from its lowest vertex on. Where outlines only touch at
-        a vertex they do not cross: each keeps to the panels that hang together there.
+    Counter-clockwise around panels, clockwise around holes; the largest area first, each from its
+    lowest vertex on. Where outlines only touch at a vertex they do not cross: each keeps to the
+    panels that hang together there.
     """
     corners = flat[faces]
     faces = np.where((signed_areas(corners) < 0)[:, None], faces[:, ::-1], faces)
@@ -104,7 +97,6 @@ def _twins(start: Integers, end: Integers, count: int) -> Integers:
 
 
 def _cycles(successor: dict[int, int]) -> list[list[int]]:
-    """The cycles of a permutation."""
     cycles = []
     while successor:
         cycle = [next(iter(successor))]
@@ -122,18 +114,13 @@ LETTER_WIDTH = 0.85
 
 @record
 class Joint:
-    """A crease that is cut and glued.
+    """A crease that is cut and glued."""
 
-    name: Its name, for instance "2-5c": the third joint between parts 2 and 5.
-    edge: Number of the crease.
-    parts: Numbers of the two parts; the first one has the tab.
-    tabs: Corners (4, 2) of what is glued under panels: the tab under a panel of the second part,
-        and, if the joint is a strip, its other half under the first part.
-    """
-
-    name: str
+    name: str  # for instance "2-5c": the third joint between parts 2 and 5
     edge: int
-    parts: tuple[int, int]
+    parts: tuple[int, int]  # their numbers; the first one has the tab
+    # corners (4, 2) of what is glued under panels: the tab under a panel of the second part and, if
+    # the joint is a strip, its other half under the first part
     tabs: tuple[Array, ...]
 
     def marks(self) -> tuple[Text, ...]:
@@ -144,15 +131,10 @@ class Joint:
 def make_parts(
     document: Document, split: Sequence[Integers], kind: JointKind, width: float
 ) -> tuple[tuple[CutPart, ...], tuple[CutPart, ...], tuple[Joint, ...]]:
-    """Parts with their joints.
+    """Parts, numbered from 1, strips (number 0), one for each joint, and joints.
 
-    split: Numbers of the panels of every part.
-    kind: "tabs" or "strips".
-    width: Width of a tab, half the width of a strip, where panels leave room for it.
-
-    Returns parts, strips, joints: Parts, numbered from 1; strips (number 0), one for each joint;
-        joints. Of two panels beside a crease the one with the lower number is on the part with the
-        tab.
+    Tabs have this ``width``, strips twice as much, where panels leave room for it. Of two panels
+    beside a crease the one with the lower number is on the part with the tab.
     """
     mesh = document.mesh
     number = np.zeros(len(mesh.faces), dtype=np.int64)
@@ -166,13 +148,17 @@ def make_parts(
         mine = [joint for joint in joints if k in joint.parts]
         rooted = [joint.edge for joint in mine if kind == "tabs" and joint.parts[0] == k]
         inside = np.flatnonzero(mesh.crease & (beside == k).all(axis=1))
+        # On tabs, and on panels where others' tabs come; a strip has a half on either part.
+        marks = tuple(mark for joint in mine for mark in joint.marks())
+        if kind == "strips":
+            marks = tuple(joint.marks()[0 if joint.parts[1] == k else 1] for joint in mine)
         parts.append(
             CutPart(
                 number=k,
                 panels=np.sort(panels),
                 creases=np.sort(np.concatenate([inside, np.array(rooted, dtype=np.int64)])),
                 outlines=_outlines(document, panels, [j for j in mine if j.edge in set(rooted)]),
-                marks=_marks(mine, k, kind),
+                marks=marks,
             )
         )
     strips = tuple(_strip(joint) for joint in joints) if kind == "strips" else ()
@@ -208,13 +194,6 @@ def _letters(count: int) -> str:
         count, last = divmod(count - 1, 26)
         letters = chr(ord("a") + last) + letters
     return letters
-
-
-def _marks(joints: Sequence[Joint], number: int, kind: JointKind) -> tuple[Text, ...]:
-    """Names of a part's joints: on its tabs and on its panels where others' tabs come."""
-    if kind == "tabs":
-        return tuple(mark for joint in joints for mark in joint.marks())
-    return tuple(joint.marks()[0 if joint.parts[1] == number else 1] for joint in joints)
 
 
 def _strip(joint: Joint) -> CutPart:

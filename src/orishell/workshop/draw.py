@@ -10,7 +10,7 @@ from orishell.conventions.errors import InputError
 from orishell.document import Document
 from orishell.motion.quads import signed_areas
 from orishell.numerics.arrays import Array, Integers
-from orishell.workshop.boards import board_labels
+from orishell.workshop.boards import board_labels, has_membrane
 from orishell.workshop.creases import crease_lines, mean_edge, relief_holes
 from orishell.workshop.cut_parts import CutPart, without_straight
 from orishell.workshop.fitted_words import (
@@ -25,7 +25,12 @@ from orishell.workshop.fitted_words import (
 from orishell.workshop.palettes import Drawing, Line, Text, load_palette
 from orishell.workshop.placing import Content, shifted
 from orishell.workshop.settings import Workshop
-from orishell.workshop.title_block import draw_title_block, letter_height, sheet_facts
+from orishell.workshop.title_block import (
+    draw_title_block,
+    letter_height,
+    program_and_palette,
+    sheet_facts,
+)
 
 WITH_PANELS = 2.5
 """Heights of a crease's label that must fit where panels are labelled too."""
@@ -35,17 +40,12 @@ def part_labels(document: Document, part: CutPart, workshop: Workshop) -> tuple[
     """What is engraved on a part, in the sheet's own coordinates; never upside down.
 
     Where boards are glued on, their part numbers take the place of rows and columns.
-
-    Parameters
-    ----------
-    part
-        The part, in the flat sheet's own frame.
     """
     texts: tuple[Text, ...] = ()
     if not len(part.panels):
         return texts
     taken = np.zeros(len(document.mesh.faces))
-    glued = document.boards is not None and bool(document.boards.sides.any())
+    glued = has_membrane(document)
     if workshop.labels in ("creases", "both"):
         tall = 1.0 if workshop.labels == "creases" and not glued else WITH_PANELS
         creases, panels = _crease_labels(document, part, tall)
@@ -54,27 +54,20 @@ def part_labels(document: Document, part: CutPart, workshop: Workshop) -> tuple[
     if glued:
         texts = board_labels(document, 1, part.panels, taken) + texts
     elif workshop.labels in ("panels", "both"):
-        chosen = np.isin(np.arange(len(taken)), part.panels)
-        texts = _panel_labels(document, taken).of(chosen) + texts
+        texts = panel_labels(document, part.panels, taken) + texts
     return texts
 
 
-def panel_labels(document: Document, taken: Array) -> tuple[Text, ...]:
-    """Row and column in the middle of every panel, along its longer direction.
+def panel_labels(document: Document, panels: Integers, taken: Array) -> tuple[Text, ...]:
+    """Row and column in the middle of panels, along their longer direction.
 
-    Parameters
-    ----------
-    taken
-        Width (F,) of what other labels take along the panel's edges.
+    Other labels take a width ``taken`` (F,) along the edges of all panels.
     """
-    return _panel_labels(document, taken).of(np.ones(len(taken), np.bool_))
-
-
-def _panel_labels(document: Document, taken: Array) -> Labels:
     corners = _convex_panels(document)
     words = tuple(document.panel_name(panel) for panel in range(len(corners)))
     most = 0.25 * mean_edge(document)
-    return label_middles(words, corners, ways_across(corners), most, [(corners, taken)])
+    labels = label_middles(words, corners, ways_across(corners), most, [(corners, taken)])
+    return labels.of(np.isin(np.arange(len(corners)), panels))
 
 
 def _crease_labels(document: Document, part: CutPart, tall: float) -> tuple[Labels, Integers]:
@@ -135,36 +128,34 @@ MARGIN = 3.0
 def require_drawable(document: Document) -> None:
     """Refuse a document that no workshop can make. Call it once, before parts are drawn.
 
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or no unit, a panel of it is a line, or an edge between panels
-        is called border, so that it would neither be scored nor cut.
+    Raises InputError if there is no flat sheet or no unit, a panel of it is a line, or an edge
+    between panels is called border, so that it would neither be scored nor cut.
     """
     document.require_unit()
-    _require_areas(document)
-    _require_borders(document)
+    corners = document.require_flat()[document.mesh.faces]
+    sides = np.roll(corners, -1, axis=1) - corners
+    size = float(np.ptp(corners.reshape(-1, 2), axis=0).max())
+    lines = np.abs(signed_areas(corners)) <= NOTHING * size**2
+    lines |= (np.hypot(sides[..., 0], sides[..., 1]) <= NOTHING * size).any(axis=1)
+    if lines.any():
+        raise InputError(
+            f"panel {document.panel_name(int(np.argmax(lines)))} has no area in the flat sheet"
+        )
+    wrong = np.flatnonzero(document.mesh.crease & (np.array(document.assignment) == "B"))
+    if len(wrong):
+        first, second = document.mesh.edge_faces[wrong[0]].tolist()
+        raise InputError(
+            f"edge {wrong[0]} is no border: it lies between panels "
+            f"{document.panel_name(first)} and {document.panel_name(second)}",
+            got='the assignment "B"',
+            expected="M, V, F, U or J for a crease, C for a cut",
+        )
 
 
 def part_lines(document: Document, part: CutPart, workshop: Workshop) -> Content:
-    """What is drawn of a part, in the sheet's own coordinates.
+    """What is drawn of a part, in the sheet's own coordinates and in the order of work.
 
-    Parameters
-    ----------
-    document
-        The sheet, which :func:`require_drawable` has nothing against.
-    part
-        The part of it.
-
-    Returns
-    -------
-    lines, circles, texts
-        In the order of work: marks, creases, cuts within the part, holes, the outer outline.
-
-    Raises
-    ------
-    InputError
-        If there is no flat sheet, or holes or gaps are too large.
+    Raises InputError if holes or gaps are too large.
     """
     flat, mesh = document.require_flat(), document.mesh
     inside = np.flatnonzero(~mesh.crease & (mesh.edge_faces >= 0).all(axis=1))
@@ -183,55 +174,20 @@ def part_lines(document: Document, part: CutPart, workshop: Workshop) -> Content
     )
 
 
-def draw_part(
-    document: Document,
-    part: CutPart,
-    workshop: Workshop,
-    *,
-    title: str = "",
-    title_block: bool = True,
-) -> Drawing:
-    """A part on a page that is just large enough, 1:1, in the document's unit.
-
-    Parameters
-    ----------
-    part
-        The part of it.
-    title
-        What the title block says; the document's title if empty.
-    title_block
-        Whether a title and a scale bar stand below the part, unless ``workshop`` or its palette
-        leave them out.
-
-    Raises
-    ------
-    InputError
-        As :func:`require_drawable` and :func:`part_lines` do, or if there is no such palette.
-    """
+def draw_part(document: Document, part: CutPart, workshop: Workshop) -> Drawing:
+    """A part on a page that is just large enough, 1:1, in the document's unit."""
     require_drawable(document)
     content = part_lines(document, part, workshop)
     facts = sheet_facts(document, part, drawn_box(content)[1], workshop)
-    return draw_page(
-        content, title or document.title, document.unit, facts if title_block else [], workshop
-    )
+    return draw_page(content, document.title, document.unit, facts, workshop)
 
 
 def draw_page(
     content: Content, title: str, unit: str, facts: Sequence[str], workshop: Workshop
 ) -> Drawing:
-    """What is drawn on a page that is just large enough, 1:1.
+    """What is drawn on a page that is just large enough, 1:1, over its title block.
 
-    Parameters
-    ----------
-    content
-        What is drawn.
-    title
-        What the title block says first.
-    unit
-        Unit of length.
-    facts
-        What it says below; without any there is none, nor where ``workshop`` or its palette leave
-        it out.
+    That says the title, ``facts`` and the program; ``workshop`` or its palette may leave it out.
     """
     palette = load_palette(workshop.palette)
     lines, circles, _ = content
@@ -240,9 +196,10 @@ def draw_page(
     margin = MARGIN * letter
     width, below = float(size[0]), 0.0
     block: Content = ((), (), ())
-    if facts and workshop.title_block and "LABEL" in palette.pens:
+    if workshop.title_block and "LABEL" in palette.pens:
         wide, high = size.tolist()
         drawn = Drawing(title, unit, wide, high, lines, circles)
+        facts = (*facts, program_and_palette(workshop))
         made = draw_title_block(facts, palette, drawn=drawn, letter=letter)
         block = shifted((made.lines, (), made.texts), margin, margin)
         width, below = max(width, made.width), made.height + margin
@@ -261,37 +218,6 @@ def draw_page(
 
 
 def drawn_box(content: Content) -> tuple[Array, Array]:
-    """Lower left corner (2,) and size (2,) of the box around all lines.
-
-    Parameters
-    ----------
-    content
-        What is drawn.
-    """
+    """Lower left corner (2,) and size (2,) of the box around all lines."""
     points = np.concatenate([line.points for line in content[0]])
     return points.min(axis=0), np.ptp(points, axis=0)
-
-
-def _require_areas(document: Document) -> None:
-    corners = document.require_flat()[document.mesh.faces]
-    sides = np.roll(corners, -1, axis=1) - corners
-    size = float(np.ptp(corners.reshape(-1, 2), axis=0).max())
-    lines = np.abs(signed_areas(corners)) <= NOTHING * size**2
-    lines |= (np.hypot(sides[..., 0], sides[..., 1]) <= NOTHING * size).any(axis=1)
-    if lines.any():
-        raise InputError(
-            f"panel {document.panel_name(int(np.argmax(lines)))} has no area in the flat sheet"
-        )
-
-
-def _require_borders(document: Document) -> None:
-    """Refuse creases that are called border: they would neither be scored nor cut."""
-    wrong = np.flatnonzero(document.mesh.crease & (np.array(document.assignment) == "B"))
-    if len(wrong):
-        first, second = document.mesh.edge_faces[wrong[0]].tolist()
-        raise InputError(
-            f"edge {wrong[0]} is no border: it lies between panels "
-            f"{document.panel_name(first)} and {document.panel_name(second)}",
-            got='the assignment "B"',
-            expected="M, V, F, U or J for a crease, C for a cut",
-        )

@@ -38,8 +38,9 @@ class Labels:
     directions: Array
     heights: Array
 
-    def of(self, chosen: Booleans) -> tuple[Text, ...]:
-        """Those that are chosen (N,), but for words without a height."""
+    def of(self, chosen: Booleans | None = None) -> tuple[Text, ...]:
+        """Those that are chosen (N,), or all, but for words without a height."""
+        chosen = np.ones(len(self.words), np.bool_) if chosen is None else chosen
         angles = np.arctan2(self.directions[:, 1], self.directions[:, 0])
         rows = zip(self.words, self.middles.tolist(), self.heights, angles, chosen, strict=True)
         return tuple(
@@ -81,10 +82,8 @@ def label_middles(
 ) -> Labels:
     """Words in the middle of outlines, along that of two directions in which they are higher.
 
-    words: One for each outline.
     outlines: Corners (N, K, 2), convex and counter-clockwise.
     directions: Unit vectors (N, 2).
-    most: Height of words at most.
     taken: Outlines that words must fit, each with the width that is kept free along its sides; none
         for those given.
     """
@@ -115,13 +114,11 @@ def label_edges(
     share: float = 0.5,
     usual: float = USUAL,
 ) -> Labels:
-    """Words along edges, inside outlines.
+    """Words along edges, inside outlines; their height is 0 where there is no room for them.
 
-    words: One for each edge; its height is 0 where there is no room for it.
     outlines: Corners (N, K, 2) of what they must fit, convex and counter-clockwise.
     ends: Ends (N, 2, 2) of the edges.
     tall: Height of what is to fit, in heights of the text.
-    most: Height of words at most.
     share: Where they stand on their edge, from its first end.
     usual: As :data:`USUAL`; 100 for words that are each as high as there is room.
     """
@@ -169,8 +166,7 @@ def text_heights(
     """Height (N,) of the highest text that lies within each convex panel.
 
     corners: Corners (N, K, 2), counter-clockwise.
-    middles, along: Points (N, 2) and directions (N, 2) of the text.
-    counts: Number of characters (N,).
+    middles, along: Points (N, 2) and directions (N, 2) of texts with so many characters (N,).
     offset: How far the text's middle lies above the point, in heights.
     taken: Width of what is kept free along the sides, at most most of the way to the nearest.
     tall: Height of what is to fit, in heights of the text.

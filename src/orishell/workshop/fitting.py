@@ -19,16 +19,11 @@ SLACK = 1e-9
 
 
 def find_turns(points: Array, width: float, height: float) -> Array:
-    """Turns that fit points into a rectangle.
+    """Turns (t,) that fit points (k, 2) into a rectangle, in [0, 2 pi) (radians).
 
     Those that lay an edge of their hull level; if none of them fits, those that touch two
     opposite sides of the rectangle. If there is a way to fit the points at all, one of these does.
-
-    points: Points (k, 2).
-    width, height: The rectangle.
-
-    Returns turns: Angles (t,) in [0, 2 pi), the smallest bounding box first (radians,
-        counter-clockwise). 0, no turn, is first if it fits.
+    0, no turn, is first if it fits, otherwise the smallest bounding box.
     """
     import shapely
 
@@ -64,20 +59,14 @@ def _fitting(hull: Array, angles: Array, width: float, height: float) -> Array:
 
 @record
 class CutSheet:
-    """The panels, the tabs that they get where they are cut apart, and the size of the stock.
+    """The panels, the tabs that they get where they are cut apart, and the size of the stock."""
 
-    corners: Corners (F, K, 2) of the panels.
-    areas: Their areas (F,).
-    neighbours: Panels (F, 4) beyond each panel's creases, -1 for none.
-    tabs: Far corners (F, 4, 2, 2) of the tabs that it has where it is cut off from them, NaN for
-        none.
-    width, height: What can be used of the stock.
-    """
-
-    corners: Array
-    areas: Array
-    neighbours: Integers
+    corners: Array  # corners (F, K, 2) of the panels
+    areas: Array  # their areas (F,)
+    neighbours: Integers  # panels (F, 4) beyond each panel's creases, -1 for none
+    # far corners (F, 4, 2, 2) of the tabs that it has where it is cut off from them, NaN for none
     tabs: Array
+    # what can be used of the stock
     width: float
     height: float
 
@@ -111,10 +100,9 @@ class CutSheet:
         return cls(outlines, areas, alone, none, float(width), float(height))
 
     def points(self, panels: Integers, rim: Integers | None = None) -> Array:
-        """Corners (k, 2) of panels and of the tabs around them.
+        """Corners (k, 2) of panels (P,) that hang together, and of the tabs around them.
 
-        panels: Panels (P,) that hang together.
-        rim: Those of them (R,) that lie on the rim, if it is known; no others are looked at.
+        If those on their ``rim`` (R,) are known no others are looked at.
         """
         rim = panels if rim is None else rim
         inside = np.zeros(len(self.corners) + 1, dtype=np.bool_)

@@ -1,17 +1,15 @@
-"""The layout: the whole sheet on one page, or its parts on sheets of stock.
-
-A sheet larger than the stock is split into parts (:mod:`~orishell.workshop.splitting`), which get
-tabs or strips (:mod:`~orishell.workshop.cut_parts`) and are laid on the stock
-(:mod:`~orishell.workshop.nesting`).
-"""
+"""The layout: the whole sheet on one page, or split into parts that are laid on sheets of stock."""
 
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from typing import Any, Generic, Self, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
@@ -23,24 +21,41 @@ from orishell.workshop.cut_parts import CutPart, Joint, make_parts, whole_sheet
 from orishell.workshop.fitting import CutSheet, OversizeError, find_turns, require_panels_fit
 from orishell.workshop.nesting import nest_parts
 from orishell.workshop.placing import Placement
+from orishell.workshop.settings import Joint as JointKind
 from orishell.workshop.settings import Workshop
 from orishell.workshop.splitting import split_sheet
 from orishell.workshop.tabs import choose_joint_width
 
 KEPT = 4
-"""Number of layouts that are kept: formats and quantities ask for the same one."""
+"""Number of layouts that are kept: formats and the bill ask for the same one."""
+
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Known(Generic[T]):
+    """A key of what is kept: equal to others with the same arrays."""
+
+    digest: bytes
+    content: T = field(compare=False)
+
+    @classmethod
+    def by(cls, arrays: Iterable[NDArray[Any]], content: T) -> Self:
+        """The key of a ``content`` that is known by ``arrays``."""
+        digest = hashlib.sha256()
+        for array in arrays:
+            digest.update(repr(array.shape).encode())
+            digest.update(array.tobytes())
+        return cls(digest.digest(), content)
 
 
 @record
 class Layout:
-    """The parts of a sheet, and where they lie on the stock.
+    """The parts of a sheet, and where they lie on the stock."""
 
-    parts: The whole sheet, or its parts and then the strips.
-    placements: Where each lies within the margins; None without stock.
-    joints: How parts are joined.
-    """
-
-    parts: tuple[CutPart, ...]
+    parts: tuple[CutPart, ...]  # the whole sheet, or its parts and then the strips
+    # where each lies within the margins; None without stock
     placements: tuple[Placement, ...] | None
     joints: tuple[Joint, ...] = ()
 
@@ -51,31 +66,17 @@ class Layout:
 
 
 def lay_out(document: Document, workshop: Workshop) -> Layout:
-    """Split the sheet as the stock asks for, and lay the parts on it.
-
-    Splitting takes long. The last layouts are kept: who asks for the same flat sheet on the same
-    stock again, whatever its states are, gets the same one. The numbers of panels and creases are
-    those of :func:`~orishell.workshop.assembly.with_clipped`.
-
-    Raises InputError if there is no flat sheet, or a panel does not fit the stock.
-    """
+    """Split the sheet as the stock asks for, and lay the parts on it: those of `with_clipped`."""
     if workshop.stock is None:
         return Layout((whole_sheet(with_clipped(document)),), None)
-    asked = Workshop(
-        stock=workshop.stock,
-        margin=workshop.margin,
-        spacing=workshop.spacing,
-        joint=workshop.joint,
-        joint_width=workshop.joint_width,
-    )
-    return _lay_on_stock(_FlatSheet.of(document), asked)
+    bare = replace(document, states=(), curves={}, surface=None, distances=None, report={})
+    sheet = Known.by(_what_is_cut(document), bare)
+    joint = workshop.joint, choose_joint_width(with_clipped(document), workshop)
+    return _lay_on_stock(sheet, usable_stock(workshop), workshop.spacing, joint)
 
 
 def require_stock(document: Document, workshop: Workshop) -> None:
-    """Refuse stock that a panel does not fit, before any layout is made.
-
-    Raises InputError: As :func:`lay_out` does.
-    """
+    """Refuse stock as :func:`lay_out` does, before any layout is made."""
     width, height = usable_stock(workshop)
     everything = with_clipped(document)
     if not has_sheet(document):
@@ -95,10 +96,7 @@ def _solid_outlines(document: Document) -> Array:
 
 
 def find_oversize(document: Document, workshop: Workshop) -> float:
-    """How much larger than the stock, as a factor, a panel is; 1 where all fit, with their tabs.
-
-    Raises InputError if the margins leave nothing of the stock.
-    """
+    """How much larger than the stock, as a factor, a panel is; 1 where all fit, with their tabs."""
     try:
         require_stock(document, workshop)
     except OversizeError as error:
@@ -106,46 +104,40 @@ def find_oversize(document: Document, workshop: Workshop) -> float:
     return 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class _FlatSheet:
-    """A flat sheet, equal to another with the same panels and creases at the same places."""
-
-    digest: bytes
-    document: Document = field(compare=False)
-
-    @classmethod
-    def of(cls, document: Document) -> _FlatSheet:
-        flat, mesh = document.require_flat(), document.mesh
-        digest = hashlib.sha256(repr((document.grid_shape, len(flat), mesh.faces.shape)).encode())
-        for array in (flat, mesh.faces, mesh.edges, mesh.edge_faces, mesh.crease):
-            digest.update(array.tobytes())
-        for board in document.clipped:
-            digest.update(cls.of(board).digest)
-        bare = replace(document, states=(), curves={}, surface=None, distances=None, report={})
-        return cls(digest.digest(), bare)
+def _what_is_cut(document: Document) -> Iterator[NDArray[Any]]:
+    """Panels and creases of the flat sheet and of what is clipped on, at their places."""
+    for piece in (document, *document.clipped):
+        mesh = piece.mesh
+        yield from (np.array(piece.grid_shape or ()), piece.require_flat(), mesh.faces)
+        yield from (mesh.edges, mesh.edge_faces, mesh.crease)
 
 
 @lru_cache(KEPT)
-def _lay_on_stock(sheet: _FlatSheet, workshop: Workshop) -> Layout:
-    document = with_clipped(sheet.document)
+def _lay_on_stock(
+    sheet: Known[Document],
+    stock: tuple[float, float],
+    spacing: float,
+    joint: tuple[JointKind, float],
+) -> Layout:
+    """The layout with joints of a kind and a width; kept, because splitting takes long."""
+    (width, height), (kind, joint_width) = stock, joint
+    document = with_clipped(sheet.content)
     whole = whole_sheet(document)
-    width, height = usable_stock(workshop)
     points = np.concatenate(whole.outlines)
     turns = find_turns(points, width, height)
-    if len(turns) and not sheet.document.clipped:
+    if len(turns) and not sheet.content.clipped:
         turned = Placement(0, float(turns[0]), np.zeros(2))
         shift = -turned.move(points).min(axis=0)
         return Layout((whole,), (replace(turned, shift=shift),))
-    joint = choose_joint_width(document, workshop)
-    allowance = joint if workshop.joint == "tabs" else 0.0
+    allowance = joint_width if kind == "tabs" else 0.0
     split: list[Integers] = []
     first = 0
-    for piece in (sheet.document, *sheet.document.clipped):
+    for piece in (sheet.content, *sheet.content.clipped):
         split += [first + panels for panels in split_sheet(piece, width, height, allowance)]
         first += len(piece.mesh.faces)
-    parts, strips, joints = make_parts(document, split, workshop.joint, joint)
+    parts, strips, joints = make_parts(document, split, kind, joint_width)
     outlines = [part.outlines[0] for part in (*parts, *strips)]
-    return Layout((*parts, *strips), nest_parts(outlines, width, height, workshop.spacing), joints)
+    return Layout((*parts, *strips), nest_parts(outlines, width, height, spacing), joints)
 
 
 def usable_stock(workshop: Workshop) -> tuple[float, float]:

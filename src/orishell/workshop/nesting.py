@@ -37,12 +37,6 @@ def nest_parts(
     on into hollows. Of more than :data:`MOST` parts the smaller ones are laid side by side in
     rows, on sheets of their own.
 
-    outlines: Outer outlines (k, 2) of the parts.
-    width, height: What can be used of the stock.
-    spacing: Least distance between parts.
-
-    Returns placements: One for each part, in their order.
-
     Raises InputError if a part does not fit the stock.
     """
     import shapely

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from orishell.conventions.colours import LIGHT
 from orishell.conventions.errors import InputError
@@ -20,7 +20,7 @@ from orishell.conventions.toml_file import parse_toml, read_toml
 from orishell.numerics.arrays import Array
 
 Layer = Literal["CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL"]
-LAYERS: tuple[Layer, ...] = ("CUT", "MOUNTAIN", "VALLEY", "ENGRAVE", "LABEL")
+LAYERS: tuple[Layer, ...] = get_args(Layer)
 """Outer cut and holes; creases; what is marked on the work (labels); what is not on the work at
 all (title block, scale bar)."""
 
@@ -79,8 +79,15 @@ class Drawing:
     circles: tuple[Circle, ...] = ()
     texts: tuple[Text, ...] = ()
 
+    def of_layer(self, layer: Layer) -> tuple[list[Text], list[Circle], list[Line]]:
+        """What is drawn on a ``layer``."""
+        return (
+            [text for text in self.texts if text.layer == layer],
+            [circle for circle in self.circles if circle.layer == layer],
+            [line for line in self.lines if line.layer == layer],
+        )
 
-_KEYS = {"colour", "aci", "width_mm"}
+
 _COLOUR = re.compile("#[0-9a-f]{6}")
 
 
@@ -117,8 +124,6 @@ def palette_names() -> tuple[str, ...]:
 
 def load_palette(name: str) -> Palette:
     """A palette by its name, or from a TOML file of one table like those of ``palettes.toml``.
-
-    name: A name (:func:`palette_names`), or the path of a file that ends in ``.toml``.
 
     Raises InputError if there is no such palette or file, or the file is not a palette.
     """
@@ -176,7 +181,7 @@ def _parse(name: str, table: Any) -> Palette:
 
 
 def _pen(where: str, value: Any) -> Pen:
-    if not isinstance(value, dict) or set(value) != _KEYS:
+    if not isinstance(value, dict) or set(value) != {"colour", "aci", "width_mm"}:
         raise InputError(
             "a layer has a colour, an aci and a width_mm, or is false", where=where, got=repr(value)
         )

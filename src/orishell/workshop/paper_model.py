@@ -28,45 +28,30 @@ BAR_MM = 62.0
 
 @record
 class PaperModel:
-    """The sheet to be printed and folded; coordinates in mm on paper.
-
-    title, unit: Of the document.
-    lines, texts: The sheet's drawing, from its lower left corner.
-    lows, highs: Corners (L, 2) of the boxes around the lines.
-    colours: Colour of every layer.
-    size: Width and height (2,).
-    tiling: Scale and pages.
-    bar, bar_mm: Length of the scale bar in the unit, and on paper.
-    """
+    """The sheet to be printed and folded; coordinates in mm on paper."""
 
     title: str
-    unit: str
+    # the sheet's drawing, from its lower left corner
     lines: tuple[Line, ...]
     texts: tuple[Text, ...]
+    # corners (L, 2) of the boxes around the lines
     lows: Array
     highs: Array
     colours: dict[Layer, str]
-    size: Array
+    size: Array  # width and height (2,)
     tiling: Tiling
-    bar: float
-    bar_mm: float
+    bar_mm: float  # length of the scale bar
+    bar_says: str  # the same in the document's unit, and in mm on paper
 
     @property
     def says(self) -> str:
-        """The scale in words."""
-        return f"Scale {self.tiling.scale_words()}"
-
-    @property
-    def bar_says(self) -> str:
-        """The length of the scale bar, in words: in the unit, and in mm on paper."""
-        return f"{self.bar:g} {self.unit} = {self.bar_mm:.4g} mm on paper"
+        """The scale in words, as in "Scale 1:20"."""
+        scale = self.tiling.scale
+        return f"Scale {scale:.6g}:1" if scale > 1 else f"Scale 1:{1 / scale:.6g}"
 
 
 def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
-    """The paper model of a sheet; ``paper``, ``paper_scale``, palette and labels count.
-
-    Raises InputError if there is no flat sheet or unit, or it takes too many pages.
-    """
+    """The paper model of a sheet, whose creases are scored."""
     workshop = workshop.having(creases="score", corner_gap="auto", relief_hole=0.0, stock=None)
     document = with_clipped(document)
     require_drawable(document)
@@ -79,12 +64,7 @@ def make_paper_model(document: Document, workshop: Workshop) -> PaperModel:
 def make_board_models(
     document: Document, workshop: Workshop, scale: float
 ) -> Iterator[tuple[str, PaperModel]]:
-    """Paper models of the membrane's back and of all layers of boards, and their files' endings.
-
-    scale: That of the sheet's model.
-
-    Raises InputError if one takes too many pages.
-    """
+    """Paper models of the membrane's back and of all layers of boards, and their files' endings."""
     if document.boards is None:
         return
     workshop = workshop.having(paper_scale=scale, stock=None)
@@ -93,8 +73,8 @@ def make_board_models(
         back, title = back_of(everything, whole_sheet(everything)), f"{sheet_title(document)}, back"
         yield "-back", _to_scale(back, title, document.unit, _hull(back), workshop)
     for layer in board_layers(document, workshop):
-        outlines = _hull(layer.content)
-        model = _to_scale(layer.content, layer.title, document.unit, outlines, workshop)
+        around = _hull(layer.content)
+        model = _to_scale(layer.content, layer.title, document.unit, around, workshop)
         yield f"-{layer.ending}", model
 
 
@@ -125,7 +105,6 @@ def _to_scale(
     bar = round_length(BAR_MM / scale)
     return PaperModel(
         title=title.encode("cp1252", "replace").decode("cp1252"),
-        unit=unit,
         lines=drawn,
         texts=placed,
         lows=np.array([line.points.min(axis=0) for line in drawn]),
@@ -133,6 +112,6 @@ def _to_scale(
         colours={layer: pen.colour for layer, pen in pens.items()},
         size=np.max(np.concatenate(rims), axis=0) * tiling.scale,
         tiling=tiling,
-        bar=bar,
         bar_mm=bar * scale,
+        bar_says=f"{bar:g} {unit} = {bar * scale:.4g} mm on paper",
     )

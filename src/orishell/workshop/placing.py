@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import TypeVar
 
 import numpy as np
@@ -16,9 +17,6 @@ from orishell.workshop.settings import Workshop
 Content = tuple[tuple[Line, ...], tuple[Circle, ...], tuple[Text, ...]]
 
 Mark = TypeVar("Mark", Circle, Text)
-
-OTHER_WAY: dict[Anchor, Anchor] = {"start": "end", "middle": "middle", "end": "start"}
-"""Anchors of texts that are turned half round."""
 
 
 @record
@@ -34,7 +32,7 @@ class Placement:
         return turned(points, self.angle) + self.shift
 
     def move_all(self, content: Content) -> Content:
-        """Lines, circles and texts where the part lies; no text is upside down."""
+        """What is drawn where the part lies; no text is upside down."""
         lines, circles, texts = content
         return (
             tuple(replace(line, points=self.move(line.points)) for line in lines),
@@ -59,8 +57,17 @@ class Placement:
         anchor = text.anchor
         if not -np.pi / 2 - 1e-9 < angle <= np.pi / 2 + 1e-9:
             angle -= float(np.copysign(np.pi, angle))
-            anchor = OTHER_WAY[anchor]
+            other: dict[Anchor, Anchor] = {"start": "end", "end": "start"}
+            anchor = other.get(anchor, anchor)
         return replace(self._moved(text), angle=angle, anchor=anchor)
+
+
+def gathered(contents: Iterable[Content]) -> Content:
+    """All that is drawn, lines in the order of work."""
+    lines, circles, texts = (
+        tuple(chain.from_iterable(kind)) for kind in zip(((), (), ()), *contents, strict=True)
+    )
+    return tuple(sorted(lines, key=lambda line: ORDER.index(line.layer))), circles, texts
 
 
 def shifted(content: Content, x: float, y: float) -> Content:
@@ -83,33 +90,32 @@ LETTERS = 0.4
 """Height of the words in the margin, as a share of its width."""
 
 
-def draw_stock_sheet(
-    parts: Iterable[tuple[Content, Placement]], title: str, unit: str, workshop: Workshop
-) -> Drawing:
-    """A drawing exactly of the stock's size, in the order of work: marks, creases, holes, cuts.
+def draw_stock_sheets(
+    parts: Sequence[tuple[Content, Placement]],
+    title: str,
+    unit: str,
+    workshop: Workshop,
+    *,
+    numbered: bool = False,
+) -> Iterator[Drawing]:
+    """Drawings exactly of the stock's size, in the order of work: marks, creases, holes, cuts.
 
-    Parts are in their own coordinates, placements within the margins; the title stands in the
-    margin, if there is one.
+    Parts are in their own coordinates, placements within the margins. The title stands in the
+    margin, if there is one, with the sheet's number, if there are several or they are ``numbered``.
     """
     if workshop.stock is None:
         raise AssertionError("only stock is drawn sheet by sheet")
-    lines: list[Line] = []
-    circles: list[Circle] = []
-    texts: list[Text] = []
-    for content, placement in parts:
-        place = replace(placement, shift=placement.shift + workshop.margin)
-        placed = place.move_all(content)
-        lines += placed[0]
-        circles += placed[1]
-        texts += placed[2]
-    if workshop.title_block and workshop.margin > 0:
-        wide, high = workshop.stock
-        says = f"{title}, 1:1 on {wide:g} x {high:g} {unit}"
-        texts.append(_margin_words(says, wide, workshop.margin))
-    lines.sort(key=lambda line: ORDER.index(line.layer))
-    return Drawing(title, unit, *workshop.stock, tuple(lines), tuple(circles), tuple(texts))
-
-
-def _margin_words(words: str, width: float, margin: float) -> Text:
-    height = min(LETTERS * margin, (width - 2 * margin) / len(words))
-    return Text("LABEL", margin, margin / 2, height, words, anchor="start")
+    (wide, high), margin = workshop.stock, workshop.margin
+    count = 1 + max((placement.sheet for _, placement in parts), default=-1)
+    for number in range(count):
+        called = f"{title}, sheet {number + 1} of {count}" if numbered or count > 1 else title
+        lines, circles, texts = gathered(
+            replace(placement, shift=placement.shift + margin).move_all(content)
+            for content, placement in parts
+            if placement.sheet == number
+        )
+        if workshop.title_block and margin > 0:
+            words = f"{called}, 1:1 on {wide:g} x {high:g} {unit}"
+            height = min(LETTERS * margin, (wide - 2 * margin) / len(words))
+            texts += (Text("LABEL", margin, margin / 2, height, words, anchor="start"),)
+        yield Drawing(called, unit, wide, high, lines, circles, texts)

@@ -57,9 +57,7 @@ def measure_panels(
 ) -> PanelBill | None:
     """The bill of panels with a thickness; None if they have none.
 
-    nested: Whether boards are laid out on their stock.
-
-    Raises InputError if only folded states are known, or a board is larger than the stock.
+    Boards are laid out on their stock if ``nested``.
     """
     if document.panel is None:
         return None
@@ -69,8 +67,7 @@ def measure_panels(
         return None
     areas = boards.areas()
     membrane = float(everything.areas().sum()) if build.construction == "sandwich" else 0.0
-    flat, edges = everything.require_flat(), everything.mesh.edges
-    length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
+    length = everything.edge_lengths()
     sheets = None
     if nested and workshop.stock is not None:
         placements = nest_boards(document, workshop)
@@ -141,7 +138,6 @@ def _weighed_membrane(piece: Document) -> tuple[Array, Array]:
 class CreaseLength:
     """Length of all creases of a kind, in the document's unit."""
 
-    # the kinds
     mountain: float
     valley: float
     unfolded: float
@@ -151,7 +147,7 @@ class CreaseLength:
 class Quantities:
     """Totals of the sheet and its clipped boards; lengths and areas in the document's unit."""
 
-    panels: int  # number of panels
+    panels: int
     clipped: int  # how many of them are panels of boards that are clipped on at the target
     area: float  # area of all panels
     crease_length: CreaseLength  # length of the creases by their assignment
@@ -168,13 +164,10 @@ def measure_quantities(
 ) -> Quantities:
     """The totals of a document for a workshop.
 
-    nested: Whether the sheet is laid out on its stock, which takes most of the time.
-
-    Raises InputError if only folded states are known, or a panel is larger than the stock.
+    The sheet is laid out on its stock, which takes most of the time, if ``nested``.
     """
     everything = with_clipped(document)
-    flat, edges = everything.require_flat(), everything.mesh.edges
-    length = np.linalg.norm(flat[edges[:, 1]] - flat[edges[:, 0]], axis=1)
+    length = everything.edge_lengths()
     letters = np.array(everything.assignment)
 
     def total(*which: str) -> float:

@@ -23,6 +23,14 @@ Length = Annotated[Number, Field(ge=LEAST, le=MOST)]
 NoLength = Annotated[Size, Field(le=MOST)]
 
 
+def _choice(label: str, text: str, of: object) -> Knob:
+    return Knob(label, text, "choice", choices=get_args(of))
+
+
+def _length(label: str, text: str, *, auto: bool = False) -> Knob:
+    return Knob(label, text, "number", auto, "length")
+
+
 class Workshop(Table):
     """Settings for the workshop's files; lengths in the document's unit.
 
@@ -40,16 +48,14 @@ class Workshop(Table):
     ] = "plain"
     creases: Annotated[
         CreaseStyle,
-        Knob(
+        _choice(
             "Creases",
             "Scores are one line, dashes are cuts with bridges, perforations short cuts",
-            "choice",
-            choices=get_args(CreaseStyle),
+            CreaseStyle,
         ),
     ] = "score"
     dash: Annotated[
-        Length | Auto,
-        Knob("Dash", "Length of a dash with the bridge after it", "number", True, "length"),
+        Length | Auto, _length("Dash", "Length of a dash with the bridge after it", auto=True)
     ] = "auto"
     duty: Annotated[
         Number,
@@ -58,24 +64,15 @@ class Workshop(Table):
     ] = 0.7
     corner_gap: Annotated[
         NoLength | Auto,
-        Knob("Corner gap", "Length left uncut at both ends of a crease", "number", True, "length"),
+        _length("Corner gap", "Length left uncut at both ends of a crease", auto=True),
     ] = "auto"
     relief_hole: Annotated[
-        NoLength,
-        Knob(
-            "Relief hole",
-            "Diameter of a hole at every inner vertex; 0 for none",
-            "number",
-            unit="length",
-        ),
+        NoLength, _length("Relief hole", "Diameter of a hole at every inner vertex; 0 for none")
     ] = 0.0
     labels: Annotated[
         Labels,
-        Knob(
-            "Labels",
-            "What is engraved: row and column of panels, fold angles of creases",
-            "choice",
-            choices=get_args(Labels),
+        _choice(
+            "Labels", "What is engraved: row and column of panels, fold angles of creases", Labels
         ),
     ] = "none"
     title_block: Annotated[
@@ -90,48 +87,28 @@ class Workshop(Table):
             unit="length",
         ),
     ] = None
-    margin: Annotated[
-        NoLength, Knob("Margin", "Rim of the stock that is not cut", "number", unit="length")
-    ] = 0.0
-    spacing: Annotated[
-        NoLength, Knob("Spacing", "Least distance between parts", "number", unit="length")
-    ] = 0.0
+    margin: Annotated[NoLength, _length("Margin", "Rim of the stock that is not cut")] = 0.0
+    spacing: Annotated[NoLength, _length("Spacing", "Least distance between parts")] = 0.0
     joint: Annotated[
-        Joint,
-        Knob(
-            "Joints",
-            "Tabs on one of two parts, or strips glued under both",
-            "choice",
-            choices=get_args(Joint),
-        ),
+        Joint, _choice("Joints", "Tabs on one of two parts, or strips glued under both", Joint)
     ] = "tabs"
     joint_width: Annotated[
-        Length | Auto,
-        Knob("Joint width", "Width of tabs, or half that of strips", "number", True, "length"),
+        Length | Auto, _length("Joint width", "Width of tabs, or half that of strips", auto=True)
     ] = "auto"
-    paper: Annotated[
-        Paper, Knob("Paper", "Pages of the paper model", "choice", choices=get_args(Paper))
-    ] = "A4"
+    paper: Annotated[Paper, _choice("Paper", "Pages of the paper model", Paper)] = "A4"
     paper_scale: Annotated[
         Annotated[Number, Field(gt=0, le=1)] | Auto,
         Knob("Paper scale", "Size of the paper model relative to the sheet", "number", True),
     ] = "auto"
     model_scale: Annotated[
-        Annotated[Number, Field(ge=LEAST, le=MOST)],
-        Knob("Print scale", "Size of a printed model relative to the shell", "number"),
+        Length, Knob("Print scale", "Size of a printed model relative to the shell", "number")
     ] = 1.0
     areal_density: Annotated[
-        NoLength,
-        Knob("Mass per area", "Of the sheet; 0 if not known", "number", unit="kg/m²"),
+        NoLength, Knob("Mass per area", "Of the sheet; 0 if not known", "number", unit="kg/m²")
     ] = 0.0
 
     def beside(self, directory: Path | None) -> Self:
-        """The settings with a palette of one's own found in a directory.
-
-        Parameters
-        ----------
-        directory
-            Where the file lies; None if no file may be read.
+        """The settings with a palette of one's own found in a ``directory``, if files may be read.
 
         Raises
         ------

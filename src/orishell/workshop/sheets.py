@@ -1,8 +1,4 @@
-"""The drawings that a workshop cuts: one as large as the sheet, or as many as the stock asks for.
-
-A sheet larger than the stock is laid out on it in parts (:mod:`~orishell.workshop.layout`); a map
-says how they go together (:mod:`~orishell.workshop.assembly`).
-"""
+"""The drawings that a workshop cuts: one of the whole sheet, or as many as the stock asks for."""
 
 from __future__ import annotations
 
@@ -29,9 +25,9 @@ from orishell.workshop.cut_parts import CutPart, whole_sheet
 from orishell.workshop.draw import draw_page, draw_part, drawn_box, part_lines, require_drawable
 from orishell.workshop.layout import Layout, lay_out, usable_stock
 from orishell.workshop.palettes import Drawing
-from orishell.workshop.placing import Content, Placement, draw_stock_sheet
+from orishell.workshop.placing import Placement, draw_stock_sheets
 from orishell.workshop.settings import Workshop
-from orishell.workshop.title_block import program_and_palette, quoted_size
+from orishell.workshop.title_block import quoted_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,10 +51,6 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     to be cut; it is followed by a drawing for every sheet of stock, exactly of its size.
 
     Where panels are solid there is no sheet to be cut, and one drawing: the plan of assembly.
-
-    workshop: The stock, its margin, and how creases and joints are made.
-
-    Raises InputError if there is no flat sheet or no unit, or a panel does not fit the stock.
     """
     if not has_sheet(document):
         return (draw_plan(document, workshop),)
@@ -68,11 +60,16 @@ def draw_sheets(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
         return (draw_part(everything, part, workshop),)
     require_drawable(everything)
     layout = lay_out(document, workshop)
-    drawings = tuple(
-        _draw_sheet(everything, workshop, layout, number) for number in range(layout.sheets)
-    )
+    placed = []
+    for part, placement in _placed(layout):
+        lines, circles, texts = part_lines(everything, with_glue_areas(everything, part), workshop)
+        if part.number:
+            words = number_text(everything, part, texts)
+            texts += (replace(words, angle=-placement.angle),)
+        placed.append(((lines, circles, texts), placement))
+    drawings = draw_stock_sheets(placed, everything.title, document.unit, workshop)
     if len(layout.parts) == 1:
-        return drawings
+        return tuple(drawings)
     return (draw_map(document, layout.parts, layout.joints, workshop, layout.sheets), *drawings)
 
 
@@ -84,19 +81,24 @@ def draw_backs(document: Document, workshop: Workshop) -> tuple[Drawing, ...]:
     everything = replace(with_clipped(document), title=sheet_title(document))
     if everything.boards is None or not (everything.boards.sides < 0).any():
         return ()
+    title = f"{everything.title}, back"
     if workshop.stock is None:
         content = back_of(everything, whole_sheet(everything))
         facts = (
             f"Lower face, seen from below, {quoted_size(drawn_box(content)[1], document.unit)}",
             "Places of the lower boards; nothing is cut",
-            program_and_palette(workshop),
         )
-        title = f"{everything.title}, back"
         return (draw_page(content, title, document.unit, facts, workshop),)
     layout = lay_out(document, workshop)
-    return tuple(
-        _draw_back(everything, workshop, layout, number) for number in range(layout.sheets)
-    )
+    width, _ = usable_stock(workshop)
+    placed = [(back_of(everything, part), p.turned_over(width)) for part, p in _placed(layout)]
+    return tuple(draw_stock_sheets(placed, title, document.unit, workshop))
+
+
+def _placed(layout: Layout) -> Iterator[tuple[CutPart, Placement]]:
+    if layout.placements is None:
+        raise AssertionError("only stock is drawn sheet by sheet")
+    return zip(layout.parts, layout.placements, strict=True)
 
 
 def draw_sheet_files(
@@ -116,12 +118,7 @@ def draw_sheet_files(
 
 
 def measure_waste(document: Document, workshop: Workshop) -> Waste:
-    """How much stock the sheet needs and wastes, and the length of cuts and creases.
-
-    Of solid panels, of which no sheet is cut, how much they need.
-
-    Raises InputError if there is no flat sheet, or a panel does not fit the stock.
-    """
+    """How much stock the sheet, or else the solid panels, need and waste; cuts and creases."""
     everything = with_clipped(document)
     flat, edges = everything.require_flat(), everything.mesh.edges
     if has_sheet(document):
@@ -150,40 +147,3 @@ def measure_waste(document: Document, workshop: Workshop) -> Waste:
         cut_length=float(sum(np.hypot(*sides.T).sum() for sides in around)),
         crease_length=float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).sum()),
     )
-
-
-def _draw_sheet(document: Document, workshop: Workshop, layout: Layout, number: int) -> Drawing:
-    """One sheet of stock."""
-    placed: list[tuple[Content, Placement]] = []
-    for part, placement in _placed(layout):
-        if placement.sheet != number:
-            continue
-        lines, circles, texts = part_lines(document, with_glue_areas(document, part), workshop)
-        if part.number:
-            words = number_text(document, part, texts)
-            texts += (replace(words, angle=-placement.angle),)
-        placed.append(((lines, circles, texts), placement))
-    title = _numbered(document.title, layout, number)
-    return draw_stock_sheet(placed, title, document.unit, workshop)
-
-
-def _draw_back(document: Document, workshop: Workshop, layout: Layout, number: int) -> Drawing:
-    """The back of one sheet of stock, as it lies when the sheet is turned over."""
-    width, _ = usable_stock(workshop)
-    placed = [
-        (back_of(document, part), p.turned_over(width))
-        for part, p in _placed(layout)
-        if p.sheet == number
-    ]
-    title = _numbered(f"{document.title}, back", layout, number)
-    return draw_stock_sheet(placed, title, document.unit, workshop)
-
-
-def _placed(layout: Layout) -> Iterator[tuple[CutPart, Placement]]:
-    if layout.placements is None:
-        raise AssertionError("only stock is drawn sheet by sheet")
-    return zip(layout.parts, layout.placements, strict=True)
-
-
-def _numbered(title: str, layout: Layout, number: int) -> str:
-    return title + (f", sheet {number + 1} of {layout.sheets}" if layout.sheets > 1 else "")

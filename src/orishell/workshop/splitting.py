@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 from itertools import pairwise
 
 import numpy as np
@@ -14,19 +14,8 @@ from orishell.numerics.arrays import Integers
 from orishell.workshop.fitting import CutSheet, require_panels_fit
 
 
-def bisect_sheet(sheet: CutSheet, pieces: Integers) -> list[Integers]:
-    """Connected parts that fit the stock, made few by joining neighbours.
-
-    sheet: The sheet; every panel fits.
-    pieces: Number (F,) of the connected piece that a panel belongs to.
-
-    Returns parts: Numbers of the panels of every part, ascending.
-    """
-    return _join_pieces(sheet, _bisect(sheet, pieces))
-
-
 def _bisect(sheet: CutSheet, pieces: Integers) -> list[Integers]:
-    """Connected sets of panels that fit, by cuts across the longer side."""
+    """Connected sets of panels that fit, by cuts of pieces (F,) across their longer side."""
     todo = [np.flatnonzero(pieces == k) for k in range(int(pieces.max()) + 1)]
     done = []
     while todo:
@@ -105,36 +94,26 @@ def split_sheet(
     A grid is cut into bands along whole lines, rows or columns, and every band across, with the
     fewest parts that this allows, of areas as even as can be. Other sheets are cut in two
     across their longer side until the pieces fit, and pieces that fit together are joined.
-
-    stock_width, stock_height: What can be used of the sheets that are cut.
-    allowance: Width of the tabs along cut creases; 0 for none.
-
-    Returns parts: Numbers of the panels of every part, ascending; parts by their first panel.
-
-    Raises InputError if a panel does not fit, or if there is no flat sheet.
+    Cut creases have tabs of a width, ``allowance``. Panels of a part ascend, and so do parts by
+    their first panel.
     """
     sheet = CutSheet.of(document, stock_width, stock_height, allowance)
     require_panels_fit(document, sheet)
     if document.grid_shape is not None and not document.mesh.pieces.any():
         rows, columns = document.grid_shape
-        parts = _split_grid(sheet, rows - 1, columns - 1)
+        number = np.arange((rows - 1) * (columns - 1)).reshape(rows - 1, columns - 1)
+        parts = _split_bands(sheet, number, *_choose_lines(sheet, number))
     else:
-        parts = bisect_sheet(sheet, document.mesh.pieces)
+        parts = _join_pieces(sheet, _bisect(sheet, document.mesh.pieces))
     return tuple(sorted((np.sort(part) for part in parts), key=lambda part: int(part[0])))
-
-
-def _split_grid(sheet: CutSheet, rows: int, columns: int) -> list[Integers]:
-    """The better of bands of rows and bands of columns."""
-    number = np.arange(rows * columns).reshape(rows, columns)
-    found = _split_bands(sheet, number, *_choose_lines(sheet, number))
-    if found is None:
-        raise AssertionError("every panel fits, so there is a split into panels")
-    return found
 
 
 def _choose_lines(sheet: CutSheet, number: Integers) -> tuple[list[int], list[int]]:
     """Rows and columns along which to cut: evenly spread, then more until what is between fits."""
-    lines = [_spread(count) for count in number.shape]
+    lines = []
+    for count in number.shape:
+        parts = min(count, LINES)
+        lines.append(sorted({round(count * k / parts) for k in range(parts + 1)}))
     while True:
         more: tuple[set[int], set[int]] = set(), set()
         for i, k in pairwise(lines[0]):
@@ -147,22 +126,17 @@ def _choose_lines(sheet: CutSheet, number: Integers) -> tuple[list[int], list[in
         lines = [sorted({*old, *new}) for old, new in zip(lines, more, strict=True)]
 
 
-def _spread(count: int) -> list[int]:
-    parts = min(count, LINES)
-    return sorted({round(count * k / parts) for k in range(parts + 1)})
-
-
 def _split_bands(
     sheet: CutSheet, number: Integers, rows: list[int], columns: list[int]
-) -> list[Integers] | None:
-    """The fewest blocks that fit, from bands cut across; None if there are none."""
+) -> list[Integers]:
+    """The fewest blocks that fit, from bands of rows or of columns that are cut across."""
 
     def block(i: int, k: int, j: int, m: int) -> Integers:
-        return number[rows[i] : rows[k], columns[j] : columns[m]].ravel()
+        return number[rows[i] : rows[k], columns[j] : columns[m]]
 
     @cache
     def fits(i: int, k: int, j: int, m: int) -> bool:
-        panels = number[rows[i] : rows[k], columns[j] : columns[m]]
+        panels = block(i, k, j, m)
         rim = np.concatenate([panels[0], panels[-1], panels[:, 0], panels[:, -1]])
         return sheet.fits(panels.ravel(), rim)
 
@@ -184,8 +158,8 @@ def _split_bands(
     choices = [down, None if across is None else (across[0], [b[2:] + b[:2] for b in across[1]])]
     found = [choice for choice in choices if choice is not None]
     if not found:
-        return None
-    return [block(*b) for b in min(found, key=lambda choice: choice[0])[1]]
+        raise AssertionError("every panel fits, so there is a split into panels")
+    return [block(*b).ravel() for b in min(found, key=lambda choice: choice[0])[1]]
 
 
 def _cut_bands(
@@ -211,39 +185,35 @@ def _cut_bands(
                 if end == j:
                     break
 
-    def band(i: int, k: int) -> tuple[Cost, list[int]] | None:
-        return _cut_line(pieces, lambda j: int(reach[i, k, j]), lambda j, m: share(i, k, j, m))
+    def blocks_from(i: int, k: int, j: int) -> Iterator[tuple[int, Cost, list[Block]]]:
+        for m in range(j + 1, int(reach[i, k, j]) + 1):
+            yield m, (1, share(i, k, j, m) ** 2), [(i, k, j, m)]
 
-    best: list[tuple[Cost, list[Block]] | None] = [((0, 0.0), [])] + [None] * bands
-    for i in range(bands):
-        before = best[i]
-        if before is None:
-            continue
+    def bands_from(i: int) -> Iterator[tuple[int, Cost, list[Block]]]:
         for k in range(i + 1, bands + 1):
-            found = band(i, k)
+            found = _cheapest(pieces, partial(blocks_from, i, k))
             if found is None:
-                break
-            cost = (before[0][0] + found[0][0], before[0][1] + found[0][1])
-            now = best[k]
-            if now is None or cost < now[0]:
-                cuts = found[1]
-                blocks = [(i, k, j, m) for j, m in pairwise(cuts)]
-                best[k] = (cost, before[1] + blocks)
-    return best[bands]
+                return
+            yield k, *found
+
+    return _cheapest(bands, bands_from)
 
 
-def _cut_line(
-    count: int, reach: Callable[[int], int], share: Callable[[int, int], float]
-) -> tuple[Cost, list[int]] | None:
-    """Cut 0 ... ``count`` into the fewest pieces, of these the most even; None if impossible."""
-    best: list[tuple[Cost, list[int]] | None] = [((0, 0.0), [0])] + [None] * count
-    for j in range(count):
-        before = best[j]
+def _cheapest(
+    count: int, steps: Callable[[int], Iterator[tuple[int, Cost, list[Block]]]]
+) -> tuple[Cost, list[Block]] | None:
+    """The cheapest way from 0 to ``count`` by steps from each place; None if there is none.
+
+    A step is where it ends, what it costs (blocks, and how uneven they are) and its blocks.
+    """
+    best: list[tuple[Cost, list[Block]] | None] = [((0, 0.0), [])] + [None] * count
+    for begin in range(count):
+        before = best[begin]
         if before is None:
             continue
-        for m in range(j + 1, reach(j) + 1):
-            cost = (before[0][0] + 1, before[0][1] + share(j, m) ** 2)
-            now = best[m]
+        for end, added, blocks in steps(begin):
+            cost = (before[0][0] + added[0], before[0][1] + added[1])
+            now = best[end]
             if now is None or cost < now[0]:
-                best[m] = (cost, [*before[1], m])
+                best[end] = (cost, before[1] + blocks)
     return best[count]

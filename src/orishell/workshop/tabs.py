@@ -31,21 +31,18 @@ def choose_joint_width(document: Document, workshop: Workshop) -> float:
     """
     if workshop.joint_width != "auto":
         return workshop.joint_width
-    flat, mesh = document.require_flat(), document.mesh
-    ends = flat[mesh.edges[mesh.crease]]
-    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    mesh = document.mesh
+    length = document.edge_lengths()[mesh.crease]
     heights = document.areas()[mesh.edge_faces[mesh.crease]] / length[:, None]
     return AUTO_SHARE * float(np.median(heights)) if len(heights) else 0.0
 
 
 def tab_shapes(document: Document, width: float) -> Array:
-    """Tabs on both sides of every crease, where they lie in the flat sheet.
+    """Corners (E, 2, 4, 2) of tabs of a width, or less where a panel has no room for it.
 
-    width: Their width; less where a panel has no room for it.
-
-    Returns shapes: Corners (E, 2, 4, 2): for every edge, in the panel to its left and to its right
-        as ``edge_faces`` lists them, the two ends of the crease, then the far side, in the order of
-        the panel counter-clockwise. NaN at edges that are no creases.
+    For every edge, in the panel to its left and to its right as ``edge_faces`` lists them, the two
+    ends of the crease, then the far side, in the order of the panel counter-clockwise. NaN at edges
+    that are no creases.
     """
     flat, mesh = document.require_flat(), document.mesh
     shapes = np.full((len(mesh.edges), 2, 4, 2), np.nan)
@@ -85,8 +82,11 @@ def _panels_from(flat: Array, faces: Integers, edges: Integers) -> Array:
     return flat[np.take_along_axis(faces, turned, axis=-1)]
 
 
-def _slopes(corners: Array) -> tuple[Array, Array, Array, Array]:
-    """Unit vectors along and square to the first side, and how far both ends lean per height."""
+def _slopes(corners: Array) -> tuple[Array, Array, Array]:
+    """How both ends of a tab on the first side (..., 2) go, and how much shorter it gets (...).
+
+    All per height.
+    """
     run = corners[..., 1, :] - corners[..., 0, :]
     length = np.linalg.norm(run, axis=-1, keepdims=True)
     along = run / length
@@ -98,29 +98,26 @@ def _slopes(corners: Array) -> tuple[Array, Array, Array, Array]:
         sector = np.arctan2(_cross(p, q), (p * q).sum(axis=-1)) % (2 * np.pi)
         return np.asarray(1 / np.tan(np.minimum(SLANT, sector / 2)))
 
-    return along, square, lean(0, 3, 1), lean(1, 0, 2)
+    lean_a, lean_b = lean(0, 3, 1)[..., None], lean(1, 0, 2)[..., None]
+    closer = (lean_a + lean_b)[..., 0]
+    return square + lean_a * along, square - lean_b * along, closer
 
 
 def _tabs_of_height(corners: Array, height: Array) -> Array:
-    along, square, lean_a, lean_b = _slopes(corners)
+    way_a, way_b, _ = _slopes(corners)
     a, b, h = corners[..., 0, :], corners[..., 1, :], height[..., None]
-    far_a = a + h * (square + lean_a[..., None] * along)
-    far_b = b + h * (square - lean_b[..., None] * along)
-    return np.stack([a, b, far_b, far_a], axis=-2)
+    return np.stack([a, b, b + h * way_b, a + h * way_a], axis=-2)
 
 
 def _room(corners: Array) -> Array:
     """Largest height (...) of a tab: its far side stays long enough, and off the opposite side."""
-    along, square, lean_a, lean_b = _slopes(corners)
+    *ways, closer = _slopes(corners)
     length = np.linalg.norm(corners[..., 1, :] - corners[..., 0, :], axis=-1)
-    room = (1 - TOP_SHARE) * length / (lean_a + lean_b)
+    room = (1 - TOP_SHARE) * length / closer
     across = corners[..., 3, :] - corners[..., 2, :]
     inward = np.stack([-across[..., 1], across[..., 0]], axis=-1)
     inward /= np.linalg.norm(across, axis=-1, keepdims=True)
-    for end, way in (
-        (0, square + lean_a[..., None] * along),
-        (1, square - lean_b[..., None] * along),
-    ):
+    for end, way in enumerate(ways):
         distance = ((corners[..., end, :] - corners[..., 2, :]) * inward).sum(axis=-1)
         closing = 1 - (way * inward).sum(axis=-1)
         limit = np.where(closing > 0, distance / np.where(closing > 0, closing, 1), np.inf)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,12 +12,10 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
-from orishell.workshop.settings import Paper
+from orishell.workshop.settings import Auto, Paper
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
-
-Auto = Literal["auto"]
 
 PAPERS_MM: dict[Paper, tuple[float, float]] = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
 """Width and height of upright pages."""
@@ -36,37 +35,27 @@ LARGEST_MM = 1e14
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """One page of the model.
+    """One page of the model."""
 
-    row, column: Where it lies, from 1, the first row at the top.
-    left, bottom: Lower left corner of its frame on the model (mm on paper).
-    """
-
+    # where it lies, from 1, the first row at the top
     row: int
     column: int
+    # lower left corner of its frame on the model (mm on paper)
     left: float
     bottom: float
 
 
 @record
 class Tiling:
-    """The model on its pages; lengths in mm on paper, from the lower left corner of the model.
+    """The model on its pages; lengths in mm on paper, from the lower left corner of the model."""
 
-    scale: Size of the model relative to the sheet.
-    page_width, page_height: Size of the paper.
-    frame_width, frame_height: Part of the page that shows the model.
-    rows, columns: Of pages; those that would be empty are left out.
-    pages: Pages row by row.
-    """
-
-    scale: float
+    scale: float  # size of the model relative to the sheet
     page_width: float
     page_height: float
+    # the part of a page that shows the model
     frame_width: float
     frame_height: float
-    rows: int
-    columns: int
-    pages: tuple[Page, ...]
+    pages: tuple[Page, ...]  # row by row; those that would be empty are left out
 
     def marks(self, page: Page) -> Array:
         """Register marks (k, 2) of a page: the corners of what it shares with each neighbour."""
@@ -85,21 +74,14 @@ class Tiling:
             ]
         return np.array(sorted(set(found))).reshape(-1, 2)
 
-    def scale_words(self) -> str:
-        """The scale as it is spoken: "1:20"."""
-        if self.scale > 1:
-            return f"{self.scale:.6g}:1"
-        return f"1:{1 / self.scale:.6g}"
-
 
 def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -> Tiling:
     """Choose the scale and spread the model over pages, upright or lying, whichever needs fewer.
 
     outlines: Closed polylines (k, 2) around the sheet and its holes at its true size (mm), from (0,
         0).
-    scale: Size of the model relative to the sheet. "auto" takes the largest of 1:1, 1:2, 1:2.5,
-        1:5, 1:10, ... that takes no more than three pages either way.
-    paper: Size of the pages.
+    scale: "auto" takes the largest of 1:1, 1:2, 1:2.5, 1:5, 1:10, ... that takes no more than three
+        pages either way.
 
     Raises InputError if a given scale needs more than 400 pages, or the sheet is larger than all
     measure.
@@ -110,27 +92,25 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
             "the sheet is too large for a paper model", got=f"{plain(max(size), 3)} mm"
         )
     upright = PAPERS_MM[paper]
+    ways = upright, upright[::-1]
     if scale == "auto":
         tried = (1 / (10.0**power * step) for power in range(12) for step in (1, 2, 2.5, 5))
-        size_of = next(s for s in tried if any(_fits(size * s, page) for page in _ways(upright)))
+        size_of = next(
+            s for s in tried if any(max(_count(size * s, page)) <= LONGEST for page in ways)
+        )
     else:
         size_of = float(scale)
-    ways = _ways(upright)
-    counts = [_count(size * size_of, page) for page in ways]
-    if min(rows * columns for columns, rows in counts) > MOST:
+    fewest = min(math.prod(_count(size * size_of, page)) for page in ways)
+    if fewest > MOST:
         raise InputError(
             f"the paper model needs more than {MOST} pages",
             where="[workshop] paper_scale",
-            got=f"{size_of:g}, {min(rows * columns for columns, rows in counts)} pages",
+            got=f"{size_of:g}, {fewest} pages",
             expected='a smaller number, or "auto"',
         )
     shape = _shape(tuple(outline * size_of for outline in outlines))
     tilings = [_tile(size * size_of, shape, size_of, page) for page in ways]
     return min(tilings, key=lambda tiling: len(tiling.pages))
-
-
-def _ways(page: tuple[float, float]) -> tuple[tuple[float, float], tuple[float, float]]:
-    return page, (page[1], page[0])
 
 
 def _frame(page: tuple[float, float]) -> Array:
@@ -142,10 +122,6 @@ def _count(size: Array, page: tuple[float, float]) -> tuple[int, int]:
     counts = np.ceil((size - OVERLAP_MM) / (_frame(page) - OVERLAP_MM) - 1e-9)
     columns, rows = np.maximum(counts, 1).astype(int).tolist()
     return columns, rows
-
-
-def _fits(size: Array, page: tuple[float, float]) -> bool:
-    return max(_count(size, page)) <= LONGEST
 
 
 def _shape(outlines: tuple[Array, ...]) -> BaseGeometry:
@@ -172,4 +148,4 @@ def _tile(size: Array, shape: BaseGeometry, scale: float, page: tuple[float, flo
             if shapely.intersects(shape, box):
                 pages.append(Page(row + 1, column + 1, left, bottom))
     wide, high = frame.tolist()
-    return Tiling(scale, *page, wide, high, rows, columns, tuple(pages))
+    return Tiling(scale, *page, wide, high, tuple(pages))

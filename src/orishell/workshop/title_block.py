@@ -14,17 +14,15 @@ from orishell.conventions.quantities import MILLIMETRES
 from orishell.conventions.version import __version__
 from orishell.document import Document
 from orishell.numerics.arrays import Array
-from orishell.workshop.creases import CUTS_PER_PANEL, DASHES_PER_PANEL, mean_edge
+from orishell.workshop.creases import dash_length
 from orishell.workshop.cut_parts import CutPart
 from orishell.workshop.palettes import LAYERS, Anchor, Drawing, Layer, Line, Palette, Text
 from orishell.workshop.settings import Workshop
 
 SMALLEST_MM = 2.0
 """Height of the smallest letters (mm)."""
-
 LETTERS = 130
 """Heights of letters that make up the width of a wide sheet."""
-
 TITLE, SCALE, LEGEND = 50.0, 30.0, 36.0
 """Least widths of the three cells, in letters."""
 
@@ -42,14 +40,10 @@ def letter_height(width: float, unit: str) -> float:
 def draw_title_block(
     facts: Sequence[str], palette: Palette, *, drawn: Drawing, letter: float
 ) -> Drawing:
-    """The title block, with its lower left corner at (0, 0).
+    """The title block of what is drawn, with its lower left corner at (0, 0).
 
-    Its cells stand side by side where the sheet is wide enough, otherwise the title above.
-
-    facts: What is said below the title, line by line.
-    palette: What the legend explains.
-    drawn: The lines and holes, its size and its title.
-    letter: Height of letters.
+    Its cells stand side by side where the sheet is wide enough, otherwise the title above. Below
+    the title it says ``facts``, line by line.
     """
     rows = _legend_rows(drawn, palette)
     high = 2 * _PADDING + len(rows) * _ROW - 1.0
@@ -64,19 +58,13 @@ def draw_title_block(
     scale = _Cell(letter, first.width % width, 0.0, left - first.width % width, high)
     cells = [first, scale, _Cell(letter, left, 0.0, LEGEND, high)]
     for cell in cells:
-        cell.frame()
+        cell.box(0.0, 0.0, cell.width, cell.height)
     _title(cells[0], drawn.title, facts)
     _scale(cells[1], drawn.unit)
     _legend(cells[2], rows)
-    return Drawing(
-        drawn.title,
-        drawn.unit,
-        width * letter,
-        top * letter,
-        tuple(line for cell in cells for line in cell.lines),
-        (),
-        tuple(text for cell in cells for text in cell.texts),
-    )
+    lines = tuple(line for cell in cells for line in cell.lines)
+    texts = tuple(text for cell in cells for text in cell.texts)
+    return Drawing(drawn.title, drawn.unit, width * letter, top * letter, lines, (), texts)
 
 
 def round_length(most: float) -> float:
@@ -101,9 +89,6 @@ class _Cell:
     def line(self, *points: tuple[float, float], closed: bool = False) -> None:
         placed = self.letter * (np.array(points) + np.array([self.x, self.y]))
         self.lines.append(Line("LABEL", placed, closed))
-
-    def frame(self) -> None:
-        self.box(0.0, 0.0, self.width, self.height)
 
     def box(self, x: float, y: float, width: float, height: float) -> None:
         right, top = x + width, y + height
@@ -147,14 +132,11 @@ def _scale(cell: _Cell, unit: str) -> None:
 
 def _legend(cell: _Cell, rows: list[tuple[str, str, str]]) -> None:
     right = cell.width - _PADDING
-    columns: tuple[tuple[float, Anchor], ...] = (
-        (_PADDING, "start"),
-        (_PADDING + 10.5, "start"),
-        (right, "end"),
-    )
+    places = _PADDING, _PADDING + 10.5, right
+    anchors: tuple[Anchor, ...] = ("start", "start", "end")
     for number, row in enumerate(rows):
         y = cell.height - _PADDING - 0.5 - number * _ROW
-        for (x, anchor), words in zip(columns, row, strict=True):
+        for x, anchor, words in zip(places, anchors, row, strict=True):
             cell.write(x, y, words, anchor=anchor)
 
 
@@ -164,40 +146,30 @@ def _legend_rows(drawn: Drawing, palette: Palette) -> list[tuple[str, str, str]]
     for layer in LAYERS:
         pen = palette.pens.get(layer)
         length = _quoted(_drawn_length(drawn, layer), drawn.unit)
-        rows.append(
-            (
-                layer,
-                pen.colour if pen else "left out",
-                "not on the work" if layer == "LABEL" else length,
-            )
-        )
+        where = "not on the work" if layer == "LABEL" else length
+        rows.append((layer, pen.colour if pen else "left out", where))
     return rows
 
 
 def _drawn_length(drawn: Drawing, layer: Layer) -> float:
-    total = sum(2 * math.pi * circle.radius for circle in drawn.circles if circle.layer == layer)
-    for line in drawn.lines:
-        if line.layer == layer:
-            points = np.concatenate([line.points, line.points[: int(line.closed)]])
-            total += float(np.hypot(*np.diff(points, axis=0).T).sum())
+    _, circles, lines = drawn.of_layer(layer)
+    total = sum(2 * math.pi * circle.radius for circle in circles)
+    for line in lines:
+        points = np.concatenate([line.points, line.points[: int(line.closed)]])
+        total += float(np.hypot(*np.diff(points, axis=0).T).sum())
     return total
 
 
 def sheet_facts(
     document: Document, part: CutPart, size: Array, workshop: Workshop
 ) -> tuple[str, ...]:
-    """What the title block says of a part of the sheet.
-
-    size: Width and height (2,) of what is drawn.
-    """
+    """What the title block says of a part of the sheet, drawn in a size (2,)."""
     folding = sum(document.assignment[edge] in "MV" for edge in part.creases.tolist())
-    made = {
-        "score": "scored",
-        "dashes": f"cut in dashes of {_dash(document, workshop, DASHES_PER_PANEL)}",
-        "perforation": f"perforated every {_dash(document, workshop, CUTS_PER_PANEL)}",
-    }[workshop.creases]
+    made = "scored"
     if workshop.creases != "score":
-        made += f", {workshop.duty:.0%} cut"
+        how = {"dashes": "cut in dashes of", "perforation": "perforated every"}[workshop.creases]
+        dash = f"{dash_length(document, workshop):.3g} {document.unit}"
+        made = f"{how} {dash}, {workshop.duty:.0%} cut"
     if workshop.relief_hole:
         made += f"; holes of {workshop.relief_hole:g} {document.unit}"
     return (
@@ -205,7 +177,6 @@ def sheet_facts(
         f"{quoted_size(size, document.unit)}",
         f"Creases {made}",
         "Mountains rise towards this side of the sheet",
-        program_and_palette(workshop),
     )
 
 
@@ -217,11 +188,6 @@ def quoted_size(size: Array, unit: str) -> str:
 def program_and_palette(workshop: Workshop) -> str:
     """By what a drawing was made, and for which machine."""
     return f"orishell {__version__}, palette {printable(Path(workshop.palette).stem)}"
-
-
-def _dash(document: Document, workshop: Workshop, per_panel: int) -> str:
-    dash = mean_edge(document) / per_panel if workshop.dash == "auto" else workshop.dash
-    return f"{dash:.3g} {document.unit}"
 
 
 def _decimal(length: float, unit: str) -> str:

@@ -11,7 +11,6 @@ from orishell.families.longitudinal_linear_repeating import (
 )
 from orishell.families.longitudinal_linear_repeating.sheet import (
     require_size,
-    sheet_exists,
     with_fitting_border,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
@@ -22,12 +21,13 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
     LARGEST_RATIO,
-    InnerLengths,
+    Wanted,
     advance_range,
     find_even_lengths,
     largest_square,
+    sheet_exists,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 
 SOLUTION = find_solutions(Sectors.from_degrees([85, 80, 95, 100]))[0]
 

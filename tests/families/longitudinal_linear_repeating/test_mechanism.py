@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mechanisms import PAPER, SINE, longitudinal
-from orishell.families.longitudinal_linear_repeating.motion.measures import departures_from_plane
+from orishell.families.longitudinal_linear_repeating.placement import departures_from_plane
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     sector_table,
 )

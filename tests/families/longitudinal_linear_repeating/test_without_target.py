@@ -76,11 +76,11 @@ def test_the_last_frame_is_where_panels_first_touch() -> None:
     assert found.first_contact is not None
     ended, lock = end_motion(made)
     assert not lock.early
-    assert lock.target == ended.mechanism.target_drive == found.first_contact.clear_until
-    step = found.first_contact.drive - lock.target
+    assert lock.target_drive == ended.mechanism.target_drive == found.first_contact.clear_until
+    step = found.first_contact.drive - lock.target_drive
     assert 0 < step < 1e-9
-    assert (lock.proof, lock.first_contact) == (found.proof, found.first_contact)
-    assert ended.parameters["stage_deg"] == pytest.approx(np.rad2deg(lock.target), abs=1e-9)
+    assert (lock.path, lock.first_contact) == (found.path, found.first_contact)
+    assert ended.parameters["stage_deg"] == pytest.approx(np.rad2deg(lock.target_drive), abs=1e-9)
     require_rigid(ended)
 
 
@@ -152,7 +152,7 @@ def test_a_given_stage() -> None:
     assert ended is made
     assert made.parameters["stage_deg"] == 5
     assert lock.drive is not None
-    assert lock.drive > lock.target == made.mechanism.target_drive
+    assert lock.drive > lock.target_drive == made.mechanism.target_drive
 
 
 def test_panels_that_meet_before_a_given_stage() -> None:
@@ -247,7 +247,7 @@ def test_a_small_stage_takes_no_more_states_to_examine() -> None:
     sectors = Sectors.from_degrees([93.05, 93.24, 90.47, 92.92])
     for stage in (1e-4, 1e-1):
         asked = {"rows": 3, "columns": 5, "sectors": sectors, "first_row": "S"}
-        proof = find_lock(design(row_lengths=lengths, stage=stage, **asked)).proof
+        proof = find_lock(design(row_lengths=lengths, stage=stage, **asked)).path
         assert proof is not None
         assert proof.states < 100
 

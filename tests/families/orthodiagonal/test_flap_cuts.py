@@ -78,7 +78,7 @@ def test_cut_flaps_are_rigid_and_lock() -> None:
     assert assignment.maekawa
     lock = find_lock(design)
     assert lock.cause == "flaps"
-    assert lock.proof is not None
+    assert lock.path is not None
 
 
 @pytest.mark.parametrize("flap", [0.3, 0.6, 2.0])

@@ -77,7 +77,7 @@ def test_f_that_turns_too_much() -> None:
 def test_bend_tighter_than_the_reach_of_f() -> None:
     what = request(g=graph("exp(-(x-10)**2)", 0, 20), columns=99)
     error = what.refusal()
-    assert "bends more sharply" in error.condition
+    assert "into a bend of g" in error.condition
     assert re.search(r"at row (0|10) between columns \d+ and \d+", error.place)
     # The largest scale of f works, and 1 % more does not; so does the smallest of g.
     remedies = list(error.candidates)

@@ -8,8 +8,7 @@ from pathlib import Path
 
 from documents import FAMILIES, demo_document, loaded_document, thick_document
 from orishell.io import Settings
-from orishell.io.all_formats import find_formats
-from orishell.io.registry import ALL
+from orishell.io.formats import ALL, find_formats
 from orishell.workshop import Workshop
 
 TESTS = Path(__file__).parents[2]

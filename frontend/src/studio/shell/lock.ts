@@ -2,7 +2,7 @@
 
 import { isEarly } from "../../shared/view.ts";
 import { pretty } from "../parts/numbers.ts";
-import type { LockReport, Report } from "../state/types.ts";
+import type { Lock, Report } from "../state/types.ts";
 
 export type Tone = "quiet" | "good" | "bad";
 
@@ -25,7 +25,7 @@ export function wordsOfLock(report: Pick<Report, "lock" | "deployment"> | null):
   return [`${againstClosing(lock, deployment)}: nothing touches on the way, proved.${opening}`, "good"];
 }
 
-function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }: Report["deployment"]): string {
+function againstClosing(lock: Lock, { closing, start, end_drive_deg: end }: Report["deployment"]): string {
   const on =
     lock.cause === "clash"
       ? `closes until panels meet at ${pretty(end, 4)}°`
@@ -50,6 +50,6 @@ function againstClosing(lock: LockReport, { closing, start, end_drive_deg: end }
 }
 
 /** What ends the motion at the target, flaps or not. */
-function besides({ cause }: LockReport): string {
+function besides({ cause }: Lock): string {
   return cause === "boards" ? ", and by the thickness of its boards" : "";
 }

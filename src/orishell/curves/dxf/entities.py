@@ -29,30 +29,22 @@ SPLINE_FRAME = 16
 
 @record
 class Drawn:
-    """The pieces that an entity draws, and at what heights.
-
-    pieces: Its pieces.
-    z: Heights of its points (k,).
-    name: What messages call it.
-    choices: What may be written in the design file to choose it, or all on its layer.
-    """
+    """The pieces that an entity draws, and at what heights."""
 
     pieces: list[Piece]
-    z: Array
-    name: str
+    z: Array  # heights of its points (k,)
+    name: str  # as messages call it
+    # lines of the design file that choose it, or everything on its layer
     choices: tuple[str, ...] = ()
 
     @property
     def reach(self) -> float:
         """Its largest coordinate."""
-        return max(float(np.abs(self.z).max(initial=0.0)), _reach(self.pieces))
+        return max([float(np.abs(self.z).max(initial=0.0)), *(each.reach for each in self.pieces)])
 
 
 def draw_entity(entity: DXFEntity) -> Drawn:
-    """The pieces of an entity of one of the :data:`CURVE_TYPES`.
-
-    Raises InputError if it leaves the planes of constant z, or is no curve.
-    """
+    """The pieces of an entity of one of the :data:`CURVE_TYPES`, in a plane of constant z."""
     name = name_of(entity)
     kind = entity.dxftype()
     try:
@@ -175,10 +167,6 @@ def _upwards(entity: Any) -> int:
             expected="(0, 0, 1) or (0, 0, -1)",
         )
     return 1 if z > 0 else -1
-
-
-def _reach(pieces: Sequence[Piece]) -> float:
-    return max((piece.reach for piece in pieces), default=0.0)
 
 
 _DRAWINGS: Final = {

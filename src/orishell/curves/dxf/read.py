@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -94,16 +95,16 @@ def read_dxf(
         _require_one_plane(drawn)
         pieces = [piece for each in drawn for piece in each.pieces]
         try:
-            chain = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
+            joined = join_pieces(pieces, lambda point: f"({point[0]:.6g}, {point[1]:.6g}) {name}")
         except CurveError as error:
             raise _naming(error, drawn) from None
     except InputError as error:
         raise error.located(f"{path}{choice}:") from None
-    return chain.scaled(1.0 if name == into else size / MILLIMETRES[into])
+    return joined.scaled(1.0 if name == into else size / MILLIMETRES[into])
 
 
 def _naming(error: CurveError, drawn: list[Drawn]) -> CurveError:
-    """The error about all pieces, with the entities they are of and what there is to choose."""
+    """The error about all pieces, with their entities and what there is to choose."""
     together: dict[str, list[Piece]] = {}
     for each in drawn:
         for choice in each.choices:
@@ -118,7 +119,7 @@ def _naming(error: CurveError, drawn: list[Drawn]) -> CurveError:
 
 
 def _require_end(content: bytes) -> None:
-    """Refuse a file that is cut off, of which ezdxf might read the first half."""
+    """Refuse a file that is cut off: ezdxf might read its first half."""
     if content.startswith(b"AC10"):
         raise InputError("this is DWG, not DXF", remedy="save it as DXF in the CAD program")
     if not content.rstrip(b"\0\x1a \t\r\n").endswith(b"EOF"):
@@ -212,21 +213,19 @@ def _exploded(
                 )
             if entity.mcount > MAX_PIECES:
                 raise InputError("a block is inserted too often", got=name_of(entity))
-            for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
-                inner = _exploded(insert.virtual_entities(), on, depth + 1)
-                for found in inner:
-                    count += 1
-                    _require_few(count)
-                    yield found
+            inserts = entity.multi_insert() if entity.mcount > 1 else [entity]
+            found: Iterator[tuple[DXFEntity, str]] = chain.from_iterable(
+                _exploded(insert.virtual_entities(), on, depth + 1) for insert in inserts
+            )
         else:
+            found = iter([(entity, on)])
+        for each in found:
             count += 1
-            _require_few(count)
-            yield entity, on
-
-
-def _require_few(count: int) -> None:
-    if count > MAX_PIECES:
-        raise InputError("the drawing has too many entities", expected=f"at most {MAX_PIECES}")
+            if count > MAX_PIECES:
+                raise InputError(
+                    "the drawing has too many entities", expected=f"at most {MAX_PIECES}"
+                )
+            yield each
 
 
 def _require_one_plane(drawn: list[Drawn]) -> None:

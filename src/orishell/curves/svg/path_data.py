@@ -9,7 +9,7 @@ import numpy as np
 
 from orishell.conventions.errors import CurveError, InputError
 from orishell.curves.joining import Chain, require_pieces
-from orishell.curves.pieces import MAX_PIECES, Arc, Bezier, Piece, bezier
+from orishell.curves.pieces import MAX_PIECES, Arc, Piece, bezier
 from orishell.curves.svg.tree import VALUE
 from orishell.numerics.arrays import Array
 
@@ -34,10 +34,7 @@ _DECIMAL_COMMA = re.compile(r"\d,\d")
 
 
 def parse_path(data: str) -> list[Piece]:
-    """The pieces of a path, in user units.
-
-    Raises InputError: Where the text is no path, with the place.
-    """
+    """The pieces of a path, in user units."""
     return _Pen(data).draw()
 
 
@@ -64,14 +61,13 @@ def parse_curve(data: str) -> Chain:
         pieces = pen.draw()
     require_pieces(pieces)
     ends = np.array(pen.ends)
-    kept = [k for k, piece in enumerate(pieces) if not _is_point(piece)]
+    kept = [
+        k for k, piece in enumerate(pieces)
+        if isinstance(piece, Arc) or np.ptp(piece.control[:, :2], axis=0).any()
+    ]  # fmt: skip
     if not kept:
         raise CurveError("the path is a single point", got=repr(data[:40]))
     return Chain(tuple(pieces[k] for k in kept), ends[[0, *(k + 1 for k in kept)]])
-
-
-def _is_point(piece: Piece) -> bool:
-    return isinstance(piece, Bezier) and not np.ptp(piece.control[:, :2], axis=0).any()
 
 
 def elliptical_arc(
@@ -114,15 +110,13 @@ class _Pen:
         self.data = "" if data.strip() == "none" else data.rstrip()
         self.name = name
         self.single = single
-        self.place = self.begun = 0
-        """Where it reads, and where the command begins that it draws."""
+        self.place = self.begun = 0  # where it reads, and where the command it draws begins
         self.pieces: list[Piece] = []
-        self.ends: list[Array] = []
-        """Where the pen stood first, and after each piece."""
+        self.ends: list[Array] = []  # where the pen stood first, and after each piece
         self.here = np.zeros(2)
         self.begin = np.zeros(2)
+        # the last control point and the kind of curve that it belongs to, "C" or "Q"
         self.handle: tuple[str, Array] | None = None
-        """The last control point and the kind of curve that it belongs to: "C" or "Q"."""
 
     def draw(self) -> list[Piece]:
         first = True
@@ -148,7 +142,7 @@ class _Pen:
         while not again or VALUE.match(self.data, self.place):
             numbers = self.numbers(kind)
             if kind == "M":
-                self.here = self.point(numbers, letter.islower())
+                self.here = np.array(numbers) + (self.here if letter.islower() else 0.0)
                 self.handle = None
                 if not again:
                     self.begin = self.here
@@ -192,9 +186,6 @@ class _Pen:
         self.ends.append(end)
         self.here = end
         self.handle = None
-
-    def point(self, numbers: list[float], relative: bool) -> Array:
-        return np.array(numbers) + (self.here if relative else 0.0)
 
     def numbers(self, kind: str) -> list[float]:
         values = []

@@ -92,8 +92,8 @@ class _Reader:
         self.chosen = chosen
         self.by_id: dict[str, Element] = {}
         self.pieces: list[Piece] = []
+        # what messages call each element that draws, and which pieces belong to it
         self.drawn: list[tuple[str, slice]] = []
-        """What messages call each element that draws, and which of the pieces are its."""
         self.visited = 0
         stack = [root]
         while stack:
@@ -111,7 +111,9 @@ class _Reader:
         except InputError as error:
             raise error.located("<svg>") from None
         context = _Context(*page, self.chosen is None)
-        self._children(self.root, self._inside(self.root, context))
+        context = self._inside(self.root, context)
+        for child in self.root.children:
+            self._element(child, context)
         return [piece.transformed(UPWARDS) for piece in self.pieces]
 
     def naming(self, error: CurveError) -> CurveError:
@@ -134,10 +136,6 @@ class _Reader:
         hidden = context.hidden or element.style("display") == "none"
         return replace(context, hidden=hidden or visibility in {"hidden", "collapse"})
 
-    def _children(self, element: Element, context: _Context) -> None:
-        for child in element.children:
-            self._element(child, context)
-
     def _element(self, element: Element, context: _Context) -> None:
         self.visited += 1
         if self.visited > MAX_ELEMENTS:
@@ -159,7 +157,8 @@ class _Reader:
             if inside.wanted and not inside.hidden:
                 self._use(element, inside)
         else:
-            self._children(element, inside)
+            for child in element.children:
+                self._element(child, inside)
 
     def _placed(self, element: Element, context: _Context) -> _Context:
         """The context inside an element that moves or scales its content."""

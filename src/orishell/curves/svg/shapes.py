@@ -14,10 +14,7 @@ from orishell.curves.svg.tree import Element, View, parse_length, parse_numbers
 
 
 def draw_shape(element: Element, view: View) -> list[Piece]:
-    """The pieces of a shape; none for an element that is no shape.
-
-    Raises InputError: Where one of its attributes cannot be read, naming it.
-    """
+    """The pieces of a shape; none for an element that is no shape."""
     drawing = SHAPES.get(element.tag)
     return [] if drawing is None else drawing(element, view)
 
@@ -28,10 +25,6 @@ def length_of(element: Element, name: str, view: View, axis: str = "", default: 
         return parse_length(element.attributes.get(name) or default, view.along(axis))
     except InputError as error:
         raise error.located(name) from None
-
-
-def _path(element: Element, _: View) -> list[Piece]:
-    return parse_path(element.attributes.get("d", ""))
 
 
 def _line(element: Element, view: View) -> list[Piece]:
@@ -95,7 +88,7 @@ def _ellipse(element: Element, view: View) -> list[Piece]:
 
 
 SHAPES: Final[dict[str, Callable[[Element, View], list[Piece]]]] = {
-    "path": _path,
+    "path": lambda element, _: parse_path(element.attributes.get("d", "")),
     "line": _line,
     "polyline": lambda element, _: _points(element, closed=False),
     "polygon": lambda element, _: _points(element, closed=True),

@@ -19,28 +19,13 @@ from orishell.curves.files import read_source
 from orishell.curves.pieces import Affine
 
 NUMBER: Final = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-PIXELS: Final = {
-    "": 1.0,
-    "px": 1.0,
-    "in": 96.0,
-    "cm": 96 / 2.54,
-    "mm": 96 / 25.4,
-    "q": 96 / 101.6,
-    "pt": 96 / 72,
-    "pc": 16.0,
-}
+PER_INCH: Final = {
+    "": 96, "px": 96, "in": 1, "cm": 2.54, "mm": 25.4, "q": 101.6, "pt": 72, "pc": 6,
+}  # fmt: skip
+PIXELS: Final = {unit: 96 / count for unit, count in PER_INCH.items()}
 """User units in each unit of length: CSS has 96 pixels in an inch."""
-PIXEL_MM: Final = 25.4 / 96
-MILLIMETRES: Final = {
-    "": PIXEL_MM,
-    "px": PIXEL_MM,
-    "in": 25.4,
-    "cm": 10.0,
-    "mm": 1.0,
-    "q": 0.25,
-    "pt": 25.4 / 72,
-    "pc": 25.4 / 6,
-}
+MILLIMETRES: Final = {unit: 25.4 / count for unit, count in PER_INCH.items()}
+PIXEL_MM: Final = MILLIMETRES["px"]
 
 IDENTITY: Final = Affine(np.eye(2), np.zeros(2))
 
@@ -130,20 +115,16 @@ def _step(name: str, numbers: list[float]) -> Affine:
         case "scale", [x, *rest]:
             return Affine.of(x, 0, 0, rest[0] if rest else x, 0, 0)
         case "rotate", [degrees, *centre]:
-            cos, sin = _cos_sin(degrees)
+            quarters = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
+            angle = np.deg2rad(degrees)
+            exact = quarters[int(degrees / 90 % 4)] if degrees % 90 == 0 else None
+            cos, sin = exact or (float(np.cos(angle)), float(np.sin(angle)))
             x, y = centre or (0.0, 0.0)
             return Affine.of(cos, sin, -sin, cos, x - cos * x + sin * y, y - sin * x - cos * y)
         case "skewX", [degrees]:
             return Affine.of(1, 0, float(np.tan(np.deg2rad(degrees))), 1, 0, 0)
         case _:
             return Affine.of(1, float(np.tan(np.deg2rad(numbers[0]))), 0, 1, 0, 0)
-
-
-def _cos_sin(degrees: float) -> tuple[float, float]:
-    """Cosine and sine, exact for quarter turns."""
-    if degrees % 90 == 0:
-        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(degrees / 90 % 4)]
-    return float(np.cos(np.deg2rad(degrees))), float(np.sin(np.deg2rad(degrees)))
 
 
 def parse_view_box(text: str) -> tuple[float, float, float, float] | None:
@@ -188,14 +169,10 @@ XLINK = "http://www.w3.org/1999/xlink"
 
 @dataclass(slots=True, eq=False)
 class Element:
-    """An element.
+    """An element."""
 
-    tag: Its name; empty if it is not of SVG's namespace.
-    attributes: Attributes without a namespace, and ``xlink:href`` as ``href`` if there is no other.
-    children: The elements inside.
-    """
-
-    tag: str
+    tag: str  # empty if it is not of SVG's namespace
+    # those without a namespace, and ``xlink:href`` as ``href`` if there is no other
     attributes: dict[str, str]
     children: list[Element] = field(default_factory=list)
 
@@ -209,10 +186,7 @@ class Element:
 
 
 def read_tree(path: Path) -> Element:
-    """Read an SVG file's outermost element.
-
-    Raises InputError if the file is missing, too large, not XML, not SVG, or declares entities.
-    """
+    """An SVG file's outermost element."""
     from xml.parsers import expat
 
     content = read_source(path, "SVG file")

@@ -16,21 +16,21 @@ from orishell.numerics.arrays import Array
 DIGITS = 13
 """Decimal places of coordinates relative to the size of the drawing: rounding, and no more."""
 CLOSE = 1e-4
-"""How far pieces that SVG does not have may be off, relative to the size of the drawing."""
+"""Error of pieces that SVG does not have, relative to the size of the drawing."""
 MOST_HALVINGS = 8
 SAMPLES = np.linspace(0, 1, 33)
 ANGLE_PLACES = 12
 HALF = 1e-9
-"""An arc that turns by so little more or less than 180 degrees turns by 180 (radians)."""
+"""An arc that turns by 180 degrees to within this turns by 180 (radians)."""
 LARGEST_ARC = 0.99 * 2 * np.pi
 """Longer arcs are written as two: the ends of a full turn do not say where it goes."""
 
 
 def curve_data(chain: Chain) -> tuple[str, float]:
-    """Path data of a drawing, and how far from it they are: 0 if it is exact.
+    """Path data of a drawing, and how far they are from it: 0 if they are exact.
 
     Straight lines, Bezier curves of degree 2 and 3, elliptical arcs, and rational Bezier curves
-    that are such arcs, stay what they are. What else there is becomes Bezier curves of degree 3.
+    that are such arcs, stay what they are. All others become Bezier curves of degree 3.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def curve_data(chain: Chain) -> tuple[str, float]:
     for piece, start, end in zip(chain.pieces, joints[:-1], joints[1:], strict=True):
         simple, off = _simplified(piece, CLOSE * size)
         farthest = max(farthest, off)
-        ends = [start, *(_end(each) for each in simple[:-1]), end]
+        ends = [start, *PieceArrays.of(simple).at(1.0)[:-1], end]
         for each, (here, there) in zip(simple, pairwise(ends), strict=True):
             words.append(_command(each, here, there, places))
     return " ".join(words), farthest
@@ -108,10 +108,6 @@ def _cubics(piece: Bezier, tolerance: float) -> Iterator[tuple[Bezier, float]]:
         else:
             middle = 0.5 * (low + high)
             todo += [(middle, high, halvings + 1), (low, middle, halvings + 1)]
-
-
-def _end(piece: Piece) -> Array:
-    return np.asarray(PieceArrays.of([piece]).at(1.0)[0])
 
 
 def _command(piece: Piece, start: Array, end: Array, places: int) -> str:

@@ -14,11 +14,8 @@ from orishell.families.longitudinal_linear_repeating.equation.solutions import (
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
+from orishell.families.longitudinal_linear_repeating.solve import SEARCHED, describe_solutions
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
-from orishell.families.longitudinal_linear_repeating.variants import (
-    SEARCHED,
-    describe_solutions,
-)
 
 __all__ = [
     "SEARCHED",

@@ -20,19 +20,14 @@ from orishell.curves import Curve, trace_curve
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
-    choose_auto,
-    choose_solution,
+    choose_sheet,
 )
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
 from orishell.families.longitudinal_linear_repeating.placement import place
-from orishell.families.longitudinal_linear_repeating.request import Periodic, SheetRequest
-from orishell.families.longitudinal_linear_repeating.sheet import (
-    require_flat_sheet,
-    with_fitting_border,
-)
+from orishell.families.longitudinal_linear_repeating.sheet import Periodic, SheetRequest
 from orishell.families.longitudinal_linear_repeating.target import Line, Profile
 from orishell.families.longitudinal_linear_repeating.target_state import (
     TargetState,
@@ -41,19 +36,17 @@ from orishell.families.longitudinal_linear_repeating.target_state import (
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Columns,
     Coupling,
-    Directions,
     RowKind,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
-    InnerLengths,
+    Wanted,
     advance_range,
     find_even_lengths,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import InnerLengths
 from orishell.families.longitudinal_linear_repeating.without_target import design_without_target
 from orishell.families.pattern import Auto, ColumnCount, Length, Limits, RowCount, in_radians
-from orishell.families.shared.candidates import fewer, sizes
-from orishell.motion import require_resolution
+from orishell.families.shared.candidates import sizes, smaller
 from orishell.numerics.bisection import bisect
 
 STAGE: Final[Limits] = {"gt": 0, "le": 180}
@@ -63,12 +56,7 @@ SolutionNumber = Annotated[int, Field(ge=0)]
 
 
 def require_entries(asked: Any) -> None:
-    """Refuse lists that are not as long as the sheet needs.
-
-    asked: RowCount, columns, couplings and lengths: the table [pattern], or a function's arguments.
-
-    Raises PydanticCustomError: Naming the first list that does not fit.
-    """
+    """Refuse lists that are not as long as the sheet needs, in [pattern] or among arguments."""
     for key, count in (
         ("row_lengths", asked.columns - 1),
         ("column_lengths", asked.rows + 1),
@@ -177,19 +165,11 @@ def design_longitudinal_linear_repeating(
         )
     f_trace, g_trace = trace_curve(f, "f").in_own_frame(), trace_curve(g, "g").in_own_frame()
     target = _Target(Profile.of(f_trace), Line.along(g_trace), request)
-    if sectors == "auto":
-        chosen, made = choose_auto(target.build, lambda made: made[1].lengths.inner_ratio)
-    else:
-        chosen = choose_solution(sectors, solution)
-        made = target.build(chosen)
-    found, mechanism = made
-    return place(
-        mechanism,
-        target.profile,
-        target.line,
-        found,
-        lambda placed: request.describe(chosen, placed),
+    chosen, (state, mechanism) = choose_sheet(
+        sectors, solution, target.build, lambda made: made[1].lengths.inner_ratio
     )
+    described = request.describe(chosen, mechanism)
+    return place(mechanism, target.profile, target.line, state, described)
 
 
 @record
@@ -205,8 +185,8 @@ class _Target:
         request = self.request
         if solution.version == "sine":
             raise DesignError(
-                "a solution of (4) in its sine version folds its S rows to alternate sides, so "
-                "that no column follows a convex curve",
+                "a solution of (4) in the sine version folds S rows to alternate sides, so no "
+                "column follows a convex curve",
                 candidates=[Remedy({"pattern.solution": 0}), AUTO_SECTORS],
             )
         columns = request.coupled(solution)
@@ -220,32 +200,20 @@ class _Target:
                 lengths=request.column_lengths,
             )
             inner = self._lengths(columns, state)
-        mechanism = with_fitting_border(
-            columns,
-            request.first_row,
-            inner,
-            (float(state.lengths[0]), float(state.lengths[-1])),
-            request.flap,
-            side=state.side,
-        )
-        require_flat_sheet(mechanism)
-        require_resolution(
-            mechanism, chain(fewer("rows", request.rows), fewer("columns", request.columns))
-        )
-        return state, mechanism
+        sheet = request.completed(columns, inner, state.ends, side=state.side)
+        return state, replace(sheet, stop=state.drive)
 
     def _lengths(self, columns: Columns, state: TargetState) -> InnerLengths:
         """Lengths of the inner creases: column 1 follows f, the middle row is as long as g."""
         request = self.request
-        directions = Directions.of(columns, request.rows, request.first_row)
+        directions = request.directions(columns)
         row, column = request.row_lengths, state.lengths[1:-1]
         weights = state.section.advance
         if request.rows == 1:
             row = np.ones(request.columns - 1) if row is None else row
             scale = self.line.length / float(weights @ row)
             return InnerLengths.marched(directions, scale * row, column)
-        ends = (float(state.lengths[0]), float(state.lengths[-1]))
-        free = Wanted(row=row, column=column, ends=ends)
+        free = Wanted(row=row, column=column, ends=state.ends)
         found = find_even_lengths(directions, replace(free, advance=(weights, self.line.length)))
         if found is not None:
             return found
@@ -256,9 +224,7 @@ class _Target:
                 f"a sheet with {given} would have creases of zero or negative length",
                 candidates=[Remedy({"pattern.row_lengths": "auto"})]
                 if row is not None
-                else chain(
-                    fewer("rows", request.rows), fewer("columns", request.columns), [AUTO_SECTORS]
-                ),
+                else chain(smaller(request.rows, request.columns), [AUTO_SECTORS]),
             )
         low, high = limits
         works_at = low if self.line.length < low else high
@@ -279,14 +245,10 @@ class _Target:
                 yield from sizes("g", self.line.trace.curve, found)
             yield AUTO_SECTORS
 
-        def excess() -> float | None:
-            found = share()
-            return None if found is None else max(found, 1 / found) - 1
-
         raise DesignError(
             "a sheet with a middle row as long as g would have creases of zero or negative length",
             size=f"g is {self.line.length:.6g} long, and with column 1 following f the middle row "
             f"may be {low:.6g} to {high:.6g} long",
             candidates=candidates(),
-            excess=excess,
+            excess=lambda: (found := share()) and max(found, 1 / found) - 1,
         )

@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
+import numpy as np
 from pydantic import Field, model_validator
 
+from orishell.conventions.errors import DesignError
 from orishell.conventions.table import Knob, Number
-from orishell.curves import Curve
+from orishell.curves import Curve, trace_curve
 from orishell.design import Design
 from orishell.families.longitudinal_linear_repeating.design import (
     STAGE,
@@ -16,19 +18,31 @@ from orishell.families.longitudinal_linear_repeating.design import (
     design_longitudinal_linear_repeating,
     require_entries,
 )
+from orishell.families.longitudinal_linear_repeating.equation.choice import (
+    AUTO_SHARES,
+    auto_sectors,
+    choose_solution,
+)
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors
-from orishell.families.longitudinal_linear_repeating.tessellation.columns import Coupling, RowKind
-from orishell.families.longitudinal_linear_repeating.variants import (
-    distance_from_f,
-    open_sectors,
-    open_stages,
+from orishell.families.longitudinal_linear_repeating.target import Profile
+from orishell.families.longitudinal_linear_repeating.target_state import (
+    TargetState,
+    find_target_state,
+)
+from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
+    Coupling,
+    RowKind,
+    repeat_columns,
 )
 from orishell.families.pattern import Auto, Family, Length, Pattern, Tolerance, Variants
 from orishell.families.shared.candidates import forgiving
+from orishell.polylines import measure_closeness
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
 STAGED = 3
 """Sector angles, the first that are tried, for which other stages are tried, too."""
+STAGE_SHARES = (1.1, 0.9, 1.2, 0.8, 1.05, 0.95, 1.3, 0.7, 1.4, 0.6)
+"""Stages that are tried, as shares of the one at which column 1 turns as much as f."""
 
 
 class LongitudinalPattern(Pattern):
@@ -91,7 +105,11 @@ class LongitudinalPattern(Pattern):
         """Sector angles that "auto" chooses from, and stages about column 1's own."""
         angles = [self]
         if self.sector_deg == "auto":
-            angles += [self.model_copy(update={"sector_deg": each}) for each in open_sectors()]
+            # Very near to 90, half way, then the others.
+            apart = AUTO_SHARES[-3::-4]
+            shares = (*apart, *(share for share in AUTO_SHARES if share not in apart))
+            every = [auto_sectors(share).degrees for share in shares]
+            angles += [self.model_copy(update={"sector_deg": each}) for each in every]
         if self.stage_deg != "auto":
             return Variants(angles[:2], angles[2:])
         # Column 1 comes as near to f with all of them, but the others follow it better near 90.
@@ -99,23 +117,45 @@ class LongitudinalPattern(Pattern):
         stages = [
             each.model_copy(update={"stage_deg": stage})
             for each in known[:STAGED]
-            for stage in open_stages(f, each.arguments())
+            for stage in each._open_stages(f)
         ]
         return Variants([*angles[:2], *stages[:2]], [*angles[2:], *stages[2:]])
 
     def distance_from_f(self, f: Curve) -> float:
         """Distance of column 1 from f; 0 where its sector angles are chosen with the sheet."""
-        return 0.0 if self.sector_deg == "auto" else distance_from_f(f, self.arguments())
+        if self.sector_deg == "auto":
+            return 0.0
+        profile, state = self._column(f)
+        return measure_closeness(profile.trace, state.polygon).max
+
+    def _open_stages(self, f: Curve) -> list[float]:
+        """Stages to try (degrees); none where column 1 has no stage of its own."""
+        try:
+            own = self._column(f)[1].drive
+        except DesignError:
+            return []
+        return [float(np.rad2deg(share * own)) for share in STAGE_SHARES]
+
+    def _column(self, f: Curve) -> tuple[Profile, TargetState]:
+        """Column 1: how near it comes to f does not depend on the columns beside it."""
+        asked = self.arguments()
+        profile = Profile.of(trace_curve(f, "f").in_own_frame())
+        return profile, find_target_state(
+            profile,
+            repeat_columns(choose_solution(asked["sectors"], self.solution), 2),
+            self.rows,
+            self.first_row,
+            drive=None if self.stage_deg == "auto" else asked["stage"],
+            lengths=None if self.column_lengths == "auto" else np.array(self.column_lengths),
+        )
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return forgiving(
-            self, lambda: design_longitudinal_linear_repeating(f, g, **self.arguments()), (f, g)
-        )
+        return forgiving(self, design_longitudinal_linear_repeating, f, g)
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
-        return forgiving(self, lambda: design_longitudinal_linear_repeating(**self.arguments()))
+        return forgiving(self, design_longitudinal_linear_repeating)
 
 
 FAMILY = Family(

@@ -27,27 +27,20 @@ from orishell.numerics.arrays import Array
 
 @record
 class Section:
-    """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive.
+    """How a sheet of m rows, of a solution in the cosine version, rolls up at one drive."""
 
-    axis: Unit direction of the line (3,), to the right; the middle panel is not turned.
-    heading: Unit direction across the axis (3,) of column 1's first crease.
-    turns: Turns (m,) of column 1 at every row, seen along the line, positive to the left (radians).
-    beyond: Turns that a further row before the first and after the last would have.
-    across: Share of its length (m+1,) that every crease of column 1 has across the line.
-    advance: Share of its length (n-1,) that every crease of the middle row advances along the line.
-    """
-
-    axis: Array
-    heading: Array
+    axis: Array  # unit direction of the line (3,), to the right; the middle panel is not turned
+    heading: Array  # unit direction across the axis (3,) of column 1's first crease
+    # of column 1 at every row and one more at either end (m+2,), seen along the line, positive to
+    # the left
     turns: Array
-    beyond: tuple[float, float]
-    across: Array
-    advance: Array
+    across: Array  # share of its length (m+1,) that every crease of column 1 has across the line
+    advance: Array  # share (n-1,) that every crease of the middle row advances along the line
 
     @property
     def turning(self) -> float:
         """How much column 1 turns, half a row beyond either end included (radians)."""
-        return float(self.turns.sum() + 0.5 * sum(self.beyond))
+        return float(self.turns[1:-1].sum() + 0.5 * (self.turns[0] + self.turns[-1]))
 
     @classmethod
     def of(
@@ -76,12 +69,10 @@ class Section:
         across = across / lengths[:, None]
         # Seen along the axis, so turns to the left are turns about its opposite.
         sine = -np.cross(across[:-1], across[1:]) @ axis
-        turns = np.arctan2(sine, (across[:-1] * across[1:]).sum(axis=-1))
         return cls(
             axis=axis,
             heading=across[1],
-            turns=turns[1:-1],
-            beyond=(float(turns[0]), float(turns[-1])),
+            turns=np.arctan2(sine, (across[:-1] * across[1:]).sum(axis=-1)),
             across=lengths[1:-1],
             advance=advance,
         )

@@ -1,36 +1,49 @@
-"""What a sheet must satisfy to be made: positive lengths, convex panels, no overlap."""
+"""What is asked for, and what a sheet must satisfy: positive lengths, convex panels, no overlap."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain
+from typing import Literal
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.design import Parameter
 from orishell.families.longitudinal_linear_repeating.equation.choice import (
     AUTO_SECTORS,
     nearer_to_90,
 )
+from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import (
     Columns,
+    Coupling,
     Directions,
     RowKind,
+    continue_columns,
+    repeat_columns,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
     PROGRAM_PANELS,
-    InnerLengths,
-    find_even_lengths,
     largest_size,
+    largest_square,
+    sheet_exists,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.lengths import with_border
-from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
+from orishell.families.longitudinal_linear_repeating.tessellation.lengths import (
+    InnerLengths,
+    with_border,
+)
 from orishell.families.pattern import Auto
-from orishell.families.shared.candidates import fewer, values
+from orishell.families.shared.candidates import smaller, values
+from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
 from orishell.polylines.plane import is_simple_polygon
@@ -43,20 +56,12 @@ LARGEST_SEARCH = 99
 """Rows and columns beyond which no larger sheet is looked for."""
 
 
-def sheet_exists(columns: Columns, rows: int, first_row: RowKind) -> bool:
-    """Whether any lengths make a sheet of these angles and size."""
-    directions = Directions.of(columns, rows, first_row)
-    return find_even_lengths(directions, Wanted()) is not None
-
-
 def require_size(columns: Columns, rows: int, first_row: RowKind) -> None:
     """Refuse a size that no lengths make a sheet of; name the largest sizes that exist."""
     if sheet_exists(columns, rows, first_row):
         return
     n = len(columns)
-    square = largest_size(
-        lambda size: sheet_exists(columns.first(size), size, first_row), min(n, LARGEST_SEARCH)
-    )
+    square = largest_square(columns, first_row, LARGEST_SEARCH)
     fewer_rows = largest_size(
         lambda size: sheet_exists(columns, size, first_row), min(rows, LARGEST_SEARCH)
     )
@@ -92,23 +97,19 @@ def with_fitting_border(
     *,
     side: int = 1,
 ) -> LongitudinalLinearRepeating:
-    """Complete the inner creases by a border whose panels are convex.
+    """Complete the inner creases by a border whose panels are convex; refuse one that has none.
 
-    columns, first_row, side: The sheet.
-    inner: Lengths of its inner creases.
     ends: Lengths of column 1's first and last crease.
     flap: Length of the row creases at the left and right border; "auto" takes the mean of column 1,
         or half of what leaves the panels convex if that is less.
-
-    Raises DesignError if the border's panels would not be convex.
     """
     given = float(np.mean([*inner.column[:, 0], *ends])) if flap == "auto" else flap
     directions = Directions.of(columns, len(inner.row), first_row)
-    lengths = with_border(directions, inner.row, inner.column, ends, given)
+    lengths = with_border(directions, inner, ends, given)
     mechanism = LongitudinalLinearRepeating(columns, first_row, lengths, side)
 
     def works(share: float) -> bool:
-        return _is_convex_at_sides(_with_flap(mechanism, share * given))
+        return bool((_corner_turns(_with_flap(mechanism, share * given))[:, [0, -1]] > 0).all())
 
     if not works(1.0):
         share = largest_below(works, 1.0, smallest=SMALLEST_SHARE) or SMALLEST_SHARE
@@ -154,8 +155,7 @@ def require_flat_sheet(mechanism: LongitudinalLinearRepeating) -> None:
         raise DesignError(
             "the flat sheet overlaps itself: its rows or columns fan out too far",
             candidates=chain(
-                fewer("rows", len(turns) - 1),
-                fewer("columns", turns.shape[1] - 1),
+                smaller(len(turns) - 1, turns.shape[1] - 1),
                 nearer_to_90(mechanism.columns.sectors[0]),
             ),
         )
@@ -165,10 +165,6 @@ def _with_flap(mechanism: LongitudinalLinearRepeating, flap: float) -> Longitudi
     row = mechanism.lengths.row.copy()
     row[:, [0, -1]] = flap
     return replace(mechanism, lengths=replace(mechanism.lengths, row=row))
-
-
-def _is_convex_at_sides(mechanism: LongitudinalLinearRepeating) -> bool:
-    return bool((_corner_turns(mechanism)[:, [0, -1]] > 0).all())
 
 
 def _corner_turns(mechanism: LongitudinalLinearRepeating) -> Array:
@@ -183,3 +179,75 @@ def _corner_turns(mechanism: LongitudinalLinearRepeating) -> Array:
         turned = edges * np.roll(edges, 1, axis=-1).conj()
         sines: Array = turned.imag / np.abs(turned)
     return sines
+
+
+Periodic = Literal["periodic"]
+
+
+@record
+class SheetRequest:
+    """What was asked for, apart from the sector angles and the target."""
+
+    # inner vertices m and n
+    rows: int
+    columns: int
+    first_row: RowKind
+    couplings: Sequence[Coupling] | Periodic  # how columns follow each other
+    row_lengths: Array | None  # of the middle row (n-1,), or None for "auto"
+    column_lengths: Array | None  # of column 1 (m+1,), or None for "auto"
+    stage: float | None  # the drive at which the frames end, or None for "auto"
+    flap: float | Auto  # length of the row creases at the left and right border
+
+    def coupled(self, solution: Solution) -> Columns:
+        """The columns that a solution of (4) gives; refuse one that gives too few."""
+        if self.couplings == "periodic":
+            return repeat_columns(solution, self.columns)
+        return continue_columns(solution, self.couplings)
+
+    def directions(self, columns: Columns) -> Directions:
+        """The directions of the creases in the flat sheet."""
+        return Directions.of(columns, self.rows, self.first_row)
+
+    def completed(
+        self, columns: Columns, inner: InnerLengths, ends: tuple[float, float], *, side: int = 1
+    ) -> LongitudinalLinearRepeating:
+        """The sheet with its border; refuse one that cannot be made."""
+        mechanism = with_fitting_border(columns, self.first_row, inner, ends, self.flap, side=side)
+        require_flat_sheet(mechanism)
+        require_resolution(mechanism, smaller(self.rows, self.columns))
+        return mechanism
+
+    @contextmanager
+    def size_blamed(self, columns: Columns) -> Iterator[None]:
+        """Where no sheet is found, refuse the size instead if no lengths make one."""
+        try:
+            yield
+        except DesignError:
+            require_size(columns, self.rows, self.first_row)
+            raise
+
+    def describe(
+        self, solution: Solution, mechanism: LongitudinalLinearRepeating
+    ) -> dict[str, Parameter]:
+        """The parameters that were given or found, by their names in the report."""
+        lengths = mechanism.lengths
+        return {
+            "sector_deg": _tidy(solution.first),
+            "second_sector_deg": _tidy(solution.second),
+            "version": solution.version,
+            "c": solution.c,
+            "couplings": self.couplings
+            if self.couplings == "periodic"
+            else [str(each) for each in self.couplings],
+            "first_row": self.first_row,
+            "stage_deg": tidy_degrees(mechanism.target_drive),
+            "motion_end_deg": tidy_degrees(mechanism.end_drive),
+            "longest_to_shortest": lengths.inner_ratio,
+            "row_lengths": lengths.row[self.rows // 2, 1:-1].tolist(),
+            "column_lengths": lengths.column[:, 0].tolist(),
+            "flap": float(lengths.row[0, 0]),
+        }
+
+
+def _tidy(sectors: Sectors) -> list[float]:
+    return [tidy_degrees(np.deg2rad(angle)) for angle in sectors.degrees]

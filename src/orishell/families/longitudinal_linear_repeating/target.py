@@ -21,31 +21,29 @@ TURNING_BACK = 1e-6
 
 @record
 class Line:
-    """The straight line g: its trace, start (2,), unit direction (2,) and length."""
+    """The straight line g."""
 
     trace: Trace
-    start: Array
-    direction: Array
+    start: Array  # (2,)
+    direction: Array  # unit vector (2,)
     length: float
 
     @classmethod
     def along(cls, trace: Trace) -> Line:
-        """The straight line g, from its trace.
-
-        Raises DesignError if g is not straight.
-        """
+        """The line of a trace; refuse one that is not straight."""
         chord = trace.points[-1] - trace.points[0]
         length = float(np.hypot(*chord))
         leaves = extent_across(trace.points)
         if leaves > STRAIGHT * trace.length or length < (1 - STRAIGHT) * trace.length:
             normal = np.array([-chord[1], chord[0]])
             worst = int(np.argmax(np.abs((trace.points - trace.points[0]) @ normal)))
+            along = rounded(trace.length / trace.curve.scale[0], 6)
             raise DesignError(
                 "g is not straight, and this family sweeps along a straight line only",
                 place=f"at parameter {trace.curve.as_drawn(trace.t[worst]):.6g} of g",
                 size=f"g leaves a straight line by {plain(leaves)}; it is "
                 f"{plain(trace.length)} long",
-                candidates=[_straight(trace)],
+                candidates=[Remedy({"target.g.formula": "0*x", "target.g.range": [0.0, along]})],
                 excess=max(leaves / trace.length, 1 - length / trace.length) - STRAIGHT,
             )
         return cls(trace, trace.points[0], chord / length, length)
@@ -60,10 +58,7 @@ class Profile:
 
     @classmethod
     def of(cls, trace: Trace) -> Profile:
-        """Check that f is convex.
-
-        Raises DesignError if f has an inflection, or does not turn at all.
-        """
+        """The profile of a trace; refuse one that is not convex, or does not turn at all."""
         trace = run_along_axis(trace)
         turned = float(trace.heading[-1] - trace.heading[0])
         spread = float(np.ptp([trace.heading, trace.arriving]))
@@ -88,9 +83,8 @@ class Profile:
         """The polygon (m+2, 2) closest to f whose edges turn by given shares of f's turning.
 
         Its edges are parallel to tangents of f, moved inwards so that f passes midway between
-        edges and vertices; it begins and ends square to f's ends.
-
-        shares: Shares (m+2,) of the turning: half the first and the last are spent beyond the ends.
+        edges and vertices; it begins and ends square to f's ends. Of the shares (m+2,) half the
+        first and the last are spent beyond the ends.
         """
         trace = self.trace
         before = np.cumsum(np.concatenate([[0.5 * shares[0]], shares[1:-1]]))
@@ -101,8 +95,8 @@ class Profile:
         corners = _intersections(points, unit)
         overshoot = np.zeros(len(points) + 1)
         overshoot[1:-1] = 0.5 * _distances(corners, points[:-1], points[1:])
-        share = np.where(np.arange(len(points)) % len(points) == 0, 0.5, 0.25)
-        share[-1] = 0.5
+        share = np.full(len(points), 0.25)
+        share[[0, -1]] = 0.5
         moved = points + (share * (overshoot[:-1] + overshoot[1:]))[:, None] * inwards
         corners = _intersections(moved, unit)
         ends = [moved[k] + ((trace.points[k] - moved[k]) @ unit[k]) * unit[k] for k in (0, -1)]
@@ -135,12 +129,6 @@ def _not_convex(trace: Trace, back: float) -> DesignError:
         candidates=[part("f", trace.curve, low, high)],
         excess=back / np.pi,
     )
-
-
-def _straight(trace: Trace) -> Remedy:
-    """The change that replaces g by a straight line of its length."""
-    length = rounded(trace.length / trace.curve.scale[0], 6)
-    return Remedy({"target.g.formula": "0*x", "target.g.range": [0.0, length]})
 
 
 def _intersections(points: Array, unit: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import chain, pairwise
 
 import numpy as np
@@ -14,9 +14,9 @@ from orishell.conventions.record import record
 from orishell.families.longitudinal_linear_repeating.equation.choice import AUTO_SECTORS
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import crease_end
 from orishell.families.longitudinal_linear_repeating.section import Section, turnings
-from orishell.families.longitudinal_linear_repeating.sheet import sheet_exists
 from orishell.families.longitudinal_linear_repeating.target import Profile
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, RowKind
+from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import sheet_exists
 from orishell.families.shared.candidates import angles
 from orishell.numerics.arrays import Array
 
@@ -38,6 +38,11 @@ class TargetState:
     lengths: Array  # Lengths of column 1's creases (m+1,)
     side: int  # Sign of v_1 below row 1 that rolls the sheet to f's side
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Lengths of column 1's first and last crease."""
+        return float(self.lengths[0]), float(self.lengths[-1])
+
 
 def find_target_state(
     profile: Profile,
@@ -48,15 +53,10 @@ def find_target_state(
     drive: float | None = None,
     lengths: Array | None = None,
 ) -> TargetState:
-    """Choose the target state, and column 1's lengths.
+    """Choose the target state, and column 1's lengths; refuse rows that cannot follow f.
 
-    profile: The curve f.
-    columns, rows, first_row: The sheet.
-    drive: Its drive (radians), or None for the one at which column 1 turns as f does.
+    drive: None for the one at which column 1 turns as f does.
     lengths: Ratios of column 1's lengths (m+1,), or None for those that follow f.
-
-    Raises DesignError if the rows do not all turn the same way, or not as much as f, or f is bent
-    too sharply.
     """
     if drive is None:
         drive = _drive_for(profile, columns, rows, first_row)
@@ -66,13 +66,13 @@ def find_target_state(
     if found.turning * side > 0:
         side = -side
         found = Section.of(columns, rows, first_row, drive, side)
-    turns = np.concatenate([[found.beyond[0]], found.turns, [found.beyond[1]]])
+    turns = found.turns
     _require_one_way(turns, profile)
     ideal = profile.polygon(turns / found.turning)
     steps = np.diff(ideal, axis=0)
     along = np.hypot(steps[:, 0], steps[:, 1])
     directions = np.arctan2(steps[0, 1], steps[0, 0]) + np.concatenate(
-        [[0.0], np.cumsum(found.turns)]
+        [[0.0], np.cumsum(turns[1:-1])]
     )
     if lengths is None:
         _require_edges(profile, ideal, turns[1:-1] / abs(found.turning) * profile.turning)
@@ -116,17 +116,17 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
         return float(turnings(columns, count, first_row, np.array([at]), profile.side)[0])
 
     def follows(count: int) -> bool:
-        """Whether so many rows turn as much as f somewhere in their motion, all the same way."""
+        """Whether this many rows turn as much as f at some drive, all the same way."""
         last = crease_end(columns, count, first_row)
         if not turning(begin, count) < profile.turning < turning(last, count):
             return False
         at = brentq(lambda x: turning(x, count) - profile.turning, begin, last)
         found = Section.of(columns, count, first_row, float(at), profile.side)
-        turns = np.concatenate([[found.beyond[0]], found.turns, [found.beyond[1]]])
-        return bool((turns * found.turning > 0).all())
+        return bool((found.turns * found.turning > 0).all())
 
-    def candidates(way: int) -> Iterator[Remedy]:
-        count = _nearest_rows(follows, rows, way)
+    def candidates(*, fewer: bool) -> Iterator[Remedy]:
+        counts = range(rows - 1, 0, -1) if fewer else range(rows + 1, 4 * rows + 40)
+        count = next((each for each in counts if follows(each)), None)
         if count is not None and sheet_exists(columns, count, first_row):
             yield Remedy({"pattern.rows": count})
         yield AUTO_SECTORS
@@ -136,7 +136,7 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
             f"{rows} rows of these sector angles turn more than f, however little they fold",
             size=f"they turn by {in_degrees(turning(begin))} degrees at least, because rows fan "
             f"out in the flat sheet; f turns by {in_degrees(profile.turning)}",
-            candidates=candidates(-1),
+            candidates=candidates(fewer=True),
             excess=(turning(begin) - profile.turning) / np.pi,
         )
     at = np.geomspace(begin, end, STEPS)
@@ -151,15 +151,9 @@ def _drive_for(profile: Profile, columns: Columns, rows: int, first_row: RowKind
         f"{rows} rows cannot turn as much as f",
         size=f"they turn by {in_degrees(turning(end))} degrees at the end of the motion; f turns "
         f"by {in_degrees(profile.turning)}",
-        candidates=candidates(1),
+        candidates=candidates(fewer=False),
         excess=(profile.turning - turning(end)) / np.pi,
     )
-
-
-def _nearest_rows(works: Callable[[int], bool], rows: int, way: int) -> int | None:
-    """The number of rows nearest to ``rows``, in one direction, that works."""
-    candidates = range(rows + way, 0, -1) if way < 0 else range(rows + 1, 4 * rows + 40)
-    return next((count for count in candidates if works(count)), None)
 
 
 def _require_one_way(turns: Array, profile: Profile) -> None:
@@ -167,7 +161,7 @@ def _require_one_way(turns: Array, profile: Profile) -> None:
     if len(wrong):
         row = int(np.clip(wrong[0], 1, max(1, len(turns) - 2)))
         raise DesignError(
-            "rows of these sector angles turn to either side, so that they follow no convex curve",
+            "rows of these sector angles turn to both sides, so they follow no convex curve",
             place=f"at row {row}",
             size=f"F and S rows turn by {in_degrees(turns[0])} and {in_degrees(turns[1])} degrees",
             candidates=[AUTO_SECTORS],
@@ -176,7 +170,7 @@ def _require_one_way(turns: Array, profile: Profile) -> None:
 
 
 def _require_edges(profile: Profile, ideal: Array, turns: Array) -> None:
-    """Refuse a polygon of which an edge runs backwards: f bends too sharply for it."""
+    """Refuse a polygon with an edge that runs backwards: f bends too sharply for it."""
     steps = np.diff(ideal, axis=0) @ np.array([1, 1j])
     first = np.angle(steps[np.argmax(np.abs(steps))])
     turned = np.concatenate([[0.0], np.cumsum(turns)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import chain
+from functools import partial
 
 import numpy as np
 
@@ -12,42 +12,33 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import rounded
 from orishell.conventions.quantities import plain
 from orishell.design import Design, Parameter
-from orishell.families.longitudinal_linear_repeating.equation.choice import (
-    choose_auto,
-    choose_solution,
-)
+from orishell.families.longitudinal_linear_repeating.equation.choice import choose_sheet
 from orishell.families.longitudinal_linear_repeating.equation.solutions import Sectors, Solution
-from orishell.families.longitudinal_linear_repeating.motion.measures import (
-    describe_radii,
-    measure_departures,
-    section_radii,
-)
 from orishell.families.longitudinal_linear_repeating.motion.mechanism import (
     LongitudinalLinearRepeating,
     Pose,
 )
-from orishell.families.longitudinal_linear_repeating.placement import pose_of
-from orishell.families.longitudinal_linear_repeating.request import SheetRequest
-from orishell.families.longitudinal_linear_repeating.section import Section
-from orishell.families.longitudinal_linear_repeating.sheet import (
-    require_flat_sheet,
-    with_fitting_border,
+from orishell.families.longitudinal_linear_repeating.placement import (
+    describe_radii,
+    measure_departures,
+    pose_of,
+    section_radii,
 )
+from orishell.families.longitudinal_linear_repeating.section import Section
+from orishell.families.longitudinal_linear_repeating.sheet import SheetRequest
 from orishell.families.longitudinal_linear_repeating.target_state import require_before_end
 from orishell.families.longitudinal_linear_repeating.tessellation.columns import Columns, Directions
 from orishell.families.longitudinal_linear_repeating.tessellation.even_lengths import (
-    InnerLengths,
+    Wanted,
     advance_range,
     find_even_lengths,
 )
 from orishell.families.longitudinal_linear_repeating.tessellation.lengths import (
     END_SHARE,
+    InnerLengths,
     end_limits,
 )
-from orishell.families.longitudinal_linear_repeating.tessellation.program import Wanted
 from orishell.families.pattern import Auto
-from orishell.families.shared.candidates import fewer
-from orishell.motion import require_resolution
 from orishell.motion.grid import UNFOLDED
 
 LEVEL = 1e-9
@@ -59,21 +50,11 @@ def design_without_target(
 ) -> Design:
     """The sheet of given sector angles and lengths, folded to the stage or as far as it goes.
 
-    request: The sheet.
-    sectors: Sector angles of column 1, or "auto".
     solution: Which solution of (4), of either version.
-
-    Raises DesignError if there is no such sheet.
     """
-
-    def build(solution: Solution) -> LongitudinalLinearRepeating:
-        return _build(request, solution)
-
-    if sectors == "auto":
-        chosen, sheet = choose_auto(build, lambda made: made.lengths.inner_ratio)
-    else:
-        chosen = choose_solution(sectors, solution)
-        sheet = build(chosen)
+    chosen, sheet = choose_sheet(
+        sectors, solution, partial(_build, request), lambda made: made.lengths.inner_ratio
+    )
 
     def stopped(drive: float) -> Design:
         placed = _level(sheet, drive)
@@ -101,27 +82,13 @@ def _build(request: SheetRequest, solution: Solution) -> LongitudinalLinearRepea
         inner = _inner_lengths(request, columns)
         if inner is None or inner.shortest <= 0:
             raise _refusal(request, columns, inner)
-    return _with_border(request, columns, inner)
-
-
-def _with_border(
-    request: SheetRequest, columns: Columns, inner: InnerLengths
-) -> LongitudinalLinearRepeating:
-    directions = Directions.of(columns, request.rows, request.first_row)
-    mechanism = with_fitting_border(
-        columns, request.first_row, inner, _ends(request, directions, inner), request.flap
-    )
-    require_flat_sheet(mechanism)
-    require_resolution(
-        mechanism, chain(fewer("rows", request.rows), fewer("columns", request.columns))
-    )
-    return mechanism
+    return request.completed(columns, inner, _ends(request, request.directions(columns), inner))
 
 
 def _inner_lengths(request: SheetRequest, columns: Columns) -> InnerLengths | None:
     """Lengths from those given, perhaps not all positive, or the most even; None if none exist."""
     row, column = request.row_lengths, request.column_lengths
-    directions = Directions.of(columns, request.rows, request.first_row)
+    directions = request.directions(columns)
     if request.rows == 1 and row is None:
         row = np.full(request.columns - 1, 1.0 if column is None else column.mean())
     inner = np.empty(0) if request.rows == 1 else None if column is None else column[1:-1]
@@ -165,9 +132,8 @@ def _candidates(request: SheetRequest, columns: Columns) -> Iterator[Remedy]:
     """The same ratios with other scales of the row, the nearest first; "auto" for what is given."""
     row, column = request.row_lengths, request.column_lengths
     if row is not None and column is not None:
-        directions = Directions.of(columns, request.rows, request.first_row)
         wanted = Wanted(row=row, column=column[1:-1], ends=(float(column[0]), float(column[-1])))
-        limits = advance_range(directions, wanted, np.ones(len(row))) or ()
+        limits = advance_range(request.directions(columns), wanted, np.ones(len(row))) or ()
         for factor in sorted((limit / row.sum() for limit in limits), key=lambda x: abs(np.log(x))):
             scaled = [rounded(float(length), 8) for length in row * rounded(factor)]
             yield Remedy({"pattern.row_lengths": scaled})

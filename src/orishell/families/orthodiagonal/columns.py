@@ -20,7 +20,12 @@ from dataclasses import field
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.shared.sheets import other_side, target_drive
+from orishell.families.shared.sheets import (
+    other_side,
+    running_products,
+    running_sums,
+    target_drive,
+)
 from orishell.numerics import FUNCTIONS, Enclosure, Interval, spinning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -42,19 +47,16 @@ class Columns:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "step", np.hypot(self.locked, self.k))
-        object.__setattr__(self, "_tightest", self._shares())
+        step = self.step[self.existing]
+        along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
+        # Nearly straight rows differ in what they take across only, the others along only.
+        tightest = int(along.argmin() if along.min() < across.max() else across.argmax())
+        object.__setattr__(self, "_tightest", (float(along[tightest]), float(across[tightest])))
 
     @property
     def rest(self) -> float:
         """The smallest share of a step that is along n at the target: of the tightest columns."""
         return self._tightest[0]
-
-    def _shares(self) -> tuple[float, float]:
-        step = self.step[self.existing]
-        along, across = self.locked[self.existing] / step, np.abs(self.k[self.existing]) / step
-        # Nearly straight rows differ in what they take across only, the others along only.
-        tightest = int(along.argmin() if along.min() < across.max() else across.argmax())
-        return float(along[tightest]), float(across[tightest])
 
     def phase(self, drive: Array) -> tuple[Array, Array]:
         """Kappa (...) and the distances N (..., n+1) of column planes at drives (...) (radians)."""
@@ -74,11 +76,7 @@ class Columns:
         N is hypot(fixed, u k) over the tightest column's share along K, with u = cos(rho/2)/omega.
         """
         rest, turn = self._tightest
-        sine, cosine = (
-            each(start, stop).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
-        )
-        omega = cosine.through(lambda ends: np.hypot(turn, rest * ends))
-        cube = omega.through(lambda ends: 2 * ends**3)
+        sine, cosine, omega, cube = self._halves(start, stop)
         swing = cosine.over(omega).squared().times(3 * rest**2)
         lag = sine.over(omega).squared().times(3 * rest**2)
         kappa = Enclosure(
@@ -94,6 +92,14 @@ class Columns:
         share = np.abs(self.k) / (turn or 1.0)
         return kappa, u.times(share).hypot(self._fixed / turn if turn else self.step)
 
+    def _halves(self, start: Array, stop: Array) -> tuple[Interval, Interval, Interval, Interval]:
+        """Sine and cosine of rho/2, omega, and 2 omega^3."""
+        rest, turn = self._tightest
+        cosine = Enclosure.half_cosine(start, stop).value
+        omega = cosine.through(lambda ends: np.hypot(turn, rest * ends))
+        cube = omega.through(lambda ends: 2 * ends**3)
+        return Enclosure.half_sine(start, stop).value, cosine, omega, cube
+
     def whole_angle(self, start: Array, stop: Array) -> Enclosure:
         """The angle 2 arctan(kappa) (S, 1) over ranges (S, 1) of the drive (radians).
 
@@ -103,11 +109,7 @@ class Columns:
         """
         if (turn := self._tightest[1]) <= SLIM:
             return Enclosure.variable(start, stop)
-        sine, cosine = (
-            each(start, stop).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
-        )
-        omega = cosine.through(lambda ends: np.hypot(turn, self.rest * ends))
-        cube = omega.through(lambda ends: 2 * ends**3)
+        sine, cosine, omega, cube = self._halves(start, stop)
         share = Interval(1 / (1 + (turn * sine.high) ** 2), 1 / (1 + (turn * sine.low) ** 2))
         bend = cosine.squared().over(omega) * share + Interval(1 / cube.high, 1 / cube.low)
         return Enclosure(
@@ -126,42 +128,24 @@ class Columns:
         return other_side(whole, part)
 
 
-def running(steps: Array) -> Array:
-    """Running sums (..., n+2) of steps (..., n+1), zero at column 1."""
-    sums = np.cumsum(steps[..., 1:], axis=-1)
-    return np.concatenate([-steps[..., :1], np.zeros_like(steps[..., :1]), sums], axis=-1)
-
-
 def column_and_spread(
     kappa: Array, tangents: Array, turning: Array, lengths: Array, trims: tuple[float, float]
 ) -> tuple[Complex, Complex]:
     """P (..., m+2) from the middle vertex, and a (..., m+2) less its middle value.
 
     In complex numbers whose real axis is the middle row's t. The outermost rows continue a
-    column's end edges, trimmed.
-
-    kappa: Of every state (...).
-    tangents, turning: T = tan(beta/2) and the signs of the turns (m,).
-    lengths: Edge lengths of column 1 (m+1,), in the unit of the curves.
-    trims: Growth by K of the first and of the last edge of a column.
+    column's end edges, trimmed. ``tangents`` and ``turning`` (m,) are T = tan(beta/2) and the
+    signs of the turns.
     """
     kappa = kappa[..., None]
     middle = len(tangents) // 2
     half = tangents + 1j * (turning * kappa)
     half /= np.hypot(half.real, half.imag)
     turn = half * half
-    after = half[..., middle, None] * _product(turn[..., middle + 1 :])
-    before = half[..., middle, None] * _product(turn[..., :middle][..., ::-1])
+    after = half[..., middle, None] * running_products(turn[..., middle + 1 :])
+    before = half[..., middle, None] * running_products(turn[..., :middle][..., ::-1])
     direction = np.concatenate([before[..., ::-1].conj(), after], axis=-1)
-    edges = lengths * direction
-    column = np.concatenate(
-        [
-            -np.cumsum(edges[..., : middle + 1][..., ::-1], axis=-1)[..., ::-1],
-            np.zeros((*edges.shape[:-1], 1)),
-            np.cumsum(edges[..., middle + 1 :], axis=-1),
-        ],
-        axis=-1,
-    )
+    column = running_sums(lengths * direction, middle + 1)
 
     spread = direction[..., 1:] * (tangents - 1j * (turning * kappa))
     spread -= np.hypot(tangents[middle], kappa)
@@ -177,7 +161,6 @@ def squared_distances(
     """Squared distances (S, P) of pairs of vertices, each pair in one column.
 
     whole: The angle 2 arctan(kappa) (S, 1).
-    tangents, turning: T = tan(beta/2) and the signs of the turns (m,).
     lengths: Edge lengths of the columns of the pairs (P, m+1), none negative.
     rows: Rows of the two vertices of every pair (P, 2).
     """
@@ -190,7 +173,7 @@ def squared_distances(
     # Sums of intervals between two edges: differences of running sums of their ends.
     turns = _turns(whole, tangents).times(turning).running()
     angles = turns.each(lambda sums: sums.through(lambda ends: ends[:, k] - ends[:, i]))
-    cosines = FUNCTIONS["cos"](angles.value).of(angles)
+    cosines = FUNCTIONS["cos"].of(angles)
     products = cosines.each(lambda each: each.through(lambda ends: ends @ weights.T))
     return products.plus((spanned**2).sum(axis=1))
 
@@ -202,9 +185,8 @@ def _turns(whole: Enclosure, tangents: Array) -> Enclosure:
     g = T/(T^2 c^2 + s^2) and (T^2 - 1) s c g^2/T.
     """
     y = whole.value
-    sine, cosine = (
-        each(y.low, y.high).value for each in (Enclosure.half_sine, Enclosure.half_cosine)
-    )
+    sine = Enclosure.half_sine(y.low, y.high).value
+    cosine = Enclosure.half_cosine(y.low, y.high).value
     ends = [
         tangents / ((tangents * c) ** 2 + s**2)
         for s, c in ((sine.low, cosine.high), (sine.high, cosine.low))
@@ -221,12 +203,6 @@ def _turns(whole: Enclosure, tangents: Array) -> Enclosure:
     return outer.of(whole)
 
 
-def _product(turns: Complex) -> Complex:
-    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
-    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
-    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))
-
-
 def bound_edges(
     drives: tuple[Array, Array],
     *,
@@ -237,17 +213,11 @@ def bound_edges(
     lengths: Array,
     columns: Columns,
 ) -> tuple[Array, Array]:
-    """Bounds of the second derivative of edge vectors by the drive.
+    """Bounds of the second derivative of edge vectors by the drive: along rows, down columns.
 
-    drives: Ends (S,) of ranges of the drive (radians).
-    tangents: T = tan(beta/2) of the rows (m,).
-    turning: Sign of their turns (m,).
-    trims: Growth by K of the first and of the last edge of a column.
+    drives: Ends (S,) of ranges of the drive.
     tilt_rate: Angle by which f's plane turns in itself per drive.
     lengths: Lengths (m+1,) of the longest edges between two rows.
-    columns: Steps over the panel columns.
-
-    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
     """
     start, stop = (ends[..., None] for ends in drives)
     kappa, advance = columns.enclosures(start, stop)

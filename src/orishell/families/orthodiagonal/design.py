@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import chain
 from typing import Annotated, Final
 
 import numpy as np
@@ -14,7 +13,7 @@ from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.table import Number
 from orishell.curves import Curve, Trace, run_along_axis, trace_curve
-from orishell.design import Design, FlapSide, warn_of_no_lock
+from orishell.design import Design, FlapSide, Path, Sliding, Surface, warn_of_no_lock
 from orishell.families.orthodiagonal.headings import (
     HeadingConditions,
     SideChoice,
@@ -25,7 +24,6 @@ from orishell.families.orthodiagonal.profile import (
     End,
     approach,
     require_zigzags,
-    sweep,
     tilted,
     trim_ends,
 )
@@ -46,7 +44,8 @@ from orishell.families.pattern import (
     Width,
     in_radians,
 )
-from orishell.families.shared.candidates import fewer
+from orishell.families.shared.candidates import smaller
+from orishell.families.shared.sheets import middle_vertex, upright
 from orishell.motion import require_resolution
 from orishell.numerics.arrays import Array, Complex
 from orishell.polylines import (
@@ -171,10 +170,11 @@ def design_orthodiagonal(
     if not candidates:
         raise refuse(f_trace, g_trace, zigzags, demands, heading, refitted=row == "zigzag")
     zigzag, headings, mechanism, ends = max(candidates, key=lambda each: _footing(*each[2:]))
-    require_resolution(mechanism, chain(fewer("rows", rows), fewer("columns", columns)))
+    require_resolution(mechanism, smaller(rows, columns))
 
     closeness = {"f": measure_closeness(f_trace, zigzag.vertices), "g": middle.closeness}
-    targets = _place_targets(f_trace, zigzag, g_trace, mechanism)
+    origin, axis = middle_vertex(zigzag), complex(np.exp(-1j * mechanism.heading))
+    raised = _tilt(g_trace, mechanism)
     return Design(
         mechanism=mechanism,
         parameters={
@@ -187,11 +187,11 @@ def design_orthodiagonal(
             "tilt_deg": tidy_degrees(mechanism.tilt),
             **middle.parameters,
         },
-        targets=targets,
+        targets={"f": upright(f_trace, origin, mechanism.points[0], axis), "g": raised},
         closeness=closeness,
-        swept=sweep(f_trace, zigzag, g_trace, mechanism),
-        approached=approach(f_trace, zigzag, g_trace, mechanism),
-        tilted=tilted(targets["g"], mechanism),
+        swept=Surface(f_trace, origin, Sliding(Path.of(g_trace), axis, mechanism.tilt)),
+        approached=approach(f_trace, origin, g_trace, axis),
+        tilted=tilted(raised, mechanism.tilt),
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
             *warn_of_coarse_row(g_trace, closeness["g"].max, columns),
@@ -286,17 +286,10 @@ def _footing(mechanism: Orthodiagonal, ends: list[End]) -> float:
     return sum(value[end] for end in ends) - (1.0 if depth_below_feet(mechanism) else 0.0)
 
 
-def _place_targets(
-    f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal
-) -> dict[str, Array]:
-    """f through the middle of its zigzag at g's start, and g in the plane of the middle row."""
+def _tilt(g: Trace, mechanism: Orthodiagonal) -> Array:
+    """g (N, 3) in the plane of the middle row."""
     t = np.exp(-1j * mechanism.heading)
-    relative = f.points - zigzag.vertices[len(zigzag.vertices) // 2]
-    across = mechanism.points[0] + relative[:, 0] * t
     points = g.points @ np.array([1, 1j])
     along = ((points - mechanism.points[0]) * t.conj()).real
     plan = points + (np.cos(mechanism.tilt) - 1) * along * t
-    return {
-        "f": np.stack([across.real, across.imag, relative[:, 1]], axis=-1),
-        "g": np.stack([plan.real, plan.imag, np.sin(mechanism.tilt) * along], axis=-1),
-    }
+    return np.stack([plan.real, plan.imag, np.sin(mechanism.tilt) * along], axis=-1)

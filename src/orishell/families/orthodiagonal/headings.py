@@ -30,19 +30,13 @@ SideChoice = FlapSide | None
 
 @record
 class HeadingConditions:
-    """The conditions that a heading must satisfy.
+    """The conditions that a heading must satisfy."""
 
-    points: Vertices (n,) of g's polyline, complex numbers in g's own axes.
-    gain: cos(beta_mid/2): K of a column by how far it lies along t.
-    limits: Open interval in which K of every column must lie; it holds 0.
-    flap: Width of the flaps, 0 if there are none, or None if it follows what room there is.
-    sides: To which end of f the left and the right flap fold, or None: where there is more room.
-    """
-
-    points: Complex
-    gain: float
-    limits: tuple[float, float]
-    flap: float | None
+    points: Complex  # vertices (n,) of g's polyline, in g's own axes
+    gain: float  # cos(beta_mid/2): K of a column by how far it lies along t
+    limits: tuple[float, float]  # open interval in which K of every column must lie; it holds 0
+    flap: float | None  # width of the flaps, 0 if there are none; None: as wide as there is room
+    # to which end of f the left and the right flap fold, or None: where there is more room
     sides: tuple[SideChoice, SideChoice]
 
     def of(self, zigzag: Zigzag) -> HeadingConditions:
@@ -116,13 +110,13 @@ class HeadingConditions:
     def _crossing(self) -> Array:
         # sin(eps) <= 0, widened by SMALLEST_EPS
         direction = np.angle(np.diff(self.points)) - np.pi / 2
-        low, high = np.full_like(direction, -np.inf), np.full_like(direction, np.sin(SMALLEST_EPS))
-        return _arcs(direction, low, high)
+        return _arcs(direction, -np.inf, np.sin(SMALLEST_EPS))
 
     def _edges(self) -> Array:
         phase, radius = self._polar()
         low, high = self.limits
-        return np.concatenate([_below(phase, radius, low), _above(phase, radius, high)])
+        below = _arcs(phase, -np.inf, _share(low, radius))
+        return np.concatenate([below, _arcs(phase, _share(high, radius), np.inf)])
 
     def _flaps(self) -> Array:
         everything, nothing = np.array([[0.0, np.pi]]), np.empty((0, 2))
@@ -133,14 +127,13 @@ class HeadingConditions:
         if not (left[self.sides[0]] if self.sides[0] else any(left.values())):
             return everything
         phase, radius = (values[-1:] for values in self._polar())
+        begin, end = _share(high - width, radius), _share(low + width, radius)
         if self.sides[1] == "end":
-            return _above(phase, radius, high - width)
-        if self.sides[1] == "start":
-            return _below(phase, radius, low + width)
-        return _arcs(phase, _share(high - width, radius), _share(low + width, radius))
+            return _arcs(phase, begin, np.inf)
+        return _arcs(phase, -np.inf if self.sides[1] == "start" else begin, end)
 
     def _polar(self) -> tuple[Array, Array]:
-        """Phases and radii of columns 2 ... n: K of a column is radius cos(heading + phase)."""
+        """Phase and radius of columns 2 ... n: K of a column is radius cos(heading + phase)."""
         from_first = self.gain * (self.points[1:] - self.points[0])
         return np.angle(from_first), np.abs(from_first)
 
@@ -155,9 +148,7 @@ def describe_heading(
 ) -> dict[str, Parameter]:
     """What the report says of a heading, and of the paper's alpha_0 (step 3).
 
-    heading: The heading (radians).
-    zigzag, headings: The zigzag of f that was taken, and its conditions.
-    demands: Those of all zigzags: a heading is admissible where one of them admits it.
+    demands: Conditions of all zigzags: a heading is admissible where one of them admits it.
     refitted: Whether g's polyline is another one at another heading, so that there is no interval.
     """
 
@@ -212,25 +203,14 @@ def holds(interval: tuple[float, float] | None, heading: float) -> bool:
     return (low < heading or heading == low == 0) and (heading < high or heading == high == np.pi)
 
 
-def _above(phase: Array, radius: Array, limit: float) -> Array:
-    """Headings at which radius cos(heading + phase) is at the limit or above."""
-    bound = _share(limit, radius)
-    return _arcs(phase, bound, np.full_like(bound, np.inf))
-
-
-def _below(phase: Array, radius: Array, limit: float) -> Array:
-    """Headings at which radius cos(heading + phase) is at the limit or below."""
-    bound = _share(limit, radius)
-    return _arcs(phase, np.full_like(bound, -np.inf), bound)
-
-
 def _share(limit: float, radius: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(limit / radius)
 
 
-def _arcs(phase: Array, low: Array, high: Array) -> Array:
+def _arcs(phase: Array, low: Array | float, high: Array | float) -> Array:
     """Headings in [0, pi] (k, 2) at which low <= cos(heading + phase) <= high."""
+    phase, low, high = np.broadcast_arrays(phase, low, high)
     some = (low <= 1) & (high >= -1) & (low <= high)
     phase, low, high = phase[some], low[some], high[some]
     begin, end = np.arccos(np.minimum(high, 1.0)), np.arccos(np.maximum(low, -1.0))

@@ -49,10 +49,14 @@ from orishell.families.orthodiagonal.columns import (
     Columns,
     bound_edges,
     column_and_spread,
-    running,
     squared_distances,
 )
-from orishell.families.shared.sheets import FlapSheet, row_fold_angle, target_drive
+from orishell.families.shared.sheets import (
+    FlapSheet,
+    row_fold_angle,
+    running_sums,
+    target_drive,
+)
 from orishell.motion import mechanism_in_one_line
 from orishell.motion.grid import CreaseValues
 from orishell.numerics import Enclosure
@@ -94,7 +98,7 @@ class Orthodiagonal(FlapSheet):
 
     def shifts(self) -> Array:
         """Shifts K (n+2,) of every column, 0 at column 1; (n,) without flaps."""
-        return running(self._columns.k)[self._existing]
+        return running_sums(self._columns.k, 1)[self._existing]
 
     def column_lengths(self) -> Array:
         """Lengths (m+1, columns of the grid) of all columns' edges: they never change.
@@ -144,7 +148,7 @@ class Orthodiagonal(FlapSheet):
             (spread.real * t.imag, column.real * t.imag),
             (spread.imag, column.imag),
         )
-        shift = running(columns.k)[self._existing]
+        shift = running_sums(columns.k, 1)[self._existing]
         shape = (*drive.shape, self.grid.rows, self.grid.columns)
         out, plane = np.empty((*shape, 3)), np.empty(shape)
         for axis, (growth, start) in enumerate(factors):
@@ -195,10 +199,6 @@ class Orthodiagonal(FlapSheet):
         lengths = self._whole_lengths()[:, columns].T
         return squared_distances(whole, self._tangents(), self._turning(), lengths, rows)
 
-    @property
-    def _rest(self) -> float:
-        return self._columns.rest
-
     def _sharpest_angle(self) -> float:
         return float(self.angles.min())
 
@@ -225,7 +225,6 @@ class Orthodiagonal(FlapSheet):
         return -self.first * alternating(len(self.angles))
 
     def _steps(self) -> Columns:
-        """The steps of every panel column along K and along n."""
         segment = np.diff(self.points) * np.exp(1j * self.heading)  # l exp(i eps)
         side = [1.0 if side == "end" else -1.0 for side in self.flap_sides]
         inner = segment.real * np.cos(self.angles[len(self.angles) // 2] / 2)
@@ -241,7 +240,7 @@ class Orthodiagonal(FlapSheet):
 
     def _middle_row(self, columns: Columns, kappa: Array, advance: Array, level: Complex) -> Array:
         """The middle row (..., n+2, 3): on the points at the target, if there is no tilt."""
-        shift = running(columns.k)
+        shift = running_sums(columns.k, 1)
         tangent = self._tangents()[len(self.angles) // 2]
         t = np.exp(-1j * self.heading)
         lock = np.exp(1j * self.tilt)
@@ -257,7 +256,7 @@ class Orthodiagonal(FlapSheet):
         locked = np.stack([points + along * (lock.real - 1) * t, along * lock.imag])
 
         now = np.hypot(tangent, kappa[..., None]) * shift
-        advanced = running(advance) - running(columns.locked)
+        advanced = running_sums(advance, 1) - running_sums(columns.locked, 1)
         level = level[..., None]
         moved = (now * level.real - along * lock.real + 1j * advanced) * t
         risen = now * level.imag - along * lock.imag

@@ -38,7 +38,7 @@ g: of 270 random ones none was nearer than 0.83 of it."""
 DEPTH_SHARES = (0.9, 0.3, 0.6, 0.99, 0.95, 0.8, 0.7, 0.5, 0.4, 0.2, 0.1)
 """Depths that are tried beside "auto" to meet a tolerance, as shares of it."""
 TELLING = 4
-"""So many of them tell whether others may do."""
+"""The first of them, which tell whether others may do."""
 
 
 class OrthodiagonalPattern(Pattern):
@@ -115,7 +115,7 @@ class OrthodiagonalPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return forgiving(self, lambda: design_orthodiagonal(f, g, **self.arguments()), (f, g))
+        return forgiving(self, design_orthodiagonal, f, g)
 
 
 FAMILY = Family(

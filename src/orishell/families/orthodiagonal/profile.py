@@ -13,7 +13,6 @@ from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
 from orishell.curves import Trace, curve_from_points, remembered, trace_curve
 from orishell.design import Approached, Path, Sliding, Surface
-from orishell.families.orthodiagonal.mechanism import Orthodiagonal
 from orishell.families.pattern import Auto
 from orishell.families.shared.candidates import values
 from orishell.numerics.arrays import Array
@@ -32,37 +31,23 @@ STRAIGHT = 1e-9
 """A g that leaves the columns' normal by less than this share of its length follows it."""
 
 
-def sweep(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Surface:
-    """f slid along g, which lies in the plane of the middle row.
-
-    The zigzag passes through g at its middle vertex.
-    """
-    rail = Sliding(Path.of(g), complex(np.exp(-1j * mechanism.heading)), mechanism.tilt)
-    return Surface(f, _origin(zigzag), rail)
-
-
-def tilted(g: Array, mechanism: Orthodiagonal) -> str:
-    """How g's plane is turned in the target surface, in words; empty where that leaves g as it is.
-
-    g: g in that surface (N, 3).
-    mechanism: The sheet.
-    """
+def tilted(g: Array, tilt: float) -> str:
+    """How g (N, 3) is tilted in the target surface, in words; empty where it stays level."""
     high = float(np.ptp(g[:, 2]))
     if high <= STRAIGHT * float(np.ptp(g, axis=0).max()):
         return ""
     return (
-        f"g's plane is tilted by {in_degrees(abs(mechanism.tilt))} degrees about the columns' "
-        f"normal, as the axis of f's zigzag is: g is {high:.4g} high"
+        f"g's plane is tilted by {in_degrees(abs(tilt))} degrees with the axis of f's zigzag, "
+        f"so g rises by {high:.4g}"
     )
 
 
-def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Approached | None:
+def approach(f: Trace, origin: Array, g: Trace, t: complex) -> Approached | None:
     """What the shell approaches: the cylinder over f along the common normal of its columns.
 
     Rows shift along f, alternately to and fro, by as much as g departs from the normal. The edges
     of the zigzag limit that: the finer it is, the less can g depart.
     """
-    t = np.exp(-1j * mechanism.heading)
     normal = 1j * t
     points = g.points @ np.array([1, 1j])
     relative = (points - points[0]) * normal.conjugate()
@@ -71,16 +56,11 @@ def approach(f: Trace, zigzag: Zigzag, g: Trace, mechanism: Orthodiagonal) -> Ap
         return None
     ends = points[0] + np.array([relative.real.min(), relative.real.max()]) * normal
     line = curve_from_points(np.stack([ends.real, ends.imag], axis=-1), smooth=False)
-    rail = Sliding(Path.of(trace_curve(line)), complex(t))
     return Approached(
         f"g waves by {plain(leaves)} and rows follow it along f: finer shells come nearer to the "
         "straight cylinder over f",
-        Surface(f, _origin(zigzag), rail),
+        Surface(f, origin, Sliding(Path.of(trace_curve(line)), t)),
     )
-
-
-def _origin(zigzag: Zigzag) -> np.ndarray:
-    return np.asarray(zigzag.vertices[len(zigzag.vertices) // 2])
 
 
 End = Literal["level", "square", "untrimmed"]
@@ -134,11 +114,9 @@ def require_zigzags(trace: Trace, rows: int, depth: float | Auto) -> list[Zigzag
 
 @remembered
 def zigzag_distance(trace: Trace, rows: int, depth: float | Auto) -> float:
-    """Distance from f at which every zigzag of this depth is at least (length).
+    """Distance from f at which every zigzag of this depth is at least.
 
     That of some of f's points from the nearest of them; inner vertices are at ``depth``.
-
-    Raises DesignError if there is none.
     """
     zigzags = require_zigzags(trace, rows, depth)
     points = trace.points[:: max(1, len(trace.points) // POINTS)]
@@ -179,17 +157,13 @@ def _candidates(trace: Trace, rows: int, depth: float | None) -> Iterator[Remedy
 def trim_ends(
     trace: Trace, zigzag: Zigzag, shifts: Array
 ) -> tuple[list[End], tuple[float, float], list[complex | None]]:
-    """The planes in which the locked shell ends, and the growth by K of the end edges.
+    """The planes in which the locked shell ends, the growth by K of the end edges, and the normals.
 
-    shifts: K of the columns that are to end there.
-
-    Returns ends: For both ends of f: "level" if the shell ends in the horizontal plane through f's
-        end (f must be steeper there than :data:`STEEP`), "square" if in the plane through it that
-        is perpendicular to f's chord from end to end, "untrimmed" if the end edges of all columns
-        are as long as those of column 1: the first of these that keeps them in :data:`TRIM_RANGE`.
-    Returns trims: The growth of the end edges' lengths by K.
-    Returns normals: Normals of the planes, in complex numbers of f's plane; None where there is
-        none.
+    At both ends of f the first of these that keeps end edges in :data:`TRIM_RANGE`, whatever K of
+    the columns that are to end there: "level" is the horizontal plane through f's end (f must be
+    steeper there than :data:`STEEP`), "square" the one through it that is perpendicular to f's
+    chord from end to end, "untrimmed" none: the end edges of all columns are as long as those of
+    column 1. Normals of the planes are complex numbers of f's plane.
     """
     edges = np.diff(zigzag.vertices @ np.array([1, 1j]))
     lengths = np.abs(edges)
@@ -198,18 +172,16 @@ def trim_ends(
     chord = (trace.points[-1] - trace.points[0]) @ np.array([1, 1j])
     # a_1 and a_m of the mechanism, over the end edge's direction.
     cases = (
-        (edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], lengths[0], 1.0),
-        (edges[-1] / lengths[-1], np.tan(angles[-1] / 2) - 1j * turning[-1], lengths[-1], -1.0),
+        (edges[0] / lengths[0], np.tan(angles[0] / 2) + 1j * turning[0], lengths[0]),
+        (edges[-1] / lengths[-1], np.tan(angles[-1] / 2) - 1j * turning[-1], -lengths[-1]),
     )
     square: tuple[End, complex] = ("square", complex(chord))
     level: tuple[End, complex] = ("level", 1j)
     ends: list[End] = []
     trims: list[float] = []
-    for slope, (direction, spread, length, sign) in zip(
-        (trace.heading[0], trace.arriving[-1]), cases, strict=True
-    ):
+    for slope, case in zip((trace.heading[0], trace.arriving[-1]), cases, strict=True):
         planes = (level, square) if abs(np.sin(slope)) > np.sin(STEEP) else (square,)
-        end, trim = _trim(direction, spread, length / sign, shifts, planes)
+        end, trim = _trim(*case, shifts, planes)
         ends.append(end)
         trims.append(trim)
     normals = {"level": level[1], "square": square[1], "untrimmed": None}

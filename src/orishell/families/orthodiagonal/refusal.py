@@ -21,7 +21,15 @@ from orishell.families.orthodiagonal.headings import (
     union,
 )
 from orishell.families.orthodiagonal.profile import sound_zigzags
-from orishell.families.shared.candidates import FARTHER, angles, part, sizes, values
+from orishell.families.shared.candidates import (
+    FARTHER,
+    angles,
+    does_not_cross,
+    part,
+    sizes,
+    turned_to,
+    values,
+)
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 from orishell.polylines import Zigzag, choose_depth
@@ -49,21 +57,24 @@ def refuse(
     """The error that names the first condition that fails at a heading, and what would work.
 
     zigzags, demands: Zigzags of f, that of the widest reach first, and what they ask of a heading.
-    heading: The heading that none of them admits (radians).
-    refitted: Whether g's polyline is another one at another heading, so that no limits can be
-        named.
+    refitted: Whether g's polyline is another one at another heading: no limits can be named.
     """
     zigzag, headings = zigzags[0], demands[0]
     crossing = nearest_interval(headings.crossing_intervals(), heading)
     if crossing is None:
         return _turns_too_far(g, headings)
-    search = _Search(f, g.curve, zigzag, headings, heading)
+    search = HeadingSearch(f, g.curve, zigzag, headings, heading)
     admissible = union(np.concatenate([each.intervals() for each in demands]))
-    limits = "" if refitted else _limits(nearest_interval(admissible, heading))
+    limits, nearest = "", nearest_interval(admissible, heading)
+    if nearest is not None and not refitted:
+        low, high = map(in_degrees, nearest)
+        limits = f"; heading_deg must lie between {low} and {high}"
     if not holds(crossing, heading):
-        return _does_not_cross(
-            headings,
-            heading,
+        eps = headings.eps(heading)
+        worst = int(np.maximum(-eps, eps - np.pi).argmax())
+        return does_not_cross(
+            worst,
+            eps[worst],
             limits,
             search.headings_of(admissible)
             if len(admissible)
@@ -91,8 +102,8 @@ def refuse(
 
 
 @record
-class _Search:
-    """The search for changes to a request that make it feasible, the nearest first."""
+class HeadingSearch:
+    """The search for changes with which a heading is admissible, the nearest first."""
 
     f: Trace
     g: Curve
@@ -110,7 +121,7 @@ class _Search:
             yield from self.at_another_depth()
             yield from self.smaller_at_the_best_depth()
 
-    def without_flaps(self) -> _Search:
+    def without_flaps(self) -> HeadingSearch:
         """The same search for flaps as wide as there is room for."""
         return replace(self, headings=replace(self.headings, flap=None))
 
@@ -185,19 +196,9 @@ class _Search:
             yield remedy | turned
 
 
-def _limits(interval: tuple[float, float] | None) -> str:
-    if interval is None:
-        return ""
-    low, high = map(in_degrees, interval)
-    return f"; heading_deg must lie between {low} and {high}"
-
-
 def _turns_too_far(g: Trace, headings: HeadingConditions) -> DesignError:
     direction = np.unwrap(np.angle(np.diff(headings.points)))
-    both = np.stack([g.heading, g.arriving])
-    so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
-    start = float(g.t[0])
-    last = float(g.t[np.flatnonzero(so_far < np.pi - 2 * SMALLEST_EPS)[-1]])
+    start, last = float(g.t[0]), turned_to(g, np.pi - 2 * SMALLEST_EPS)
     return DesignError(
         "g turns too far: f's plane cannot cross all its chords, whatever its direction",
         size=f"its chords spread over {in_degrees(np.ptp(direction))} degrees and may spread over "
@@ -208,21 +209,6 @@ def _turns_too_far(g: Trace, headings: HeadingConditions) -> DesignError:
             for share in PARTS
         ),
         excess=np.ptp(direction) / np.pi - 1,
-    )
-
-
-def _does_not_cross(
-    headings: HeadingConditions, heading: float, limits: str, candidates: Iterable[Remedy]
-) -> DesignError:
-    eps = headings.eps(heading)
-    worst = int(np.argmax(np.maximum(-eps, eps - np.pi)))
-    return DesignError(
-        "f's plane does not cross the chord of g",
-        place=f"between columns {worst + 1} and {worst + 2}",
-        size=f"the angle between them is {in_degrees(eps[worst])} degrees, and must lie between "
-        f"0 and 180{limits}",
-        candidates=candidates,
-        excess=max(-eps[worst], eps[worst] - np.pi) / np.pi,
     )
 
 
@@ -242,7 +228,7 @@ def _rows_meet(
         "too far along f's plane",
         keys=("pattern.heading_deg",),
         place=f"between rows {row + 1} and {row + 2} in column {column + 1}",
-        size=f"the crease there would be {plain(share[row, column] * length[row, 0])} long, "
+        size=f"the crease there would be {plain(share[row, column] * length[row, 0])} long; "
         f"in column 1 it is {plain(length[row, 0])}{limits}",
         candidates=candidates,
         excess=-share[row, column],

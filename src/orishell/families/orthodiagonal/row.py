@@ -48,8 +48,7 @@ BEYOND = 1e-9
 def cut_flaps(mechanism: Orthodiagonal, planes: Sequence[complex | None]) -> Orthodiagonal | None:
     """The sheet with its flaps cut where its columns end; None if too little of them is left.
 
-    planes: For both ends of f a normal to the plane in which columns end, in complex numbers of f's
-        plane, or None if they end in none.
+    planes: For both ends of f the normal of the plane in which columns end, or None.
     """
     kept = np.ones((2, mechanism.grid.rows))
     for flap, column, whole in _in_plane(mechanism):
@@ -142,21 +141,13 @@ G = Followed(
 
 @record
 class Row:
-    """The middle row at lock.
+    """The middle row at lock."""
 
-    trace: g, run through along its x axis.
-    vertices: Vertices (n, 2) of g's polyline.
-    closeness: The polyline's distance from g.
-    heading: Angle from f's plane to g's x axis (radians), or "auto" where the row leaves it open.
-    parameters: What the report says of it.
-    warnings: Sentences a user should read.
-    """
-
-    trace: Trace
-    vertices: Array
-    closeness: Closeness
-    heading: float | Auto
-    parameters: Mapping[str, Parameter]
+    trace: Trace  # g, run through along its x axis
+    vertices: Array  # vertices (n, 2) of g's polyline
+    closeness: Closeness  # the polyline's distance from g
+    heading: float | Auto  # from f's plane to g's x axis; "auto" where the row leaves it open
+    parameters: Mapping[str, Parameter]  # what the report says of it
     warnings: tuple[str, ...] = ()
 
     @classmethod
@@ -175,14 +166,12 @@ class Row:
 
         It is the staircase of g, turned so that the normal of f's plane is the x axis. The heading
         "auto" brings that normal as near to g's chord from end to end as the zigzag allows.
-
-        Raises DesignError if g has none.
         """
         if columns < FEWEST:
             raise DesignError(
-                'row = "zigzag" needs a corner',
+                f'row = "zigzag" needs a corner, so at least {FEWEST} columns',
                 keys=("pattern.columns",),
-                size=f"there are {columns} columns, and must be at least {FEWEST}",
+                size=f"there are {columns}",
                 candidates=(Remedy({"pattern.columns": count}) for count in MORE),
                 excess=1 - columns / FEWEST,
             )

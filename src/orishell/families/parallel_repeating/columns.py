@@ -25,7 +25,7 @@ from dataclasses import field
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.families.shared.sheets import ALIKE, other_side
+from orishell.families.shared.sheets import ALIKE, other_side, running_sums, target_drive
 from orishell.numerics import Enclosure, spinning_acceleration, turning_acceleration
 from orishell.numerics.arrays import Array, Complex, Integers
 
@@ -61,6 +61,13 @@ class Columns:
         object.__setattr__(self, "slope_beyond", slope)
         object.__setattr__(self, "tau_beyond", tau)
 
+    def phase(self, drive: Array) -> tuple[Array, Array]:
+        """Kappa and the tightest w (...), exactly 1 and the rest at the target."""
+        there = drive == target_drive(self.rest)
+        size = np.hypot(1.0, self.rest)
+        kappa = np.where(there, 1.0, size * np.sin(drive / 2))
+        return kappa, np.where(there, self.rest, size * np.cos(drive / 2))
+
     def _squares_beyond(self, start: int) -> tuple[Array, Array]:
         """nu**2 (n+1,) less that of a panel column, and what is as good as nothing of it.
 
@@ -80,12 +87,11 @@ class Columns:
 
 def turned(tau: Array, cosine: Array, sine: Array, w: Array, gain: Array) -> Complex:
     """exp(i (eps - delta)); ``gain`` is w - tau sin(delta)."""
-    return _unit(tau * cosine**2 + w * sine + 1j * (cosine * gain))
-
-
-def running_sums(steps: Array, start: int) -> Array:
-    """Running sums (K+1,) of steps (K,) from a place on, where they are 0."""
-    return np.concatenate([-np.cumsum(steps[:start][::-1])[::-1], [0.0], np.cumsum(steps[start:])])
+    z = tau * cosine**2 + w * sine + 1j * (cosine * gain)
+    size = np.hypot(z.real, z.imag)
+    unit = np.empty_like(z)  # exactly 1 where z is real and positive; complex division is not
+    unit.real, unit.imag = z.real / size, z.imag / size
+    return unit
 
 
 def interleaved(z: Complex) -> Array:
@@ -95,24 +101,14 @@ def interleaved(z: Complex) -> Array:
     return coordinates.reshape(*z.shape[:-1], -1)
 
 
-def _unit(z: Complex) -> Complex:
-    """Numbers of modulus 1; exactly 1 where z is real and positive (complex division is not)."""
-    size = np.hypot(z.real, z.imag)
-    unit = np.empty_like(z)
-    unit.real, unit.imag = z.real / size, z.imag / size
-    return unit
-
-
 def squared_distances(
     columns: Columns, edges: Array, rows: Integers, which: Integers, drives: tuple[Array, Array]
 ) -> Enclosure:
     """Squared distances (S, P) of pairs of vertices, each pair in one column.
 
-    columns: Equation (2).
-    edges: By how much the edges (m+1,) of all columns rise at the target (length).
-    rows: Rows of the two vertices of every pair (P, 2).
-    which: The column (P,) of every pair, counted from 0 at column 1.
-    drives: Ends (S,) of ranges of the drive (radians).
+    edges: By how much the edges (m+1,) of all columns rise at the target.
+    rows, which: Rows (P, 2) of the two vertices of every pair, and its column (P,) from 0.
+    drives: Ends (S,) of ranges of the drive.
     """
     edge = np.arange(len(edges))
     between = (edge >= rows.min(axis=1)[:, None]) & (edge < rows.max(axis=1)[:, None])
@@ -131,15 +127,12 @@ def bound_edges(
     reach: Array,
     drives: tuple[Array, Array],
 ) -> tuple[Array, Array]:
-    """Bounds of the second derivative of edge vectors by the drive.
+    """Bounds of the second derivative of edge vectors by the drive: along rows, down columns.
 
-    columns: Equation (2).
     chords: Lengths (n-1,) of the middle row's segments.
     lengths: Lengths (n+1,) of the longest crease between two columns, flaps at both ends.
     reach: What column 1's edges (m+1,) take along t, per unit of spread, and upwards at the target.
-    drives: Ends (S,) of ranges of the drive (radians).
-
-    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
+    drives: Ends (S,) of ranges of the drive.
     """
     start, stop = (ends[..., None] for ends in drives)
     size = np.hypot(1.0, columns.rest)

@@ -11,8 +11,8 @@ from pydantic_core import PydanticCustomError
 from orishell.conventions.arguments import checked
 from orishell.conventions.formatting import in_degrees, tidy_degrees
 from orishell.conventions.table import Number
-from orishell.curves import Curve, Trace, trace_curve
-from orishell.design import Design, FlapSide, Parameter, warn_of_no_lock
+from orishell.curves import Curve, trace_curve
+from orishell.design import Design, Parameter, Path, Surface, Turning, warn_of_no_lock
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
 from orishell.families.parallel_repeating.profile import (
     F,
@@ -20,11 +20,10 @@ from orishell.families.parallel_repeating.profile import (
     Row,
     approach,
     fit_profile,
-    sweep,
 )
 from orishell.families.parallel_repeating.sheet import (
+    require_flap_resolution,
     require_flat_sheet,
-    require_resolution,
     require_row_edges,
     warn_of_stretched_columns,
 )
@@ -37,11 +36,12 @@ from orishell.families.pattern import (
     Width,
     in_radians,
 )
-from orishell.numerics.arrays import Array
+from orishell.families.shared.candidates import smaller
+from orishell.families.shared.sheets import middle_vertex, upright
+from orishell.motion import require_resolution
 from orishell.polylines import (
     Placement,
     Spacing,
-    Staircase,
     fit_staircase,
     measure_chords,
     theta_interval,
@@ -62,7 +62,6 @@ def require_square(planes: str, plane: str, right: float) -> Callable[[Any], Non
     """The rule that planes which bisect the polyline's angles are not oblique as well.
 
     planes, plane: Names of the two: keys of the table [pattern], or arguments.
-    right: The right angle in the unit of ``plane``.
     """
 
     def rule(asked: Any) -> None:
@@ -147,42 +146,56 @@ def design_parallel_repeating(
 
     g_trace = trace_curve(g, "g").in_own_frame()
     row = Row.on(g_trace, columns, plane, planes, spacing=spacing, placement=placement)
-    row.require_crossing(g_trace, spacing, placement)
+    row.require_crossing()
     width = float(staircase.lengths.mean()) if flap == "auto" else flap
-    sides = flap_sides[0], flap_sides[1]
-    mechanism = _assemble(staircase, row, sides).with_flaps(width)
+    mechanism = ParallelRepeating(
+        xi=xi,
+        lengths=staircase.lengths,
+        first=staircase.first,
+        points=row.chords.vertices @ np.array([1, 1j]),
+        axes=np.exp(1j * (row.heading - row.plane)),
+        flaps=(0.0, 0.0),
+        flap_sides=(flap_sides[0], flap_sides[1]),
+    ).with_flaps(width)
     require_row_edges(mechanism, f, g)
-    require_resolution(mechanism, width)
+    require_flap_resolution(mechanism, width)
+    require_resolution(mechanism.without_flaps(), smaller(rows, columns))
     require_flat_sheet(
-        mechanism, width, row.parameters, lambda angle: fit_staircase(f_trace, angle, rows + 1), g
+        mechanism,
+        width,
+        row.chords.parameters,
+        lambda angle: fit_staircase(f_trace, angle, rows + 1),
+        g,
     )
 
-    closeness = {
-        "f": profile.closeness,
-        "g": measure_chords(g_trace, row.chords),
-    }
-    heading_low, heading_high = f_trace.heading_range()
+    closeness = {"f": profile.closeness, "g": measure_chords(g_trace, row.chords)}
+    low, high = f_trace.heading_range()
+    interval = theta_interval(low - theta, high - theta, xi)
     scales = mechanism.column_scales()
-    interval = theta_interval(heading_low - theta, heading_high - theta, xi)
+    bisecting: dict[str, Parameter] = {"plane": planes, "plane_off_deg": tidy_degrees(row.off)}
+    origin = middle_vertex(staircase)
     return Design(
         mechanism=mechanism,
         parameters={
             "xi_deg": tidy_degrees(xi),
-            "xi_limit_deg": tidy_degrees(xi_limit(heading_low, heading_high)),
+            "xi_limit_deg": tidy_degrees(xi_limit(low, high)),
             "theta_deg": tidy_degrees(theta),
             "theta_interval_deg": [tidy_degrees(angle) for angle in interval],
             "plane_deg": tidy_degrees(plane),
-            **_of_planes(row),
+            **(bisecting if planes == "bisector" else {}),
             "column_scale": [float(scales.min()), float(scales.max())],
             "flap": width,
             "flap_side": [str(side) for side in flap_sides],
             "spacing": spacing,
             "placement": placement,
         },
-        targets=_place_targets(f_trace, staircase, g_trace, row),
+        targets={
+            "f": upright(f_trace, origin, mechanism.points[0], mechanism.axes[0]),
+            "g": np.concatenate([g_trace.points, np.zeros((len(g_trace.points), 1))], axis=-1),
+        },
         closeness=closeness,
-        swept=sweep(f_trace, staircase, g_trace, plane),
-        approached=approach(f_trace, staircase, g_trace, plane),
+        swept=Surface(f_trace, origin, Turning(Path.of(g_trace), plane)),
+        approached=approach(f_trace, origin, g_trace, plane),
         tilted=f"f is turned in its plane by {in_degrees(theta)} degrees" if theta else "",
         origin=np.append(g_trace.origin, 0.0),
         warnings=(
@@ -192,37 +205,3 @@ def design_parallel_repeating(
             *warn_of_no_lock(width),
         ),
     )
-
-
-def _of_planes(row: Row) -> dict[str, Parameter]:
-    """What the report says of planes that do not follow g's tangent."""
-    if row.planes == "tangent":
-        return {}
-    return {"plane": row.planes, "plane_off_deg": tidy_degrees(row.off)}
-
-
-def _assemble(
-    staircase: Staircase,
-    row: Row,
-    flap_sides: tuple[FlapSide, FlapSide],
-) -> ParallelRepeating:
-    return ParallelRepeating(
-        xi=staircase.xi,
-        lengths=staircase.lengths,
-        first=staircase.first,
-        points=row.vertices @ np.array([1, 1j]),
-        axes=np.exp(1j * (row.heading - row.plane)),
-        flaps=(0.0, 0.0),
-        flap_sides=flap_sides,
-    )
-
-
-def _place_targets(f: Trace, staircase: Staircase, g: Trace, row: Row) -> dict[str, Array]:
-    """f through the middle of its staircase at g's start, and g in the plane z = 0."""
-    axis = np.exp(1j * (row.heading[0] - row.plane))
-    relative = f.points - staircase.vertices[len(staircase.vertices) // 2]
-    across = row.vertices[0] @ np.array([1, 1j]) + relative[:, 0] * axis
-    return {
-        "f": np.stack([across.real, across.imag, relative[:, 1]], axis=-1),
-        "g": np.concatenate([g.points, np.zeros((len(g.points), 1))], axis=-1),
-    }

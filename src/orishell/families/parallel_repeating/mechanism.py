@@ -39,7 +39,6 @@ from orishell.families.parallel_repeating.columns import (
     Columns,
     bound_edges,
     interleaved,
-    running_sums,
     squared_distances,
     turned,
 )
@@ -47,7 +46,8 @@ from orishell.families.shared.sheets import (
     FlapSheet,
     column_fold_angle,
     row_fold_angle,
-    target_drive,
+    running_products,
+    running_sums,
 )
 from orishell.motion import mechanism_in_one_line
 from orishell.motion.grid import CreaseValues
@@ -96,11 +96,6 @@ class ParallelRepeating(FlapSheet):
         """Arc length (m+2,) along the first column from its middle vertex."""
         return running_sums(self.lengths, len(self.lengths) // 2)
 
-    def locked_heights(self) -> Array:
-        """Height z (m+2,) of every row at lock, 0 at the middle row."""
-        rises = self._rising() * self.lengths * np.cos(self.xi / 2)
-        return running_sums(rises, len(rises) // 2)
-
     def sector_angles(self) -> Array:
         """The paper's alpha_1 ... alpha_4n (n, 4) of the middle row, equation (2) (radians).
 
@@ -139,10 +134,10 @@ class ParallelRepeating(FlapSheet):
         Without flaps: (..., m+2, n, 3).
         """
         drive = np.asarray(drive, dtype=np.float64)
-        columns = self._columns
-        kappa, tight = self._phase(columns, drive)
-        middle, spread = self._row_and_spread(columns, tight[..., None])
-        reach, height = self.column_arcs() * np.cos(self.xi / 2), self.locked_heights()
+        kappa, tight = self._columns.phase(drive)
+        middle, spread = self._row_and_spread(tight[..., None])
+        reach = self.column_arcs() * np.cos(self.xi / 2)
+        height = running_sums(self._rises(), len(self.lengths) // 2)
 
         grid = self.grid
         out = np.empty((*drive.shape, grid.rows, grid.columns, 3))
@@ -155,7 +150,7 @@ class ParallelRepeating(FlapSheet):
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), section 2(b) (radians)."""
         columns = self._columns
-        kappa, tight = self._phase(columns, np.asarray(drive, dtype=np.float64))
+        kappa, tight = columns.phase(np.asarray(drive, dtype=np.float64))
         c = kappa[..., None]
         w = np.hypot(columns.slope_beyond, tight[..., None])
         row = row_fold_angle(c, w)
@@ -190,12 +185,15 @@ class ParallelRepeating(FlapSheet):
     ) -> Enclosure:
         """Squared distances of vertices, see :class:`~orishell.deployment.ColumnDistances`."""
         inner = columns - self.inner_columns.start
-        edges = self._rising() * self.lengths * np.cos(self.xi / 2)
-        return squared_distances(self._columns, edges, rows, inner, (start, stop))
+        return squared_distances(self._columns, self._rises(), rows, inner, (start, stop))
 
     def _rising(self) -> Array:
-        """+1 for edges of the first column that rise at lock, -1 for those that fall (m+1,)."""
+        """+1 for edges (m+1,) of the first column that rise at lock, -1 for those that fall."""
         return self.first * np.where(np.arange(len(self.lengths)) % 2 == 0, 1.0, -1.0)
+
+    def _rises(self) -> Array:
+        """By how much the edges (m+1,) of all columns rise at lock."""
+        return np.asarray(self._rising() * self.lengths * np.cos(self.xi / 2))
 
     def _solved(self) -> Columns:
         """Equation (2): tau and the cosines of delta per column, the slope per panel column."""
@@ -219,10 +217,6 @@ class ParallelRepeating(FlapSheet):
             existing=self._existing,
         )
 
-    @property
-    def _rest(self) -> float:
-        return self._columns.rest
-
     def _sharpest_angle(self) -> float:
         return float(2 * np.arctan(self._columns.tau[[0, -1]].min()))
 
@@ -232,23 +226,12 @@ class ParallelRepeating(FlapSheet):
         left, right = (size * after / before for size, before, after in sizes)
         return replace(stopped, flaps=(left, right))
 
-    def _phase(self, columns: Columns, drive: Array) -> tuple[Array, Array]:
-        """Kappa and the tightest w (...), exactly 1 and the rest at the target."""
-        rest = columns.rest
-        there = drive == target_drive(rest)
-        size = np.hypot(1.0, rest)
-        kappa = np.where(there, 1.0, size * np.sin(drive / 2))
-        return kappa, np.where(there, rest, size * np.cos(drive / 2))
-
-    def _row_and_spread(self, columns: Columns, tight: Array) -> tuple[Complex, Complex]:
+    def _row_and_spread(self, tight: Array) -> tuple[Complex, Complex]:
         """Middle row and displacement along t per unit of reach (..., columns of the grid).
 
-        Parameters
-        ----------
-        tight
-            The tightest w, (..., 1).
+        tight: The tightest w, (..., 1).
         """
-        rest = columns.rest
+        columns, rest = self._columns, self._columns.rest
         there = tight == rest  # at the target what is known needs no square root
         w = np.where(there, columns.slope, np.hypot(columns.slope_beyond, tight))
         # Turns against the target state, of a segment from the column at its left, and of a
@@ -257,13 +240,11 @@ class ParallelRepeating(FlapSheet):
         gain = (tight - rest) * (tight + rest) / (inner + slope)
         turn = turned(columns.tau[:-1], columns.cos_right[:-1], columns.sines, inner, gain)
         turn_next = turned(columns.tau[1:], columns.cos_left[1:], columns.sines_next, inner, gain)
-        ones = np.ones((*tight.shape[:-1], 1), dtype=np.complex128)
-        of_axis = np.concatenate([ones, np.cumprod(turn * turn_next, axis=-1)], axis=-1)
+        of_axis = running_products(turn * turn_next)
         of_segment = of_axis[..., :-1] * turn
 
         edges = np.diff(self.points)
-        shift = np.cumsum(edges * (of_segment - 1), axis=-1)
-        row = self.points + np.concatenate([0 * ones, shift], axis=-1)
+        row = self.points + running_sums(edges * (of_segment - 1), 0)
 
         # Placement: no turn on average over the row's length, and the centroid kept.
         length = np.abs(edges) / np.abs(edges).sum()

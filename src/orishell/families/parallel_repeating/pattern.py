@@ -42,7 +42,7 @@ XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)
 """Angles xi that are tried to meet a tolerance, as shares of the widest: beside that and "auto",
 which keeps edges even."""
 NARROWER = 3
-"""So many of them where edges may have any length."""
+"""Number of them that are tried where edges may have any length."""
 WIDER = 1e-3
 """The widest is tried where it is wider than "auto" by this share."""
 
@@ -95,8 +95,8 @@ class ParallelRepeatingPattern(Pattern):
 
     def arguments(self) -> dict[str, Any]:
         """The keys as the function takes them, see :meth:`Pattern.arguments`."""
-        angle = float(np.deg2rad(self.plane_deg))
-        return {**super().arguments(), "planes": self.plane, "plane": angle}
+        plane = float(np.deg2rad(self.plane_deg))
+        return {**super().arguments(), "planes": self.plane, "plane": plane}
 
     def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
         """Vertices of g in the best ways, and angles xi up to the widest that f admits."""
@@ -134,7 +134,7 @@ class ParallelRepeatingPattern(Pattern):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
-        return forgiving(self, lambda: design_parallel_repeating(f, g, **self.arguments()), (f, g))
+        return forgiving(self, design_parallel_repeating, f, g)
 
 
 FAMILY = Family(

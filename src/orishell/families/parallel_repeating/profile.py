@@ -8,13 +8,13 @@ from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import in_degrees, rounded, tidy_degrees
 from orishell.conventions.record import record
 from orishell.curves import Curve, Trace, remembered, run_along_axis, trace_curve
 from orishell.design import Approached, Path, Surface, Turning
 from orishell.families.pattern import Auto
-from orishell.families.shared.candidates import angles
+from orishell.families.shared.candidates import angles, does_not_cross
 from orishell.families.shared.staircases import Followed
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect_integers
@@ -33,9 +33,7 @@ from orishell.polylines import (
 ORTHODIAGONAL = Remedy(
     {
         "shell.family": "orthodiagonal",
-        **dict.fromkeys(
-            ("pattern.xi_deg", "pattern.theta_deg", "pattern.plane_deg", "pattern.plane")
-        ),
+        **{f"pattern.{key}": None for key in ("xi_deg", "theta_deg", "plane_deg", "plane")},
     }
 )
 """The family that takes an f of walls near vertical, or beyond."""
@@ -62,11 +60,7 @@ class Profile:
 
 @remembered
 def fit_profile(f: Curve, edges: int, xi: float | Auto, theta: float | Auto) -> Profile:
-    """Rotate f and fit its staircase.
-
-    Raises CurveError if f is not a usable curve.
-    Raises DesignError if it has no staircase of this angle.
-    """
+    """Rotate f and fit its staircase; refuse an f that has none of this angle."""
     angle = None if xi == "auto" else xi
     trace = run_along_axis(trace_curve(f, "f").in_own_frame(), 0.0 if theta == "auto" else theta)
     if theta == "auto":
@@ -89,15 +83,7 @@ STRETCHED = 1e-9
 """A stretch that differs from 1 by less than this counts as none."""
 
 
-def sweep(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Surface:
-    """f swept rigidly along g, in planes at the angle ``plane`` to it (radians).
-
-    The staircase passes through g at its middle vertex.
-    """
-    return Surface(f, _origin(staircase), Turning(Path.of(g), plane))
-
-
-def approach(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Approached | None:
+def approach(f: Trace, origin: Array, g: Trace, plane: float) -> Approached | None:
     """What finer shells approach where ``plane`` is no right angle: f stretched along its plane.
 
     None where that is f swept rigidly, or where g has corners that f's plane does not cross.
@@ -112,14 +98,10 @@ def approach(f: Trace, staircase: Staircase, g: Trace, plane: float) -> Approach
     if max(abs(low - 1), abs(high - 1)) < STRETCHED:
         return None
     return Approached(
-        f"f is not swept rigidly, for its plane is not square to g: it is stretched along its "
-        f"plane to between {low:.4g} and {high:.4g} of its width",
-        Surface(f, _origin(staircase), rail),
+        "f's plane is not square to g, so f is not swept rigidly but stretched along its plane, "
+        f"to between {low:.4g} and {high:.4g} of its width",
+        Surface(f, origin, rail),
     )
-
-
-def _origin(staircase: Staircase) -> np.ndarray:
-    return np.asarray(staircase.vertices[len(staircase.vertices) // 2])
 
 
 Planes = Literal["tangent", "bisector"]
@@ -131,31 +113,19 @@ MORE_COLUMNS = (1.25, 1.6, 2.5)
 
 @record
 class Row:
-    """The middle row on g's polyline.
+    """The middle row on g's polyline."""
 
-    chords: g's polyline.
-    heading: Directions (n,) that the planes follow at the vertices (radians): g's own, or those
-        that bisect the angles of its polyline, but for its ends.
-    plane: Angle from f's plane to these (radians).
-    planes: Which of the two.
-    off: The largest angle between these and g's own (radians).
-    """
-
-    chords: Chords
+    chords: Chords  # g's polyline
+    # directions (n,) that the planes follow at the vertices (radians): g's own, or those that
+    # bisect the angles of its polyline, but for its ends
     heading: Array
-    plane: float
-    planes: Planes
-    off: float
-
-    @property
-    def parameters(self) -> Array:
-        """Parameters (n,) on g of the vertices."""
-        return self.chords.parameters
-
-    @property
-    def vertices(self) -> Array:
-        """Vertices (n, 2) of g's polyline."""
-        return self.chords.vertices
+    plane: float  # angle from f's plane to these (radians)
+    planes: Planes  # which of the two
+    off: float  # the largest angle between these and g's own (radians)
+    # how g's vertices were placed
+    trace: Trace
+    spacing: Spacing
+    placement: Placement
 
     @classmethod
     def on(
@@ -173,86 +143,79 @@ class Row:
         heading = trace.heading_at(chords.parameters)
         off = np.zeros(len(heading))
         if planes == "bisector":
-            off[1:-1] = _wrapped(_bisecting(chords.vertices) - heading[1:-1])
-        return cls(chords, heading + off, plane, planes, float(np.abs(off).max()))
+            edge = np.diff(chords.vertices @ np.array([1, 1j]))
+            turn = np.angle(edge[1:] * edge[:-1].conj())
+            off[1:-1] = _wrapped(np.angle(edge[:-1]) + turn / 2 - heading[1:-1])
+        most = float(np.abs(off).max())
+        return cls(chords, heading + off, plane, planes, most, trace, spacing, placement)
 
     def turns(self) -> Array:
         """Angles (2, n-1) of every chord from g's direction at its first and its last vertex."""
-        chord = np.diff(self.vertices, axis=0)
+        chord = np.diff(self.chords.vertices, axis=0)
         direction = np.arctan2(chord[:, 1], chord[:, 0])
         return _wrapped(direction - np.stack([self.heading[:-1], self.heading[1:]]))
 
-    def require_crossing(self, trace: Trace, spacing: Spacing, placement: Placement) -> None:
+    def require_crossing(self) -> None:
         """Refuse chords that do not run from one column plane to the next (0 < delta < pi)."""
         delta = self.turns() + self.plane
         outside = np.maximum(-delta, delta - np.pi)
         worst = np.unravel_index(int(outside.argmax()), outside.shape)
         if outside[worst] < 0:
             return
-        column = int(worst[1]) + 1
-        low, high = float((-self.turns()).max()), float(np.pi - self.turns().max())
+        low, high = _planes_that_cross(self.turns())
         turnable = self.planes == "tangent" and low < high
         limits = (
             f"; plane_deg must lie between {in_degrees(low)} and {in_degrees(high)}"
             if turnable
             else "; no plane_deg fits all columns"
         )
-        raise DesignError(
-            "f's plane does not cross the chord of g",
-            place=f"between columns {column} and {column + 1}",
-            size=f"the angle between them is {in_degrees(delta[worst])} degrees, and must lie "
-            "between 0 and 180" + (limits if self.planes == "tangent" else ""),
-            candidates=angles("plane_deg", low, high, self.plane)
-            if turnable
-            else self._enough_columns(trace, spacing, placement),
-            excess=outside[worst] / np.pi,
+        raise does_not_cross(
+            int(worst[1]),
+            delta[worst],
+            limits if self.planes == "tangent" else "",
+            angles("plane_deg", low, high, self.plane) if turnable else self._enough_columns(),
         )
 
-    def _enough_columns(
-        self, trace: Trace, spacing: Spacing, placement: Placement
-    ) -> Iterator[Remedy]:
-        def works(columns: int, spacing: Spacing = spacing) -> bool:
-            row = Row.on(
-                trace, columns, self.plane, self.planes, spacing=spacing, placement=placement
-            )
-            delta = row.turns() + self.plane
+    def _enough_columns(self) -> Iterator[Remedy]:
+        count = len(self.heading)
+
+        def turns(columns: int, spacing: Spacing = self.spacing) -> Array:
+            how = self.placement
+            return Row.on(
+                self.trace, columns, self.plane, self.planes, spacing=spacing, placement=how
+            ).turns()
+
+        def works(columns: int, spacing: Spacing = self.spacing) -> bool:
+            delta = turns(columns, spacing) + self.plane
             return bool((delta > 0).all() and (delta < np.pi).all())
 
         # Powers of two, so that refusals of one g try the same numbers and find them remembered.
-        columns = 2 ** len(self.vertices).bit_length()
+        columns = 2 ** count.bit_length()
         for _ in range(8):
             if works(columns):
                 fewest = bisect_integers(works, columns, columns // 2)
-                if fewest > len(self.vertices):
+                if fewest > count:
                     # More columns than are just enough leave more room for the panels.
-                    yield from (
-                        Remedy({"pattern.columns": count})
-                        for count in (fewest, *(math.ceil(more * fewest) for more in MORE_COLUMNS))
-                    )
+                    for enough in (fewest, *(math.ceil(more * fewest) for more in MORE_COLUMNS)):
+                        yield Remedy({"pattern.columns": enough})
                     return
             columns *= 2
         columns //= 2
-        for more in (len(self.vertices), columns):
-            if spacing == "equal" and works(more, "curvature"):
+        for more in (count, columns):
+            if self.spacing == "equal" and works(more, "curvature"):
                 yield Remedy({"pattern.spacing": "curvature", "pattern.columns": more})
         if self.planes == "bisector":
             return
-        turns = Row.on(
-            trace, columns, self.plane, self.planes, spacing=spacing, placement=placement
-        ).turns()
-        least, most = float((-turns).max()), float(np.pi - turns.max())
+        least, most = _planes_that_cross(turns(columns))
         if least < most:
             plane = rounded(tidy_degrees(0.5 * (least + most)), 6)
             yield Remedy({"pattern.plane_deg": plane, "pattern.columns": columns})
 
 
-def _bisecting(vertices: Array) -> Array:
-    """Directions (n-2,) that bisect those of the edges before and after a vertex (of n, 2)."""
-    edge = np.diff(vertices @ np.array([1, 1j]))
-    turn = np.angle(edge[1:] * edge[:-1].conj())
-    return np.asarray(np.angle(edge[:-1]) + turn / 2)
+def _planes_that_cross(turns: Array) -> tuple[float, float]:
+    """The interval of the angle ``plane`` in which f's plane crosses chords of these turns."""
+    return float((-turns).max()), float(np.pi - turns.max())
 
 
 def _wrapped(angle: Array) -> Array:
-    """The same angles in [-pi, pi)."""
     return np.asarray(np.mod(angle + np.pi, 2 * np.pi) - np.pi)

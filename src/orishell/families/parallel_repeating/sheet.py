@@ -12,7 +12,7 @@ from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.quantities import plain
 from orishell.curves import Curve
 from orishell.families.parallel_repeating.mechanism import ParallelRepeating
-from orishell.families.shared.candidates import angles, fewer, part, sizes, values
+from orishell.families.shared.candidates import angles, part, sizes, values
 from orishell.motion import RESOLUTION
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import largest_below
@@ -42,51 +42,27 @@ def require_row_edges(mechanism: ParallelRepeating, f: Curve, g: Curve) -> None:
     reach = abs(mechanism.column_arcs()[row]) * np.sin(mechanism.xi / 2)
     scale = float(1 / (1 - share[worst]))
     raise DesignError(
-        "neighbouring columns meet inside the sheet: g bends more sharply than f reaches",
+        "neighbouring columns meet inside the sheet: f reaches too far into a bend of g",
         place=f"at row {row} between columns {column} and {column + 1}",
-        size=f"the crease there would be {plain(length)} long, where f reaches "
+        size=f"the crease there would be {plain(length)} long; there f reaches "
         f"{plain(reach)} from g",
         candidates=chain(sizes("f", f, scale), sizes("g", g, 1 / scale)),
         excess=SHORTEST_EDGE - share[worst],
     )
 
 
-def require_resolution(mechanism: ParallelRepeating, flap: float) -> None:
-    """Refuse panels so small that the rounding of coordinates would bend them.
-
-    flap: Width of the flaps; 0 if there are none.
-    """
-    rows = (0, len(mechanism.lengths))
+def require_flap_resolution(mechanism: ParallelRepeating, flap: float) -> None:
+    """Refuse flaps that rounding would bend, or beside which it would bend other panels."""
     sheet = mechanism.positions(0.0)[:, mechanism.inner_columns]
-    size = float(np.linalg.norm(np.ptp(sheet.reshape(-1, 3), axis=0)))
-    if flap:
-        limits = (RESOLUTION * size / min(mechanism.with_flaps(1.0).flaps), size)
-        if not limits[0] <= flap <= limits[1]:
-            raise DesignError(
-                "the flaps are too narrow or too wide for this sheet",
-                size=f"they are {plain(flap)} wide, and may be {plain(limits[0])} to "
-                f"{plain(limits[1])}",
-                candidates=values("flap", limits[0], limits[1], flap),
-                excess=max(1 - flap / limits[0], flap / limits[1] - 1),
-            )
-    for name, shortest, key, count in (
-        (
-            "crease of a row",
-            min(float(mechanism.row_lengths(row).min()) for row in rows),
-            "columns",
-            len(mechanism.points),
-        ),
-        ("crease of column 1", float(mechanism.lengths.min()), "rows", len(mechanism.lengths) - 1),
-    ):
-        if shortest < RESOLUTION * size:
-            raise DesignError(
-                "a panel is so small that the rounding of coordinates would bend it",
-                place=f"at the shortest {name}",
-                size=f"it is {plain(shortest)} long, and must be at least {RESOLUTION:g} of "
-                f"the sheet's diagonal, which is {plain(size)}",
-                candidates=fewer(key, count),
-                excess=1 - shortest / (RESOLUTION * size),
-            )
+    widest = float(np.linalg.norm(np.ptp(sheet.reshape(-1, 3), axis=0)))
+    narrowest = RESOLUTION * widest / min(mechanism.with_flaps(1.0).flaps)
+    if flap and not narrowest <= flap <= widest:
+        raise DesignError(
+            "the flaps are too narrow or too wide for this sheet",
+            size=f"they are {plain(flap)} wide, and may be {plain(narrowest)} to {plain(widest)}",
+            candidates=values("flap", narrowest, widest, flap),
+            excess=max(1 - flap / narrowest, flap / widest - 1),
+        )
 
 
 def require_flat_sheet(
@@ -98,7 +74,6 @@ def require_flat_sheet(
 ) -> None:
     """Refuse a flat sheet that overlaps itself; all panels are convex, so its border decides.
 
-    flap: Width of the flaps; 0 if there are none.
     parameters: Parameters of g's vertices.
     staircase: The staircase of f for another xi.
     """
@@ -151,17 +126,13 @@ def warn_of_stretched_columns(mechanism: ParallelRepeating, plane: float) -> tup
     if plane != np.pi / 2 or np.abs(np.log(scales)).max() <= STRETCH:
         return ()
     return (
-        f"f is stretched to between {plain(scales.min(), 3)} and {plain(scales.max(), 3)} of "
-        "its width along "
-        "g, because g turns too much from column to column; take more columns",
+        f"along g, f is stretched to between {plain(scales.min(), 3)} and {plain(scales.max(), 3)} "
+        "of its width, because g turns too much from column to column; take more columns",
     )
 
 
 def _is_flat_sheet(mechanism: ParallelRepeating, *, flaps: bool = True) -> bool:
+    """Whether the border never crosses itself; columns are straight, so their ends suffice."""
     flat = mechanism.positions(0.0)
-    return _is_simple(flat if flaps else flat[:, mechanism.inner_columns])
-
-
-def _is_simple(flat: Array) -> bool:
-    """Whether the border of the sheet never crosses itself; columns are straight: ends suffice."""
+    flat = flat if flaps else flat[:, mechanism.inner_columns]
     return is_simple_polygon(np.concatenate([flat[0, :, :2], flat[-1, ::-1, :2]]))

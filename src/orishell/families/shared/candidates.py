@@ -1,4 +1,4 @@
-"""Changes to the design file that are worth trying after a refusal (not in the paper).
+"""Refusals that families share, and changes to the design file worth trying (not in the paper).
 
 Among them are slips of the pen that are legal: radians for degrees, a curve in another unit than
 the other. A shell that is made of them draws a warning; where one is refused, what may have been
@@ -7,7 +7,7 @@ meant is tried first.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy, Value
-from orishell.conventions.formatting import ROUNDING, between, rounded, tidy_degrees
+from orishell.conventions.formatting import ROUNDING, between, in_degrees, rounded, tidy_degrees
 from orishell.conventions.quantities import plain
-from orishell.curves import Curve
+from orishell.curves import Curve, Trace
 from orishell.design import Design
 
 if TYPE_CHECKING:
@@ -28,43 +28,20 @@ FARTHER = (1 + ROUNDING, 1.1, 1.4, 2.0)
 
 
 def values(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """Values of a key to try, within an open interval; none if it is empty.
-
-    Parameters
-    ----------
-    key
-        A key of the table [pattern].
-    low, high
-        The interval, in the unit of the file.
-    wanted
-        What was asked for.
-    """
+    """Values of a key of [pattern] to try, within an open interval; none if it is empty."""
     if low < high:
         yield from (Remedy({f"pattern.{key}": value}) for value in between(low, high, wanted))
 
 
 def angles(key: str, low: float, high: float, wanted: float) -> Iterator[Remedy]:
-    """Values of an angle to try, as :func:`values` gives them.
-
-    Parameters
-    ----------
-    key
-        A key of the table [pattern] that is in degrees.
-    low, high, wanted
-        The interval and what was asked for (radians).
-    """
+    """The same for a key in degrees, the interval and what was asked for in radians."""
     yield from values(key, tidy_degrees(low), tidy_degrees(high), tidy_degrees(wanted))
 
 
 def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
-    """Sizes of a curve to try, beyond a limit that it must not reach.
+    """Sizes of f or g to try, beyond a limit that it must not reach.
 
-    Parameters
-    ----------
-    name
-        "f" or "g".
-    factor
-        How many times larger the curve would be at the limit: below 1 it must become smaller.
+    At the limit the curve is ``factor`` times as large: below 1 it must become smaller.
     """
     for farther in FARTHER:
         share = factor / farther if factor < 1 else factor * farther
@@ -72,32 +49,42 @@ def sizes(name: str, curve: Curve, factor: float) -> Iterator[Remedy]:
 
 
 def part(name: str, curve: Curve, start: float, stop: float) -> Remedy:
-    """The change that keeps only a part of a curve.
-
-    Parameters
-    ----------
-    name
-        "f" or "g".
-    start, stop
-        Its parameters.
-    """
+    """The change that keeps only a part of f or g, between two of its parameters."""
     low, high = curve.drawn_part(start, stop)
     return Remedy({f"target.{name}.{curve.key}": [rounded(low, 6), rounded(high, 6)]})
 
 
 def fewer(key: str, count: int) -> Iterator[Remedy]:
-    """Smaller odd numbers of rows or columns to try.
-
-    Parameters
-    ----------
-    key
-        "rows" or "columns".
-    count
-        Their number.
-    """
+    """Smaller odd numbers of "rows" or "columns" to try."""
     while count > 3:
         count = count // 4 * 2 + 1
         yield Remedy({f"pattern.{key}": count})
+
+
+def smaller(rows: int, columns: int) -> Iterator[Remedy]:
+    """Smaller sheets to try: fewer rows, then fewer columns."""
+    yield from chain(fewer("rows", rows), fewer("columns", columns))
+
+
+def turned_to(trace: Trace, spread: float) -> float:
+    """The parameter up to which a curve's tangents spread over less than this (radians)."""
+    both = np.stack([trace.heading, trace.arriving])
+    so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
+    return float(trace.t[np.flatnonzero(so_far < spread)[-1]])
+
+
+def does_not_cross(
+    column: int, angle: float, limits: str, candidates: Iterable[Remedy]
+) -> DesignError:
+    """The refusal of a chord of g, after a column from 0, at an angle to f's plane."""
+    return DesignError(
+        "f's plane does not cross the chord of g",
+        place=f"between columns {column + 1} and {column + 2}",
+        size=f"the angle between them is {in_degrees(angle)} degrees, and must lie between 0 and "
+        f"180{limits}",
+        candidates=candidates,
+        excess=max(-angle, angle - np.pi) / np.pi,
+    )
 
 
 LARGE: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
@@ -105,7 +92,7 @@ LARGE: tuple[str, ...] = ("xi_deg", "row_angle_deg", "plane_deg", "sector_deg")
 EITHER: tuple[str, ...] = ("heading_deg",)
 """Keys of angles that are as small where g runs along y."""
 UNLIKE, ABSURD = 30.0, 100.0
-"""A curve so many times as large as the other may be in another unit; and is worth a warning."""
+"""A curve this many times as large as the other may be in another unit; and draws a warning."""
 UNITS = (1000.0, 100.0, 25.4, 10.0)
 """How many times larger numbers are in another unit, the likeliest first: millimetres for metres,
 centimetres for metres, millimetres for inches, millimetres for centimetres."""
@@ -123,28 +110,14 @@ class Slip:
     warning: str  # what a shell that is made of it is warned of; "" if of nothing
 
 
-def forgiving(
-    pattern: Pattern, make: Callable[[], Design], target: tuple[Curve, Curve] | None = None
-) -> Design:
-    """Design a pattern, and say what looks like a slip of the pen.
+def forgiving(pattern: Pattern, make: Callable[..., Design], *target: Curve) -> Design:
+    """Design a pattern, with f and g if it has a target, and say what looks like a slip of the pen.
 
-    Parameters
-    ----------
-    pattern
-        The table.
-    make
-        Designs it.
-    target
-        The curves f and g, if there are any.
-
-    Raises
-    ------
-    DesignError
-        As the family does; what may have been meant comes first among its candidates.
+    Where the family refuses, what may have been meant comes first among the candidates.
     """
-    slips = [*_radians(pattern), *(_units(*target) if target is not None else ())]
+    slips = [*_radians(pattern), *(_units(*target) if target else ())]
     try:
-        design = make()
+        design = make(*target, **pattern.arguments())
     except DesignError as error:
         if slips:
             error.size = "; ".join(filter(None, [error.size, *(slip.words for slip in slips)]))
@@ -192,6 +165,5 @@ def _units(f: Curve, g: Curve) -> Iterator[Slip]:
 
 
 def _size(curve: Curve) -> float:
-    """The extent of a curve, as some of its points have it."""
     points = curve.position(np.linspace(curve.start, curve.stop, SAMPLES))
     return float(np.hypot(*np.ptp(points, axis=0)))

@@ -1,4 +1,4 @@
-"""What sheets of the paper's sections 2 and 3 share: vertices, and flaps that end the motion.
+"""What sheets of the paper's sections 2 and 3 share: vertices, flaps, the place of f.
 
 Column-straight vertices (sections LU + LD = RU + RD = pi): with psi the angle between the two
 column creases, write c = cos(psi/2), and for a row crease with the sector angle a below it
@@ -17,11 +17,14 @@ from dataclasses import replace
 from typing import Any, ClassVar, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import between, in_degrees, tidy_degrees
+from orishell.curves import Trace
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Complex
+from orishell.polylines import Staircase, Zigzag
 
 
 def row_fold_angle(c: Array, w: Array) -> Array:
@@ -44,9 +47,9 @@ def column_fold_angle(
 ) -> Array:
     """Fold angle of the column creases at a column-straight vertex (radians).
 
-    Each side's panels make with the normal of the column's plane the angle arctan(c k/w), the
-    two of them together the fold angle. Its sign is that of cos eps_L + cos eps_R: zero where
-    the row is straight, the same through the whole motion.
+    Each side's panels make the angle arctan(c k/w) with the normal of the column's plane; together
+    these are the fold angle. Its sign is that of cos eps_L + cos eps_R: zero where the row is
+    straight, the same through the whole motion.
 
     Parameters
     ----------
@@ -69,11 +72,11 @@ class FlapSheet:
 
     lengths: Array  # edge lengths of the first column (m+1,), m odd, in the unit of the curves
     points: Complex  # the middle row at lock (n,), n at least 2: vertices of g's polyline
-    # size of the left and the right flap (length); 0 where there is none
-    flaps: tuple[float, float]
+    flaps: tuple[float, float]  # size of the left and the right flap; 0 where there is none
     # by how much flaps stop short of folding flat at the target: half of what the row crease of a
     # flap that folds most lacks to pi there (radians)
     stop: float
+    _columns: Any  # the family's columns; ``rest`` is how far the tightest is open at the target
 
     @property
     def grid(self) -> Grid:
@@ -112,7 +115,7 @@ class FlapSheet:
             raise DesignError(
                 "flaps cannot stop so far short of folding flat",
                 keys=("panel.stop_deg",),
-                size=f"they are to stop {in_degrees(stop)} degrees short, and must less than "
+                size=f"they would stop {in_degrees(stop)} degrees short, and the limit is "
                 f"{in_degrees(limit)}, half of the sharpest angle of the columns beside them",
                 candidates=(Remedy({"panel.stop_deg": value}) for value in between(0, most, asked)),
                 excess=(stop - limit) / np.pi,
@@ -127,17 +130,12 @@ class FlapSheet:
     @property
     def target_drive(self) -> float:
         """Where the tightest panel column has the fold angle that its rest leaves it: pi if 0."""
-        return target_drive(self._rest)
+        return target_drive(self._columns.rest)
 
     @property
     def end_drive(self) -> float:
         """The drive pi, at which the tightest row creases are folded flat."""
         return float(np.pi)
-
-    @property
-    def _rest(self) -> float:
-        """How far the tightest panel column is open at the target, as the mechanism says."""
-        raise NotImplementedError
 
     def _sharpest_angle(self) -> float:
         """The smallest angle of the first and the last column at the target (radians)."""
@@ -161,7 +159,7 @@ class FlapSheet:
 
 
 def target_drive(rest: float) -> float:
-    """Return the drive at which the tightest panel column is as open as its rest says (radians).
+    """Drive at which the tightest panel column is as open as its rest says (radians).
 
     Parameters
     ----------
@@ -172,14 +170,35 @@ def target_drive(rest: float) -> float:
 
 
 def other_side(whole: Array, part: Array | float) -> Array:
-    """Return sqrt(whole**2 - part**2), 0 where they are alike but for rounding.
+    """sqrt(whole**2 - part**2), 0 where they are alike but for rounding.
 
     A rounding error would be as large as its square root: creases that close together would not.
-
-    Parameters
-    ----------
-    whole, part
-        Hypotenuse and one side of right triangles (...), in any unit of length.
     """
     side = np.sqrt(np.maximum((whole - part) * (whole + part), 0.0))
     return np.asarray(np.where(whole - part <= ALIKE * whole, 0.0, side))
+
+
+def running_sums(steps: NDArray[Any], start: int) -> NDArray[Any]:
+    """Running sums (..., K+1) of steps (..., K) from a place on, where they are 0."""
+    before = -np.cumsum(steps[..., :start][..., ::-1], axis=-1)[..., ::-1]
+    zero = np.zeros((*steps.shape[:-1], 1))
+    return np.concatenate([before, zero, np.cumsum(steps[..., start:], axis=-1)], axis=-1)
+
+
+def running_products(turns: Complex) -> Complex:
+    """Running products (..., K+1) of numbers (..., K) of modulus 1, beginning with 1."""
+    ones = np.ones((*turns.shape[:-1], 1), dtype=np.complex128)
+    return np.asarray(np.concatenate([ones, np.cumprod(turns, axis=-1)], axis=-1))
+
+
+def middle_vertex(polyline: Staircase | Zigzag) -> Array:
+    """The vertex (2,) of column 1 at lock that lies on g."""
+    vertex: Array = polyline.vertices[len(polyline.vertices) // 2]
+    return vertex
+
+
+def upright(f: Trace, middle: Array, start: complex, axis: complex) -> Array:
+    """f (N, 3) upright over an axis in g's plane, its point ``middle`` at g's start."""
+    relative = f.points - middle
+    across = start + relative[:, 0] * axis
+    return np.stack([across.real, across.imag, relative[:, 1]], axis=-1)

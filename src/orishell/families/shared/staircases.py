@@ -5,7 +5,6 @@ f has one in the parallel repeating family, g in the orthodiagonal one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import chain
 
 import numpy as np
@@ -13,8 +12,9 @@ import numpy as np
 from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
 from orishell.curves import Trace
-from orishell.families.shared.candidates import angles, part
+from orishell.families.shared.candidates import angles, part, turned_to
 from orishell.polylines import (
     Staircase,
     choose_xi,
@@ -29,7 +29,7 @@ ROOM = (0.95, 0.8, 0.6)
 """Shares of the admissible turning that parts of a curve use: some must be left for xi."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Followed:
     """How a family speaks of a curve that a staircase follows."""
 
@@ -45,33 +45,15 @@ class Followed:
     instead: Remedy  # what else takes a curve that turns too much for it
 
     def interval(self, low: float, high: float, xi: float | None) -> tuple[float, float]:
-        """The rotations that its key can say at which a curve has a staircase.
+        """The rotations that its key can say at which a curve has a staircase (radians).
 
-        Parameters
-        ----------
-        low, high
-            Range of the curve's tangent directions, not turned (radians).
-        xi
-            The angle between edges (radians), or None for any.
+        low, high: Range of the curve's tangent directions, not turned. Without xi: of any angle.
         """
         begin, end = theta_interval(low, high, xi or 0.0)
         return max(begin, -self.farthest), min(end, self.farthest)
 
     def turns(self, trace: Trace, xi: float | None) -> tuple[float, float]:
-        """The rotations at which a curve has a staircase: an open interval (radians).
-
-        Parameters
-        ----------
-        trace
-            The curve, not turned.
-        xi
-            The angle between edges (radians), or None for any.
-
-        Raises
-        ------
-        DesignError
-            If there is none.
-        """
+        """The same for a curve, not turned; refuse one that has none."""
         low, high = trace.heading_range()
         begin, end = self.interval(low, high, xi)
         if end - begin <= NARROWEST_XI:
@@ -79,24 +61,10 @@ class Followed:
         return begin, end
 
     def fit(self, trace: Trace, theta: float, xi: float | None, edges: int) -> Staircase:
-        """The staircase of a turned curve.
+        """The staircase of a curve that is turned by theta; without xi, the best of any angle.
 
-        Parameters
-        ----------
-        trace
-            The curve, turned.
-        theta
-            By how much (radians).
-        xi
-            The angle between edges (radians), or None for the best one.
-        edges
-            Their number.
-
-        Raises
-        ------
-        DesignError
-            If there is none: every tangent must lie within (pi - xi)/2 of the axis, which is the
-            paper's condition under equation (1). Without xi, some xi must satisfy it.
+        There is one if every tangent lies within (pi - xi)/2 of the axis, which is the paper's
+        condition under equation (1).
         """
         self._require(trace, xi, theta)
         return fit_staircase(trace, choose_xi(trace, edges) if xi is None else xi, edges)
@@ -106,8 +74,8 @@ class Followed:
         if staircase.balanced:
             return ()
         return (
-            f"a staircase closer to {self.name} than {plain(staircase.distance)} may exist; it was "
-            "not found",
+            f"a staircase closer to {self.name} than {plain(staircase.distance)} may exist, but "
+            "was not found",
         )
 
     def _require(self, trace: Trace, xi: float | None, theta: float) -> None:
@@ -146,15 +114,13 @@ class Followed:
 
     def _too_much_turning(self, trace: Trace, spread: float, xi: float | None) -> DesignError:
         allowed = np.pi - (xi or 0.0)
-        both = np.stack([trace.heading, trace.arriving])
-        so_far = np.maximum.accumulate(both.max(axis=0)) - np.minimum.accumulate(both.min(axis=0))
         rotated = Remedy({f"pattern.{self.theta}": "auto"})
         candidates = []
         if xi is not None and np.pi - spread > NARROWEST_XI:
             candidates += [each | rotated for each in angles(self.xi, 0.0, np.pi - spread, xi)]
         for room in ROOM:
-            k = int(np.flatnonzero(so_far < room * allowed)[-1])
-            candidates.append(part(self.name, trace.curve, trace.t[0], trace.t[k]) | rotated)
+            end = turned_to(trace, room * allowed)
+            candidates.append(part(self.name, trace.curve, trace.t[0], end) | rotated)
         walls = spread >= np.pi
         candidates.insert(0 if walls else len(candidates), self.instead)
         return DesignError(

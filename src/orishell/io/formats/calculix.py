@@ -30,6 +30,7 @@ BUCKLING = "5,1e-4,40,1000"
 lowest: with 20 vectors, of the shelter in 8 cells, by 5 %."""
 STIFF = 1e3
 """A tie that does not stretch is this many times as stiff as a square of panel."""
+_ANSWERS = ("*NODE PRINT,NSET=SHELL", "U", "*NODE FILE", "U,RF", "*EL FILE", "S")
 
 
 def write_calculix(path: Path, document: Document, settings: Settings) -> None:
@@ -61,14 +62,16 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
         *_sections(deck, shell.poisson, conversion(unit, "m")),
         *_ties(shell, len(deck.cells)),
         "*BOUNDARY",
-        *_held(shell.held),
-        *_held(_kept_still(shell)),
+        *(
+            f"{node},{dof},{dof}"
+            for node, dof in 1 + np.concatenate([shell.held, _kept_still(shell)])
+        ),
     ]
     for name, forces in cases:
-        lines += [*_begin(name), "*STATIC", *_loads(forces), *_answers(), "*END STEP"]
-    lines += [*_begin("natural frequencies"), "*FREQUENCY", str(MODES), *_answers(), "*END STEP"]
+        lines += _step(name, "*STATIC", *_loads(forces), *_ANSWERS)
+    lines += _step("natural frequencies", "*FREQUENCY", str(MODES), *_ANSWERS)
     for name, forces in cases:
-        lines += [*_begin(f"buckling: {name}"), "*BUCKLE", BUCKLING, *_loads(forces), "*END STEP"]
+        lines += _step(f"buckling: {name}", "*BUCKLE", BUCKLING, *_loads(forces))
     path.write_text("".join(f"{line}\n" for line in lines), encoding="ascii", newline="\n")
 
 
@@ -191,11 +194,6 @@ def _ties(shell: LoadedShell, cells: int) -> Iterable[str]:
         yield f"{each:.12e}"
 
 
-def _held(freedoms: Integers) -> Iterable[str]:
-    for node, freedom in (freedoms + 1).tolist():
-        yield f"{node},{freedom},{freedom}"
-
-
 def _kept_still(shell: LoadedShell) -> Integers:
     """Displacements (k, 2) that keep the shell as a whole where its supports do not.
 
@@ -221,24 +219,14 @@ def _kept_still(shell: LoadedShell) -> Integers:
     return np.array(more, np.int64).reshape(-1, 2)
 
 
-def _begin(what: str) -> Iterable[str]:
-    yield f"** {_plain(what)}"
-    yield "*STEP"
+def _step(what: str, *lines: str) -> Iterable[str]:
+    return f"** {_plain(what)}", "*STEP", *lines, "*END STEP"
 
 
 def _loads(forces: Array) -> Iterable[str]:
     yield "*CLOAD,OP=NEW"
     for node, axis in np.argwhere(forces).tolist():
         yield f"{node + 1},{axis + 1},{_numbers([forces[node, axis]])}"
-
-
-def _answers() -> Iterable[str]:
-    yield "*NODE PRINT,NSET=SHELL"
-    yield "U"
-    yield "*NODE FILE"
-    yield "U,RF"
-    yield "*EL FILE"
-    yield "S"
 
 
 def _numbers(values: Sequence[float]) -> str:

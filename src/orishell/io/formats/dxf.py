@@ -17,7 +17,7 @@ import numpy as np
 
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
-from orishell.io.format import Format, Settings
+from orishell.io.format import Format, Settings, plain_line
 from orishell.workshop.palettes import (
     LAYERS,
     ORDER,
@@ -36,8 +36,6 @@ if TYPE_CHECKING:
 INSUNITS: Final[dict[str, int]] = {"mm": 4, "cm": 5, "m": 6, "in": 1, "ft": 2}
 """How ``$INSUNITS`` numbers units."""
 
-IMPERIAL = ("in", "ft")
-
 _ENTITIES = "  2\nENTITIES\n"
 """Where the section of entities begins."""
 
@@ -46,13 +44,7 @@ _LINEWEIGHTS = (0, 5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90,
 
 
 def write_dxf(path: Path, document: Document, settings: Settings) -> None:
-    """Write the flat sheet; where it is split, the assembly map, and ``-1``, ``-2``, ... beside it.
-
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or unit, or the sheet cannot be drawn as asked.
-    """
+    """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it."""
     palette = load_palette(settings.workshop.palette)
     for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_dxf(place, drawing, palette)
@@ -103,7 +95,7 @@ def _without_clock() -> Iterator[None]:
 def _declare(file: DxfDocument, drawing: Drawing) -> None:
     """Say what the unit is, how large the page (its limits) and what is drawn on it (extents)."""
     file.header["$INSUNITS"] = INSUNITS[drawing.unit]
-    file.header["$MEASUREMENT"] = int(drawing.unit not in IMPERIAL)
+    file.header["$MEASUREMENT"] = int(drawing.unit not in ("in", "ft"))
     file.header["$LUNITS"] = 2
     file.header["$TEXTSIZE"] = 2.5 / MILLIMETRES[drawing.unit]
     page = drawing.width, drawing.height
@@ -124,10 +116,8 @@ def _entities(file: DxfDocument, drawing: Drawing, palette: Palette) -> Iterator
     for layer in ORDER:
         if layer not in palette.pens:
             continue
-        texts = (_text(text) for text in drawing.texts if text.layer == layer)
-        circles = (_circle(circle) for circle in drawing.circles if circle.layer == layer)
-        lines = (_line(line) for line in drawing.lines if line.layer == layer)
-        for kind, tags in chain(texts, circles, lines):
+        texts, circles, lines = drawing.of_layer(layer)
+        for kind, tags in chain(map(_text, texts), map(_circle, circles), map(_line, lines)):
             yield (
                 f"  0\n{kind}\n  5\n{handles.next()}\n330\n{owner}\n100\nAcDbEntity\n"
                 f"  8\n{layer}\n{tags}"
@@ -166,8 +156,7 @@ def _text(text: Text) -> tuple[str, str]:
 
 def _plain(words: str) -> str:
     r"""Words without what DXF takes for codes: control characters, ``^``, ``%%``; others as \U+."""
-    letters = [letter if letter.isprintable() else " " for letter in words]
-    known = "".join(letters).replace("^", "^ ").replace("%%", "% %").replace("\\U+", "\\ U+")
+    known = plain_line(words).replace("^", "^ ").replace("%%", "% %").replace("\\U+", "\\ U+")
     return "".join(
         letter
         if letter.encode("cp1252", "ignore")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -13,15 +13,12 @@ from orishell.conventions.quantities import conversion
 from orishell.document import Document
 from orishell.io.format import Format, Settings
 from orishell.io.gltf_buffers import INDICES, VERTICES, Buffers, Singles, singles
-from orishell.io.solids import TRIANGLES, find_frames, find_splits, quaternions
+from orishell.io.solids import TRIANGLES, find_frames, find_splits, quaternions, y_up
 from orishell.motion.quads import longer_diagonals
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 SECONDS: Final = 4.0
 """How long the animation takes from the first state to the last."""
-_LINES = 1
-_JSON, _BINARY = b"JSON", b"BIN\0"
-_TURNED = [0, 2, 1], [1.0, 1.0, -1.0]
 
 
 def write_gltf(path: Path, document: Document, settings: Settings) -> None:
@@ -46,32 +43,27 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
     distance from the origin. A shell far from it hangs on a root node that is moved there in double
     precision. Times follow the drive angle if it rises from state to state,
     otherwise states are evenly spaced. With fewer than two states there is no animation.
-
-    Parameters
-    ----------
-    settings
-        ``state`` says which state the nodes stand in.
-
-    Raises
-    ------
-    InputError
-        If there is no such state, or if the document names no unit.
     """
     import orjson
 
     scale, nearby = conversion(document.require_unit(), "m"), document.nearby
     state = document.state(settings.state)
-    rest = _corners(document, state.positions, nearby, scale)
+
+    def placed(points: Array) -> Array:
+        return y_up(points + (document.origin - nearby)) * scale
+
+    rest = placed(state.positions)[document.mesh.faces]
     along = longer_diagonals(rest)
     origins, axes = find_frames(rest, along)
     inks = _inks(document)
     buffers = Buffers()
-    meshes = _meshes(
-        buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks, _shown(document)
-    )
+    shown = np.ones(len(rest), dtype=bool)
+    if document.boards is not None:
+        shown[document.boards.panels[document.boards.sides == 0]] = False
+    meshes = _meshes(buffers, (rest - origins[:, None]) @ axes, find_splits(rest), inks, shown)
     if document.boards is not None:
         solids, panels = document.boards_in(state), document.boards.panels
-        away = _moved(document, solids, nearby, scale) - origins[panels, None, None]
+        away = placed(solids) - origins[panels, None, None]
         _add_boards(buffers, meshes, document, away @ axes[panels, None])
     content = {
         "asset": {
@@ -81,15 +73,15 @@ def write_gltf(path: Path, document: Document, settings: Settings) -> None:
         },
         "scene": 0,
         "scenes": [{"name": document.title, "nodes": [0]}],
-        "nodes": _nodes(document, _turned(nearby) * scale, origins, axes),
+        "nodes": _nodes(document, y_up(nearby) * scale, origins, axes),
         "meshes": meshes,
         "materials": [_material("panel-front"), *map(_material, inks)],
     }
     if len(document.states) > 1:
-        content["animations"] = [_animation(buffers, document, nearby, scale, along)]
+        content["animations"] = [_animation(buffers, document, placed, along)]
     content |= buffers.described()
     text = orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
-    chunks = _chunk(_JSON, text, b" ") + _chunk(_BINARY, b"".join(buffers.parts), b"\0")
+    chunks = _chunk(b"JSON", text, b" ") + _chunk(b"BIN\0", b"".join(buffers.parts), b"\0")
     header = b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little")
     path.write_bytes(header + chunks)
 
@@ -174,19 +166,11 @@ def _meshes(
                 {
                     "attributes": {"POSITION": corners + panel},
                     "indices": shared[which],
-                    "mode": _LINES,
+                    "mode": 1,  # lines
                     "material": material,
                 }
             )
     return meshes
-
-
-def _shown(document: Document) -> Booleans:
-    """Panels (F,) whose area is seen: all but those that are one solid."""
-    shown = np.ones(len(document.mesh.faces), dtype=bool)
-    if document.boards is not None:
-        shown[document.boards.panels[document.boards.sides == 0]] = False
-    return shown
 
 
 def _add_boards(
@@ -206,14 +190,14 @@ def _add_boards(
 
 
 def _animation(
-    buffers: Buffers, document: Document, nearby: Array, scale: float, along: Integers
+    buffers: Buffers, document: Document, placed: Callable[[Array], Array], along: Integers
 ) -> dict[str, Any]:
     """Keys of all panels at all states."""
     origins: list[Array] = []
     turns: list[Array] = []
     drives: list[float | None] = []
     for state in document.states:
-        origin, axes = find_frames(_corners(document, state.positions, nearby, scale), along)
+        origin, axes = find_frames(placed(state.positions)[document.mesh.faces], along)
         turn = quaternions(axes)
         if turns:  # q and -q are one rotation: the one nearer to the key before is meant
             turn = np.where((turn * turns[-1]).sum(axis=1, keepdims=True) < 0, -turn, turn)
@@ -234,10 +218,7 @@ def _animation(
             for panel in panels
         ],
         "channels": [
-            {
-                "sampler": number * len(panels) + panel,
-                "target": {"node": panel + 1, "path": name},
-            }
+            {"sampler": number * len(panels) + panel, "target": {"node": panel + 1, "path": name}}
             for number, name in enumerate(paths)
             for panel in panels
         ],
@@ -252,22 +233,6 @@ def _times(drives: Sequence[float | None]) -> Singles:
         if (np.diff(times) > 0).all():
             return times
     return np.linspace(0.0, SECONDS, len(values)).astype(np.float32)
-
-
-def _corners(document: Document, positions: Array, nearby: Array, scale: float) -> Array:
-    """Corners (F, 4, 3) of the panels about a point (3,) of the world, in metres, y up."""
-    return _moved(document, positions, nearby, scale)[document.mesh.faces]
-
-
-def _moved(document: Document, points: Array, nearby: Array, scale: float) -> Array:
-    """Points (..., 3) about a point (3,) of the world, in metres, y up."""
-    return np.asarray(_turned(points + (document.origin - nearby)) * scale + 0.0)
-
-
-def _turned(points: Array) -> Array:
-    """Points (..., 3) with y up."""
-    order, signs = _TURNED
-    return np.asarray(points[..., order] * signs)
 
 
 def _chunk(kind: bytes, data: bytes, padding: bytes) -> bytes:

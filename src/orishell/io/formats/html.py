@@ -17,13 +17,7 @@ NOT_BUILT = "the viewer has not been built"
 
 
 def write_html(path: Path, document: Document, settings: Settings) -> None:
-    """Write the viewer with the shell in it: motion, pattern and figures.
-
-    Raises
-    ------
-    InputError
-        If the viewer has not been built.
-    """
+    """Write the viewer with the shell in it: motion, pattern and figures."""
     page = program_page(
         read_viewer(),
         title=document.title,
@@ -41,13 +35,7 @@ def viewer_is_built() -> bool:
 
 
 def read_viewer() -> str:
-    """The viewer's program, one JavaScript module without imports.
-
-    Raises
-    ------
-    InputError
-        If it has not been built.
-    """
+    """The viewer's program, one JavaScript module without imports, if it has been built."""
     return read_program(VIEWER, NOT_BUILT)
 
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
-
 from orishell.document import Document
 from orishell.io.format import Format, Settings
-from orishell.io.solids import mesh_of, solids_in
+from orishell.io.solids import mesh_of, solids_in, y_up
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -24,16 +22,6 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
     Where panels have a thickness each of their boards is a group of triangles, a closed surface
     called by panel and side, as in "3,12_top".
     Without smoothing (``s off``) creases stay sharp.
-
-    Parameters
-    ----------
-    settings
-        ``state`` says which state.
-
-    Raises
-    ------
-    InputError
-        If there is no such state.
     """
     write = _sheet if document.boards is None else _solids
     content = "".join(write(document, settings.state))
@@ -44,10 +32,13 @@ def write_obj(path: Path, document: Document, settings: Settings) -> None:
 
 def _sheet(document: Document, which: int | str) -> Iterator[str]:
     """Panels of the sheet, and of the flaps that are clipped on."""
-    positions = document.state(which).positions
+    positions, faces = document.state(which).positions, document.mesh.faces
     yield from _vertices(document.in_world(positions))
     yield "s off\n"
-    yield from _panels(document)
+    row = len(faces) if document.grid_shape is None else document.grid_shape[1] - 1
+    for number, begin in enumerate(range(0, len(faces), row)):
+        yield "g panels\n" if document.grid_shape is None else f"g row_{number}\n"
+        yield from _faces(faces[begin : begin + row] + 1)
     first = 1 + len(positions)
     for number, board in enumerate(document.clipped_at(which), 1):
         yield from _vertices(document.in_world(board.shell.positions))
@@ -68,24 +59,12 @@ def _solids(document: Document, which: int | str) -> Iterator[str]:
 
 
 def _vertices(positions: Array) -> Iterator[str]:
-    return (f"v {x!r} {y!r} {z!r}\n" for x, y, z in _y_up(positions).tolist())
-
-
-def _panels(document: Document) -> Iterator[str]:
-    faces = document.mesh.faces
-    row = len(faces) if document.grid_shape is None else document.grid_shape[1] - 1
-    for number, begin in enumerate(range(0, len(faces), row)):
-        yield "g panels\n" if document.grid_shape is None else f"g row_{number}\n"
-        yield from _faces(faces[begin : begin + row] + 1)
+    """Lines for points (V, 3), y up."""
+    return (f"v {x!r} {y!r} {z!r}\n" for x, y, z in y_up(positions).tolist())
 
 
 def _faces(faces: Integers) -> Iterator[str]:
     return (f"f {' '.join(map(str, corners))}\n" for corners in faces.tolist())
-
-
-def _y_up(positions: Array) -> Array:
-    """Points (V, 3) turned about the x axis so that z comes to lie on y; without -0.0."""
-    return np.asarray(positions[:, [0, 2, 1]] * [1.0, 1.0, -1.0] + 0.0)
 
 
 FORMAT = Format("obj", "shell.obj", (".obj",), "one state (Wavefront OBJ)", write_obj)

@@ -15,7 +15,7 @@ from typing import Final
 import numpy as np
 
 from orishell.document import Document
-from orishell.io.format import Format, Settings
+from orishell.io.format import Format, Settings, plain_line
 
 STROKES: Final[dict[str, str]] = {
     "B": "#000000",
@@ -40,11 +40,6 @@ def write_origami_simulator(path: Path, document: Document, settings: Settings) 
 
     The sheet is :data:`WIDTH` large, or larger so that its vertices stay apart. Creases whose angle
     is not known have no opacity, which Origami Simulator takes for 180 degrees.
-
-    Raises
-    ------
-    InputError
-        If there is no flat sheet.
     """
     del settings
     flat, mesh = document.require_flat(), document.mesh
@@ -59,13 +54,12 @@ def write_origami_simulator(path: Path, document: Document, settings: Settings) 
     y = BORDER + scale * (low[1] + size[1] - ends[..., 1])
     page = 2 * BORDER + scale * size
     opacity = np.minimum(np.abs(document.fold_angles_deg) / 180, 1.0)
-    title = "".join(c if c.isprintable() else " " for c in document.title)
     with path.open("w", encoding="utf-8", newline="\n") as file:
         file.write(
             '<svg xmlns="http://www.w3.org/2000/svg" version="1.1"'
             f' width="{page[0]:.6g}" height="{page[1]:.6g}"'
             f' viewBox="0 0 {page[0]:.6g} {page[1]:.6g}">\n'
-            f"<title>{escape(title, quote=False)}</title>\n"
+            f"<title>{escape(plain_line(document.title), quote=False)}</title>\n"
         )
         for edge in np.flatnonzero(beside).tolist():
             (x1, x2), (y1, y2) = x[edge], y[edge]

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from orishell.document import Document
 from orishell.io.format import Format, Settings
 from orishell.numerics.arrays import Array, Booleans
-from orishell.workshop.palettes import Layer, Text
+from orishell.workshop.palettes import Anchor, Layer, Text
 from orishell.workshop.paper_model import PaperModel, make_board_models, make_paper_model
 from orishell.workshop.tiling import BORDER_MM, FOOT_MM, OVERLAP_MM, Page
 
@@ -54,17 +54,7 @@ def write_pdf(path: Path, document: Document, settings: Settings) -> None:
     places of the sheet on both. Pages that the sheet does not touch are left out. If there are
     several, a page with their order comes first. Where panels have a thickness, the back of the
     membrane and the boards of each layer follow at the same scale, in files of their own:
-    ``-back``, ``-top``, ``-bottom``, or ``-panels``.
-
-    Parameters
-    ----------
-    settings
-        The paper, the scale, the palette (colours only) and the labels.
-
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or unit, or it takes too many pages.
+    ``-back``, ``-top``, ``-bottom``, or ``-panels``. Of the palette only colours count.
     """
     model = make_paper_model(document, settings.workshop)
     _write_model(path, model)
@@ -94,14 +84,12 @@ def _draw_page(canvas: Canvas, model: PaperModel, page: Page, number: int) -> No
     origin = np.array([BORDER_MM - page.left, BORDER_MM + FOOT_MM - page.bottom])
     low = np.array([page.left, page.bottom])
     high = low + np.array([tiling.frame_width, tiling.frame_height])
+    left, bottom, width, height = (
+        MM * mm for mm in (BORDER_MM, BORDER_MM + FOOT_MM, tiling.frame_width, tiling.frame_height)
+    )
     canvas.saveState()
     clip = canvas.beginPath()
-    clip.rect(
-        BORDER_MM * MM,
-        (BORDER_MM + FOOT_MM) * MM,
-        tiling.frame_width * MM,
-        tiling.frame_height * MM,
-    )
+    clip.rect(left, bottom, width, height)
     canvas.clipPath(clip, stroke=0, fill=0)
     _draw_sheet(canvas, model, origin, 1.0, (low, high))
     canvas.restoreState()
@@ -109,8 +97,7 @@ def _draw_page(canvas: Canvas, model: PaperModel, page: Page, number: int) -> No
     _draw_marks(canvas, marks + origin)
     if len(marks):
         _pen(canvas, PALE, 0.1, (1.0, 1.0))
-        x, y = (BORDER_MM * MM, (BORDER_MM + FOOT_MM) * MM)
-        canvas.rect(x, y, tiling.frame_width * MM, tiling.frame_height * MM)
+        canvas.rect(left, bottom, width, height)
     _draw_foot(canvas, model, page, number)
     canvas.showPage()
 
@@ -155,9 +142,13 @@ def _draw_text(canvas: Canvas, text: Text, origin: Array) -> None:
     canvas.setFont("Helvetica", text.height / CAPITALS * MM)
     canvas.translate((text.x + origin[0]) * MM, (text.y + origin[1]) * MM)
     canvas.rotate(float(np.rad2deg(text.angle)))
-    draw = {"start": canvas.drawString, "end": canvas.drawRightString}
-    draw.get(text.anchor, canvas.drawCentredString)(0, -0.5 * text.height * MM, words)
+    _write(canvas, text.anchor, 0, -0.5 * text.height * MM, words)
     canvas.restoreState()
+
+
+def _write(canvas: Canvas, anchor: Anchor, x: float, y: float, words: str) -> None:
+    draw = {"start": canvas.drawString, "end": canvas.drawRightString}
+    draw.get(anchor, canvas.drawCentredString)(x, y, words)
 
 
 def _draw_marks(canvas: Canvas, places: Array) -> None:
@@ -252,19 +243,12 @@ def _pen(canvas: Canvas, colour: str, width: float, dashes: Sequence[float]) -> 
 
 
 def _say(
-    canvas: Canvas,
-    x: float,
-    y: float,
-    words: str,
-    points: float,
-    *,
-    anchor: Literal["start", "middle", "end"] = "start",
+    canvas: Canvas, x: float, y: float, words: str, points: float, *, anchor: Anchor = "start"
 ) -> None:
     """Words on the page, their baseline at (x, y) in mm."""
     canvas.setFillColor(INK)
     canvas.setFont("Helvetica", points)
-    draw = {"start": canvas.drawString, "end": canvas.drawRightString}
-    draw.get(anchor, canvas.drawCentredString)(x * MM, y * MM, words)
+    _write(canvas, anchor, x * MM, y * MM, words)
 
 
 def _cut(words: str, most: int) -> str:

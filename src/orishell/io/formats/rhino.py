@@ -8,17 +8,18 @@ import zlib
 from math import isnan
 from pathlib import Path
 from typing import Any, Final
-from uuid import UUID
 
 import numpy as np
 
 from orishell.conventions.colours import rgb
 from orishell.document import Document
-from orishell.io.format import Format, Settings
-from orishell.io.solids import SolidMesh, mesh_of, solids_in
+from orishell.io.format import Format, Settings, numbered_ids
+from orishell.io.solids import mesh_of, solids_in
 from orishell.motion.quads import reflex_corners, unit_normals
 from orishell.numerics.arrays import Array, Integers
 from orishell.workshop.assembly import with_clipped
+from orishell.workshop.board_sheets import LAYERS
+from orishell.workshop.creases import CREASE_LETTERS
 from orishell.workshop.cut_parts import find_outlines
 
 VERSION: Final = 6
@@ -44,17 +45,7 @@ _MEANINGS = {
     "g": "curve-g",
 }
 """What the colours of the layers mean."""
-_LETTERS = {
-    "C": "CUT",
-    "M": "MOUNTAIN",
-    "V": "VALLEY",
-    "F": "ENGRAVE",
-    "J": "ENGRAVE",
-    "U": "ENGRAVE",
-}
-_SOLIDS = {1: "top", -1: "bottom", 0: "panels"}
-"""Layers of boards by their side."""
-_FIRST_ID = UUID("6f1c2c1e-3d55-8c7e-9c38-0e1a00000000")
+_LETTERS = {letter: layer for layer, letters in CREASE_LETTERS.items() for letter in letters}
 _FIRST_CHUNK, _CHUNK_HEAD = 32, 12
 _PROPERTIES, _HISTORY, _SHORT = 0x10000014, 0x20008021, 0x80000000
 _NO_TIME = struct.pack("<8i", 0, 0, 0, 1, 0, 70, 4, 0)
@@ -77,19 +68,8 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
     same bytes with the same version of rhino3dm: objects have ids by their order, and the
     times that rhino3dm writes are replaced by the first second of 1970. It also writes its own
     version and the kind of operating system it ran on.
-
-    Parameters
-    ----------
-    settings
-        ``state`` says which state is the shell's.
-
-    Raises
-    ------
-    InputError
-        If there is no such state.
     """
     rhino3dm = _rhino3dm()
-
     model = _Model(document)
     if document.flat is not None:
         _add_pattern(model, with_clipped(document))
@@ -100,7 +80,10 @@ def write_rhino(path: Path, document: Document, settings: Settings) -> None:
         _add_shell(model, piece, document.in_world(state.positions), name)
     if document.boards is not None:
         for name, solids in zip(names, solids_in(document, settings.state), strict=True):
-            _add_solids(model, mesh_of((solids,)), document, name)
+            mesh = mesh_of((solids,))
+            for side, (board, points, faces) in zip(mesh.sides.tolist(), mesh.each(), strict=True):
+                layer = model.layer(name, LAYERS[side])
+                model.add(_mesh(document.in_world(points), faces), layer, f"panel {board}")
     for name, points in document.curves.items():
         model.add(_polyline(document.in_world(points)), model.layer("target", name), name)
     options = rhino3dm.File3dmWriteOptions()
@@ -113,7 +96,6 @@ class _Model:
 
     def __init__(self, document: Document) -> None:
         rhino3dm = _rhino3dm()
-
         self.file = rhino3dm.File3dm()
         system = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS.get(document.unit, "None"))
         self.file.Settings.ModelUnitSystem = system
@@ -122,16 +104,15 @@ class _Model:
             f"{' '.join(document.title.split())}\nUnit: {document.unit}. Up: z.\n"
         )
         self._layers: dict[tuple[str, ...], int] = {}
-        self._ids = 0
+        self._ids = numbered_ids()
 
     def layer(self, *path: str) -> int:
         """The number of a layer; path is its name after those of the layers it is in."""
         rhino3dm = _rhino3dm()
-
         if path not in self._layers:
             layer = rhino3dm.Layer()
             layer.Name = path[-1]
-            layer.Id = self._new_id()
+            layer.Id = next(self._ids)
             red, green, blue = rgb(_MEANINGS.get(path[-1], "border-crease"))
             layer.Color = (round(255 * red), round(255 * green), round(255 * blue), 255)
             if path[:-1]:
@@ -142,25 +123,18 @@ class _Model:
     def add(self, geometry: Any, layer: int, name: str, **user_text: str) -> None:
         """Put something on a layer."""
         rhino3dm = _rhino3dm()
-
         attributes = rhino3dm.ObjectAttributes()
         attributes.LayerIndex = layer
         attributes.Name = name
-        attributes.Id = self._new_id()
+        attributes.Id = next(self._ids)
         for key, text in user_text.items():
             attributes.SetUserString(key, text)
         self.file.Objects.Add(geometry, attributes)
-
-    def _new_id(self) -> UUID:
-        """Ids in the order in which they are asked for: rhino3dm would make random ones."""
-        self._ids += 1
-        return UUID(int=_FIRST_ID.int + self._ids)
 
 
 def _add_pattern(model: _Model, document: Document) -> None:
     """Outlines and creases of the flat sheet, and what is cut inside it."""
     rhino3dm = _rhino3dm()
-
     flat = document.require_flat()
     points = np.column_stack([flat, np.zeros(len(flat))])
     for name in ("CUT", "MOUNTAIN", "VALLEY"):
@@ -192,16 +166,8 @@ def _add_shell(model: _Model, document: Document, positions: Array, name: str) -
         model.add(surface, layer, f"panel {document.panel_name(panel)}")
 
 
-def _add_solids(model: _Model, mesh: SolidMesh, document: Document, name: str) -> None:
-    """Boards as closed meshes."""
-    for side, (board, vertices, triangles) in zip(mesh.sides.tolist(), mesh.each(), strict=True):
-        shape = _mesh(document.in_world(vertices), triangles)
-        model.add(shape, model.layer(name, _SOLIDS[side]), f"panel {board}")
-
-
 def _mesh(positions: Array, faces: Integers) -> Any:
     rhino3dm = _rhino3dm()
-
     mesh = rhino3dm.Mesh()
     mesh.Vertices.UseDoublePrecisionVertices = True
     for point in positions.tolist():
@@ -215,7 +181,6 @@ def _mesh(positions: Array, faces: Integers) -> Any:
 def _bilinear(corners: Array) -> Any:
     """The surface with these corners (4, 3) and straight sides."""
     rhino3dm = _rhino3dm()
-
     a, b, c, d = (rhino3dm.Point3d(*point) for point in corners.tolist())
     return rhino3dm.NurbsSurface.CreateRuledSurface(
         rhino3dm.LineCurve(a, b), rhino3dm.LineCurve(d, c)
@@ -225,7 +190,6 @@ def _bilinear(corners: Array) -> Any:
 def _trimmed(corners: Array) -> Any:
     """The part of a plane inside these corners (4, 3)."""
     rhino3dm = _rhino3dm()
-
     plane = rhino3dm.Plane(
         rhino3dm.Point3d(*corners[0].tolist()), rhino3dm.Vector3d(*unit_normals(corners).tolist())
     )
@@ -234,7 +198,6 @@ def _trimmed(corners: Array) -> Any:
 
 def _polyline(points: Array) -> Any:
     rhino3dm = _rhino3dm()
-
     return rhino3dm.Polyline(
         [rhino3dm.Point3d(*point) for point in points.tolist()]
     ).ToPolylineCurve()

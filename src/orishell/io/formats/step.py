@@ -31,11 +31,6 @@ def write_step(path: Path, document: Document, settings: Settings) -> None:
 
     Lengths are in millimetres, as the file says. Coordinates are about the document's origin or,
     far from it, about a point beside the shell, which the file's name for all boards says.
-
-    Raises
-    ------
-    InputError
-        If panels have no thickness, the document names no unit, or build123d is not installed.
     """
     FORMAT.require_ready()
     stem = path.stem.removesuffix(f"-{SHELL}")
@@ -45,25 +40,16 @@ def write_step(path: Path, document: Document, settings: Settings) -> None:
             if name == FLAT:
                 _write(file, document, solids_lying(document), np.zeros(3), "")
             else:
-                moved = document.origin - document.nearby
-                _write(file, document, solids_in(document, name), moved, _about(document))
-
-
-def build123d_is_there() -> bool:
-    """Whether the library that writes STEP is installed."""
-    return find_spec("build123d") is not None
-
-
-def _about(document: Document) -> str:
-    """In words, the point that coordinates are about; nothing for the world's origin."""
-    nearby = conversion(document.require_unit(), "mm") * document.nearby + 0.0
-    return " about ({:g}, {:g}, {:g}) mm".format(*nearby) if nearby.any() else ""
+                nearby = document.nearby
+                point = conversion(document.require_unit(), "mm") * nearby + 0.0
+                about = " about ({:g}, {:g}, {:g}) mm".format(*point) if nearby.any() else ""
+                _write(file, document, solids_in(document, name), document.origin - nearby, about)
 
 
 def _write(
     file: Path, document: Document, solids: tuple[Solids, ...], moved: Array, about: str
 ) -> None:
-    """Write boards that are moved (3,), in millimetres."""
+    """Write boards that are moved (3,), in millimetres; ``about`` is added to the title."""
     from build123d import Compound, export_step
 
     scale = conversion(document.require_unit(), "mm")
@@ -116,7 +102,7 @@ FORMAT = Format(
     (".step", ".stp"),
     "solid boards in every state (STEP)",
     write_step,
-    ready=build123d_is_there,
+    ready=lambda: find_spec("build123d") is not None,
     missing="STEP needs the library build123d, which is not installed",
     remedy='pip install "orishell[cad]"',
     solid=True,

@@ -8,7 +8,7 @@ import numpy as np
 
 from orishell.document import Document
 from orishell.io.format import Format, Settings
-from orishell.io.solids import mesh_of, solids_in, split_panels
+from orishell.io.solids import find_surface, split_panels
 from orishell.numerics.arrays import Array
 
 HEADER_LENGTH = 80
@@ -17,28 +17,18 @@ _RECORD = np.dtype([("normal", "<f4", (3,)), ("corners", "<f4", (3, 3)), ("attri
 
 
 def write_stl(path: Path, document: Document, settings: Settings) -> None:
-    """Write one state as triangles, two for each panel, in the order of the panels.
-
-    Where panels have a thickness these are the closed surfaces of their boards, one after the
-    other, those that are clipped on at the target last.
+    """Write one state as triangles: two for each panel, or the closed surfaces of boards.
 
     The z axis is up. Corners go round as seen from the front (above, in the flat sheet) and
     normals point there. Coordinates are in the document's unit, which the header names (STL has
     no place for it), rounded to single precision: about 6e-8 of the distance from the origin. Far
     from it they are about a point beside the shell, which the header names.
-
-    Parameters
-    ----------
-    settings
-        ``state`` says which state.
-
-    Raises
-    ------
-    InputError
-        If there is no such state.
     """
     nearby = document.nearby
-    triangles = _triangles(document, settings.state, document.origin - nearby)
+    vertices, faces = find_surface(document, settings.state)
+    triangles = (vertices + (document.origin - nearby))[faces]
+    if document.boards is None:
+        triangles = split_panels(triangles)
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     records = np.zeros(len(triangles), _RECORD)
@@ -48,14 +38,6 @@ def write_stl(path: Path, document: Document, settings: Settings) -> None:
         file.write(_header(document, nearby))
         file.write(len(records).to_bytes(4, "little"))
         file.write(records.tobytes())
-
-
-def _triangles(document: Document, state: int | str, moved: Array) -> Array:
-    """Corners (T, 3, 3) of all triangles, in a frame that is moved."""
-    if document.boards is not None:
-        mesh = mesh_of(solids_in(document, state))
-        return np.asarray((mesh.vertices + moved)[mesh.triangles])
-    return split_panels((document.state(state).positions + moved)[document.mesh.faces])
 
 
 def _header(document: Document, nearby: Array) -> bytes:

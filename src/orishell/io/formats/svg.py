@@ -10,7 +10,7 @@ from typing import Final
 
 from orishell.conventions.quantities import MILLIMETRES
 from orishell.document import Document
-from orishell.io.format import Format, Settings
+from orishell.io.format import Format, Settings, plain_line
 from orishell.workshop.palettes import (
     ORDER,
     Circle,
@@ -36,13 +36,7 @@ Number = Callable[[float], str]
 
 
 def write_svg(path: Path, document: Document, settings: Settings) -> None:
-    """Write the flat sheet; where it is split, the assembly map, and ``-1``, ``-2``, ... beside it.
-
-    Raises
-    ------
-    InputError
-        If there is no flat sheet or unit, or the sheet cannot be drawn as asked.
-    """
+    """Write the flat sheet or, where it is split, its map, and ``-1``, ``-2``, ... beside it."""
     palette = load_palette(settings.workshop.palette)
     for place, drawing in draw_sheet_files(path, document, settings.workshop):
         dump_svg(place, drawing, palette)
@@ -69,7 +63,7 @@ def dump_svg(path: Path, drawing: Drawing, palette: Palette) -> None:
             ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
             f' version="1.1" width="{physical[0]}" height="{physical[1]}"'
             f' viewBox="0 0 {size[0]} {size[1]}">\n'
-            f"<title>{escape(_plain(drawing.title), quote=False)}</title>\n"
+            f"<title>{escape(plain_line(drawing.title), quote=False)}</title>\n"
         )
         for layer in ORDER:
             pen = palette.pens.get(layer)
@@ -88,15 +82,10 @@ def _layer(
         f' stroke="{colour}" stroke-width="{width:.6g}" stroke-linecap="round"'
         ' stroke-linejoin="round">'
     )
-    for text in drawing.texts:
-        if text.layer == layer:
-            yield _text(text, colour, drawing.height, number)
-    for circle in drawing.circles:
-        if circle.layer == layer:
-            yield _circle(circle, drawing.height, number)
-    for line in drawing.lines:
-        if line.layer == layer:
-            yield _line(line, drawing.height, number)
+    texts, circles, lines = drawing.of_layer(layer)
+    yield from (_text(text, colour, drawing.height, number) for text in texts)
+    yield from (_circle(circle, drawing.height, number) for circle in circles)
+    yield from (_line(line, drawing.height, number) for line in lines)
     yield "</g>"
 
 
@@ -122,11 +111,12 @@ def _text(text: Text, colour: str, height: float, number: Number) -> str:
     x = number(text.x + 0.5 * text.height * math.sin(text.angle))
     y = number(height - text.y + 0.5 * text.height * math.cos(text.angle))
     turn = _rounding("mm")(-math.degrees(text.angle))
+    words = escape(plain_line(text.words), quote=False)
     turned = "" if turn == "0" else f' transform="rotate({turn} {x} {y})"'
     return (
         f'<text x="{x}" y="{y}" font-size="{number(text.height / CAPITALS)}"'
         f' font-family="Arial, Helvetica, sans-serif" text-anchor="{text.anchor}"'
-        f' fill="{colour}" stroke="none"{turned}>{escape(_plain(text.words), quote=False)}</text>'
+        f' fill="{colour}" stroke="none"{turned}>{words}</text>'
     )
 
 
@@ -139,11 +129,6 @@ def _rounding(unit: str) -> Number:
         return "0" if digits == "-0" else digits
 
     return number
-
-
-def _plain(words: str) -> str:
-    """Words without control characters, which XML has no way to write."""
-    return "".join(letter if letter.isprintable() else " " for letter in words)
 
 
 FORMAT = Format("svg", "pattern.svg", (".svg",), "flat pattern for the workshop", write_svg)

@@ -51,10 +51,6 @@ def _safe(cell: object) -> object:
     return cell
 
 
-PANELS = "panels"
-"""Stem of the table of panels, beside which the other is called ``creases.csv``."""
-
-
 def write_tables(path: Path, document: Document, settings: Settings) -> None:
     """Write the panels to ``path`` and the creases beside it.
 
@@ -62,15 +58,10 @@ def write_tables(path: Path, document: Document, settings: Settings) -> None:
     other ``NAME.csv``; boards, where panels have a thickness, to ``boards.csv`` likewise. The first
     line names the columns and their units; panels are numbered from 0, and by row and column where
     the sheet is a grid; numbers have all their digits.
-
-    Raises
-    ------
-    InputError
-        If only folded states are known, or a board is larger than the stock.
     """
 
     def beside(name: str) -> Path:
-        return path.with_name(f"{name}.csv" if path.stem == PANELS else f"{path.stem}-{name}.csv")
+        return path.with_name(f"{name}.csv" if path.stem == "panels" else f"{path.stem}-{name}.csv")
 
     write_csv(path, *_panels(document))
     write_csv(beside("creases"), *_creases(document))
@@ -91,7 +82,10 @@ def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
         f"perimeter_{unit}",
     ]
     count = len(corners)
-    rows, columns = _places(document, count)
+    rows: Iterable[object] = [""] * count
+    columns = rows
+    if document.grid_shape is not None:
+        rows, columns = np.divmod(np.arange(count), document.grid_shape[1] - 1)
     numbers = np.column_stack([corners.reshape(count, 8), document.areas(), perimeter]).tolist()
     return heads, (
         [panel, row, column, *values]
@@ -100,7 +94,7 @@ def _panels(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
 
 
 def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]:
-    unit, mesh, flat = document.unit, document.mesh, document.require_flat()
+    unit, mesh, lengths = document.unit, document.mesh, document.edge_lengths()
     heads = [
         "crease",
         "panel_1",
@@ -112,8 +106,6 @@ def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]
         "assignment",
     ]
     numbers = np.flatnonzero(mesh.crease)
-    ends = flat[mesh.edges[numbers]]
-    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     angles = document.fold_angles_deg[numbers].tolist()
     return heads, (
         [
@@ -128,7 +120,7 @@ def _creases(document: Document) -> tuple[list[str], Iterable[Sequence[object]]]
             numbers.tolist(),
             mesh.edge_faces[numbers].tolist(),
             mesh.edges[numbers].tolist(),
-            length.tolist(),
+            lengths[numbers].tolist(),
             angles,
             strict=True,
         )
@@ -160,14 +152,6 @@ def _boards(document: Document, workshop: Workshop) -> tuple[list[str], Iterable
         ]
         for part, sheet in zip(parts, sheets, strict=True)
     )
-
-
-def _places(document: Document, count: int) -> tuple[Sequence[object], Sequence[object]]:
-    """Row and column of every panel, empty where the panels form no grid."""
-    if document.grid_shape is None:
-        return [""] * count, [""] * count
-    rows, columns = np.divmod(np.arange(count), document.grid_shape[1] - 1)
-    return rows.tolist(), columns.tolist()
 
 
 FORMAT = Format("csv", "panels.csv", (".csv",), "tables of panels and creases", write_tables)

@@ -5,18 +5,15 @@ from __future__ import annotations
 import locale
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, Final
-from uuid import UUID
+from typing import Any
 
 import numpy as np
 
 from orishell.conventions.quantities import conversion
 from orishell.document import FLAT, Document
-from orishell.io.format import Format, Settings
+from orishell.io.format import Format, Settings, numbered_ids
 from orishell.io.solids import mesh_of, solids_in, solids_lying
 from orishell.numerics.arrays import Array, Integers
-
-_FIRST_ID: Final = UUID("6f1c2c1e-3d55-8c7e-9c38-0e1a00000000")
 
 
 def write_3mf(path: Path, document: Document, settings: Settings) -> None:
@@ -27,17 +24,6 @@ def write_3mf(path: Path, document: Document, settings: Settings) -> None:
     are positive and the lowest are 0, as printers expect; z is up. In the flat state they lie as in
     the flat sheet, and boards that are clipped on lie beside it. Coordinates are in single
     precision.
-
-    Parameters
-    ----------
-    settings
-        ``print_state`` says which state, "flat" where nothing is said.
-
-    Raises
-    ------
-    InputError
-        If panels have no thickness, the document names no unit, there is no such state, or lib3mf
-        is not installed.
     """
     FORMAT.require_ready()
     state = settings.print_state
@@ -50,13 +36,8 @@ def write_3mf(path: Path, document: Document, settings: Settings) -> None:
     model.write(path)
 
 
-def lib3mf_is_there() -> bool:
-    """Whether the library that writes 3MF is installed."""
-    return find_spec("lib3mf") is not None
-
-
 class _Model:
-    """A model in millimetres, with ids in the order of what is added: lib3mf's are random."""
+    """A model in millimetres."""
 
     def __init__(self, title: str) -> None:
         import lib3mf
@@ -66,8 +47,8 @@ class _Model:
         self._model.SetUnit(lib3mf.ModelUnit.MilliMeter)
         self._model.GetMetaDataGroup().AddMetaData("", "Title", title, "xs:string", True)
         self._model.GetMetaDataGroup().AddMetaData("", "Application", "orishell", "xs:string", True)
-        self._ids = 0
-        self._model.SetBuildUUID(self._new_id())
+        self._ids = map(str, numbered_ids())
+        self._model.SetBuildUUID(next(self._ids))
 
     def add(self, name: str, vertices: Array, triangles: Integers) -> None:
         """Add an object with vertices (N, 3) and triangles (T, 3)."""
@@ -75,7 +56,7 @@ class _Model:
 
         made = self._model.AddMeshObject()
         made.SetName(name)
-        made.SetUUID(self._new_id())
+        made.SetUUID(next(self._ids))
         points = (lib3mf.Position * len(vertices)).from_buffer_copy(
             vertices.astype(np.float32).tobytes()
         )
@@ -84,7 +65,7 @@ class _Model:
         )
         made.SetGeometry(points, corners)
         item = self._model.AddBuildItem(made, self._wrapper.GetIdentityTransform())
-        item.SetUUID(self._new_id())
+        item.SetUUID(next(self._ids))
 
     def write(self, path: Path) -> None:
         """Write all of it. The library leaves the whole process in the locale "C"."""
@@ -94,10 +75,6 @@ class _Model:
         finally:
             locale.setlocale(locale.LC_ALL, before)
 
-    def _new_id(self) -> str:
-        self._ids += 1
-        return str(UUID(int=_FIRST_ID.int + self._ids))
-
 
 FORMAT = Format(
     "3mf",
@@ -105,7 +82,7 @@ FORMAT = Format(
     (".3mf",),
     "boards to be printed, in millimetres (3MF)",
     write_3mf,
-    ready=lib3mf_is_there,
+    ready=lambda: find_spec("lib3mf") is not None,
     missing="3MF needs the library lib3mf, which is not installed",
     remedy='pip install "orishell[print]"',
     solid=True,

@@ -30,16 +30,6 @@ def write_vtk(path: Path, document: Document, settings: Settings) -> None:
     column. Coordinates are in the document's unit, in double precision. VTU has no place for a
     unit: a comment names it, and the field ``metres_per_unit`` has its length; the field
     ``drive_deg`` has the drive angle.
-
-    Parameters
-    ----------
-    settings
-        ``state`` says which state is the single file's.
-
-    Raises
-    ------
-    InputError
-        If there is no such state.
     """
     chosen = document.state(settings.state)
     single = path.suffix.lower() != SERIES

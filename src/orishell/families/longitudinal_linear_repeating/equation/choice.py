@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import cache
 from typing import TypeVar
 
 import numpy as np
@@ -18,6 +17,7 @@ from orishell.families.longitudinal_linear_repeating.equation.solutions import (
     find_solutions,
     is_free,
 )
+from orishell.families.pattern import Auto
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
 
@@ -41,19 +41,22 @@ def auto_sectors(share: float) -> Sectors:
     return Sectors.from_degrees(90 + share * np.array([-5.0, -10.0, 5.0, 10.0]))
 
 
-def choose_auto(
-    make: Callable[[Solution], Made], ratio: Callable[[Made], float]
+def choose_sheet(
+    sectors: Sectors | Auto,
+    number: int,
+    make: Callable[[Solution], Made],
+    ratio: Callable[[Made], float],
 ) -> tuple[Solution, Made]:
-    """The solution whose angles are farthest from 90 degrees while its sheet exists; the sheet.
+    """A solution of given angles, or that farthest from 90 degrees which has a sheet; the sheet.
 
-    make: Makes the sheet of a solution.
-    ratio: Its longest inner crease over the shortest.
-
-    Raises DesignError if none exists even with the angles nearest to 90 degrees.
+    ratio: The longest inner crease of a sheet over the shortest.
     """
+    if sectors != "auto":
+        solution = choose_solution(sectors, number)
+        return solution, make(solution)
     failure: DesignError | None = None
     for share in AUTO_SHARES:
-        solution = auto_solution(share)
+        solution = choose_solution(auto_sectors(share))
         try:
             made = make(solution)
         except DesignError as error:
@@ -65,17 +68,8 @@ def choose_auto(
     raise failure
 
 
-@cache
-def auto_solution(share: float) -> Solution:
-    """The first solution of (4) for the angles of :func:`auto_sectors`."""
-    return choose_solution(auto_sectors(share))
-
-
 def choose_solution(sectors: Sectors, number: int = 0) -> Solution:
-    """A solution by its number in :func:`find_solutions`.
-
-    Raises DesignError if there is no such solution: with the nearest sector angles that have one.
-    """
+    """A solution by its number in :func:`find_solutions`; refuse angles or numbers without one."""
     solutions = find_solutions(sectors)
     if not solutions:
         raise no_solution(sectors)
@@ -99,13 +93,13 @@ def no_solution(sectors: Sectors) -> DesignError:
     outside = find_solutions(sectors, inside=False)
     if outside:
         angles = [f"{angle:.4f}" for angle in outside[0].second.degrees]
-        reason += f"; ({', '.join(angles)}) would solve it, but their sums close no panel"
+        reason += f"; ({', '.join(angles)}) would solve it, but not all are between 0 and 180"
     if abs(sectors.gamma + sectors.delta) <= ROUNDING:
         reason = "gamma + delta = 180: two straight creases cross at an S vertex; only one can fold"
     elif max(abs(sectors.alpha), abs(sectors.beta)) <= ROUNDING:
         reason = "alpha = beta = 90: two straight creases cross at an F vertex; only one can fold"
     elif is_free(sectors):
-        reason = "gamma = delta, and every delta_2 solves it, so that none is singled out"
+        reason = "gamma = delta: every delta_2 solves it, so none is singled out"
     elif abs(sectors.gamma - sectors.delta) <= ROUNDING:
         reason = "gamma = delta: column 2 would not fold (c = 0)"
     return DesignError(
@@ -123,10 +117,7 @@ def _with_solution(sectors: Sectors) -> Iterator[Remedy]:
 
 
 def nearer_to_90(sectors: Array) -> Iterator[Remedy]:
-    """Sector angles nearer to 90 degrees to try, because larger sheets of them exist.
-
-    sectors: Deviations (4,) of the angles from 90 degrees (radians).
-    """
+    """Sector angles of smaller deviations (4,) to try, because larger sheets of them exist."""
     for share in (0.7, 0.5, 0.25, 0.1):
         angles = 90 + share * np.rad2deg(sectors)
         yield Remedy({"pattern.sector_deg": [rounded(float(angle), 6) for angle in angles]})

@@ -136,7 +136,12 @@ def find_solutions(first: Sectors, *, inside: bool = True) -> tuple[Solution, ..
     [91.23, 86.23, 106.23, 76.23]
     """
     found = (_solve(first, version) for version in VERSIONS)
-    return tuple(each for each in found if each is not None and _is_inside(each) == inside)
+    limit = pi / 2 - ROUNDING
+    return tuple(
+        each
+        for each in found
+        if each is not None and (abs(each.second.deviations).max() < limit) == inside
+    )
 
 
 def is_free(first: Sectors) -> bool:
@@ -173,7 +178,3 @@ def _solve(first: Sectors, version: Version) -> Solution | None:
     total = gamma + delta_2
     second = Sectors(total - beta, total - alpha, gamma_2, delta_2)
     return Solution(version, first, second, sign * still / hypot(up, right))
-
-
-def _is_inside(solution: Solution) -> bool:
-    return bool(abs(solution.second.deviations).max() < pi / 2 - ROUNDING)

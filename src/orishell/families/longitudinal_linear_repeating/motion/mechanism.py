@@ -122,12 +122,11 @@ class LongitudinalLinearRepeating:
         grid = self.grid
         out = np.empty((*drive.shape, grid.rows, grid.columns, 3))
         inner = out[..., 1:-1, :]
-        inner[..., middle + 1, 0, :] = 0.0
-        np.cumsum(along_middle, axis=-2, out=inner[..., middle + 1, 1:, :])
-        inner[..., middle + 1, :, :] += (
-            np.asarray(self.pose.centroid) - inner[..., middle + 1, :, :].mean(axis=-2)
-        )[..., None, :]
-        start = inner[..., middle + 1, None, :, :]
+        row = inner[..., middle + 1, :, :]
+        row[..., 0, :] = 0.0
+        np.cumsum(along_middle, axis=-2, out=row[..., 1:, :])
+        row += (np.asarray(self.pose.centroid) - row.mean(axis=-2))[..., None, :]
+        start = row[..., None, :, :]
         inner[..., middle + 2 :, :, :] = start + np.cumsum(down[..., middle + 1 :, :, :], axis=-3)
         above = np.cumsum(down[..., middle::-1, :, :], axis=-3)
         inner[..., middle::-1, :, :] = start - above

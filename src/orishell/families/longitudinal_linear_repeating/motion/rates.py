@@ -50,12 +50,7 @@ def fold_rates(
 ) -> tuple[FoldRates, FoldRates]:
     """Fold rates while the drive is in a range, for positive signs s of the mechanism's text.
 
-    columns: Sectors and multipliers of the columns (n).
-    flat_foldable: Which rows are F rows (m,).
-    start, stop: Ends (S,) of ranges of the drive, in [0, pi] (radians).
-
-    Returns tuple: Of column creases (S, 1, n), the same in all rows, and of row creases (S, m,
-        n+1).
+    Of column creases (S, 1, n), the same in all rows, and of row creases (S, m, n+1).
     """
     drives = start[:, None, None], stop[:, None, None]
     alpha, beta, gamma, delta = columns.sectors.T
@@ -86,17 +81,14 @@ def fold_rates(
 
 def _of_half(P: Array, C: Array, drives: tuple[Array, Array]) -> FoldRates:
     """Fold rates of column creases and of F rows."""
-    start, stop = drives
-    square = Interval.between(_squares(P, C, start), _squares(P, C, stop))
+    square = Interval.between(
+        *((P * np.sin(drive / 2)) ** 2 + (C * np.cos(drive / 2)) ** 2 for drive in drives)
+    )
     whole = Interval(np.ones_like(square.low), np.ones_like(square.low))
     return FoldRates(
         first=whole.over(square).times(P * C),
-        second=_sine(start, stop).over(square.squared()).times(-0.5 * P * C * (P**2 - C**2)),
+        second=_sine(*drives).over(square.squared()).times(-0.5 * P * C * (P**2 - C**2)),
     )
-
-
-def _squares(P: Array, C: Array, drive: Array) -> Array:
-    return np.asarray((P * np.sin(drive / 2)) ** 2 + (C * np.cos(drive / 2)) ** 2)
 
 
 def _of_whole(P: Array, A: Array, B: Array, drives: tuple[Array, Array]) -> FoldRates:
@@ -174,13 +166,7 @@ class Sheet:
 
 
 def bound_edges(sheet: Sheet, start: Array, stop: Array) -> tuple[Array, Array]:
-    """Bounds of the second derivative of edge vectors by the drive.
-
-    sheet: The sheet.
-    start, stop: Ends (S,) of ranges of the drive (radians).
-
-    Returns tuple: Along rows (S, n+1), down columns (S, m+1): length per radian squared.
-    """
+    """Bounds of the second derivative of edge vectors by the drive: along rows, down columns."""
     rows, columns = (count - 1 for count in sheet.flat.shape)
     along, down = np.empty((len(start), columns)), np.empty((len(start), rows))
     count = max(AT_ONCE // (rows * columns), 1)

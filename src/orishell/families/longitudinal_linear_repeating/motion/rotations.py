@@ -56,7 +56,7 @@ class Rotations:
 
     def normalised(self) -> Rotations:
         """The same rotations as unit quaternions, freed of rounding."""
-        size = np.sqrt(_square(self.a) + _square(self.b))
+        size = np.sqrt(sum(z.real**2 + z.imag**2 for z in (self.a, self.b)))
         return Rotations(self.a / size, self.b / size)
 
     def turned(self, planar: Complex) -> Array:
@@ -68,11 +68,6 @@ class Rotations:
         out[..., 0], out[..., 1] = plane.real, plane.imag
         out[..., 2] = 2 * (across.imag * b.real - across.real * b.imag)
         return out
-
-    def matrix(self) -> Array:
-        """Rotation matrices (..., 3, 3)."""
-        x, y = (self.turned(np.array(axis, np.complex128)) for axis in (1, 1j))
-        return np.stack([x, y, np.cross(x, y)], axis=-1)
 
 
 def running_products(steps: Rotations) -> Rotations:
@@ -90,7 +85,3 @@ def running_products(steps: Rotations) -> Rotations:
         )
         reach *= 2
     return products
-
-
-def _square(z: Complex) -> Array:
-    return z.real**2 + z.imag**2

@@ -69,10 +69,7 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
     first solution; "parallel" by the degenerate one, which always exists. The paper's Figure 3(a)
     is solve, parallel, solve, parallel; other sequences make other sheets.
 
-    solution: The first solution, which the first "solve" takes if nothing is before it.
-    couplings: Couplings of each column with the next (n-1).
-
-    Raises DesignError: Naming the column where (4) has no further solution.
+    couplings: Of each column with the next (n-1); a "solve" that is the first takes the solution.
     """
     sectors, multipliers = [solution.first], [1.0]
     for number, coupling in enumerate(couplings):
@@ -86,7 +83,7 @@ def continue_columns(solution: Solution, couplings: Sequence[Coupling]) -> Colum
             ends = ["parallel"] * (len(couplings) - number)
             shown = ", ".join(f"{angle:.4f}" for angle in sectors[-1].degrees)
             raise DesignError(
-                "equation (4) has no further solution, so that no column can follow",
+                "equation (4) has no further solution, so no column can follow",
                 place=f"at column {number + 2}",
                 size=f"column {number + 1} has the sector angles ({shown})",
                 candidates=[
@@ -123,20 +120,16 @@ class Directions:
     column: Array  # D (m+1, n) of every column crease, from the top border to the bottom
 
     @classmethod
+    @lru_cache(KEPT)
     def of(cls, columns: Columns, rows: int, first_row: RowKind) -> Directions:
-        """Directions in a sheet of the given columns."""
-        return _directions(columns, rows, first_row)
-
-
-@lru_cache(KEPT)
-def _directions(columns: Columns, rows: int, first_row: RowKind) -> Directions:
-    ru, lu, _, rd = np.moveaxis(sector_table(columns, rows, first_row), -1, 0)
-    down = np.concatenate([[0.0], -np.cumsum(rd[:-1, 0] + ru[1:, 0])])
-    # The crease right of column 1, and from it all others of its row.
-    turns = np.concatenate([np.zeros((rows, 1)), -np.cumsum(ru + lu, axis=1)], axis=1)
-    row = down[:, None] + turns - turns[:, 1:2]
-    row = row - row[rows // 2].mean()
-    column = np.concatenate([row[:1, 1:] + ru[:1], row[:, 1:] - rd])
-    for array in (row, column):
-        array.flags.writeable = False
-    return Directions(row, column)
+        """The directions in a sheet."""
+        ru, lu, _, rd = np.moveaxis(sector_table(columns, rows, first_row), -1, 0)
+        down = np.concatenate([[0.0], -np.cumsum(rd[:-1, 0] + ru[1:, 0])])
+        # The crease right of column 1, and from it all others of its row.
+        turns = np.concatenate([np.zeros((rows, 1)), -np.cumsum(ru + lu, axis=1)], axis=1)
+        row = down[:, None] + turns - turns[:, 1:2]
+        row = row - row[rows // 2].mean()
+        column = np.concatenate([row[:1, 1:] + ru[:1], row[:, 1:] - rd])
+        for array in (row, column):
+            array.flags.writeable = False
+        return cls(row, column)

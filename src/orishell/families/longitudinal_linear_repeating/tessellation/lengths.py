@@ -33,10 +33,6 @@ class EdgeLengths:
         for array in (self.row, self.column):
             array.flags.writeable = False
 
-    def shortest(self) -> float:
-        """The shortest crease."""
-        return float(min(self.row.min(), self.column.min()))
-
     @property
     def inner_ratio(self) -> float:
         """The longest inner crease over the shortest."""
@@ -48,8 +44,8 @@ class EdgeLengths:
 class PanelFactors:
     """Coefficients (m-1, n-1) of the equations that close the inner panels.
 
-    Bottom = ``bottom_top`` x top + ``bottom_left`` x left, right = ``right_top`` x top +
-    ``right_left`` x left.
+    Bottom = ``bottom_top`` top + ``bottom_left`` left, right = ``right_top`` top + ``right_left``
+    left.
     """
 
     bottom_top: Array
@@ -71,31 +67,54 @@ class PanelFactors:
         )
 
 
-def march(directions: Directions, row: Array, column: Array) -> tuple[Array, Array]:
-    """Lengths of all inner creases, from those of the middle row and of column 1.
+@record
+class InnerLengths:
+    """Lengths of the inner creases of a sheet."""
 
-    directions: Directions of the creases.
-    row: Lengths (n-1,) of the middle row's inner creases.
-    column: Lengths (m-1,) of column 1's inner creases.
+    row: Array  # of the row creases (m, n-1)
+    column: Array  # of the column creases (m-1, n)
 
-    Returns rows, columns: Lengths (m, n-1) and (m-1, n); not positive where no such sheet exists.
-    """
-    factors = PanelFactors.of(directions)
-    m, n = directions.row.shape[0], directions.column.shape[1]
-    rows, columns = np.empty((m, n - 1)), np.empty((m - 1, n))
-    middle = m // 2
-    rows[middle], columns[:, 0] = row, column
-    for i in range(middle, m - 1):
-        columns[i] = _across(factors.right_left[i], factors.right_top[i] * rows[i], column[i])
-        rows[i + 1] = factors.bottom_top[i] * rows[i] + factors.bottom_left[i] * columns[i, :-1]
-    for i in range(middle - 1, -1, -1):
-        # The same closing, solved for the top: bottom and left are known.
-        share = factors.right_top[i] / factors.bottom_top[i]
-        columns[i] = _across(
-            factors.right_left[i] - share * factors.bottom_left[i], share * rows[i + 1], column[i]
-        )
-        rows[i] = (rows[i + 1] - factors.bottom_left[i] * columns[i, :-1]) / factors.bottom_top[i]
-    return rows, columns
+    @classmethod
+    def marched(cls, directions: Directions, row: Array, column: Array) -> InnerLengths:
+        """The lengths that those of the middle row (n-1,) and of column 1 (m-1,) determine.
+
+        Not all are positive where no such sheet exists.
+        """
+        factors = PanelFactors.of(directions)
+        m, n = directions.row.shape[0], directions.column.shape[1]
+        rows, columns = np.empty((m, n - 1)), np.empty((m - 1, n))
+        middle = m // 2
+        rows[middle], columns[:, 0] = row, column
+        for i in range(middle, m - 1):
+            columns[i] = _across(factors.right_left[i], factors.right_top[i] * rows[i], column[i])
+            rows[i + 1] = factors.bottom_top[i] * rows[i] + factors.bottom_left[i] * columns[i, :-1]
+        for i in range(middle - 1, -1, -1):
+            # The same closing, solved for the top: bottom and left are known.
+            share = factors.right_top[i] / factors.bottom_top[i]
+            columns[i] = _across(
+                factors.right_left[i] - share * factors.bottom_left[i],
+                share * rows[i + 1],
+                column[i],
+            )
+            rows[i] = (rows[i + 1] - factors.bottom_left[i] * columns[i, :-1]) / factors.bottom_top[
+                i
+            ]
+        return cls(rows, columns)
+
+    @property
+    def shortest(self) -> float:
+        """Length of the shortest crease."""
+        return float(min(self.row.min(), self.column.min(initial=np.inf)))
+
+    @property
+    def ratio(self) -> float:
+        """The longest length over the shortest; infinite where one is not positive."""
+        longest = max(self.row.max(), self.column.max(initial=0.0))
+        return float(longest / self.shortest) if self.shortest > 0 else np.inf
+
+    def scaled(self, factor: float) -> InnerLengths:
+        """All lengths times a factor."""
+        return InnerLengths(self.row * factor, self.column * factor)
 
 
 def _across(factor: Array, gain: Array, first: float) -> Array:
@@ -112,11 +131,7 @@ def end_limits(directions: Directions, rows: Array, bottom: bool) -> Array:
 
     With w the border edge of an end panel, w must lie to the same side of both column creases
     beside it; both conditions have one of the two lengths in them. Infinite where column creases
-    diverge.
-
-    directions: Directions of the creases.
-    rows: Lengths (m, n-1) of the inner row creases.
-    bottom: Whether the end is the bottom.
+    diverge. ``rows``: Lengths (m, n-1) of the inner row creases.
     """
     last = -1 if bottom else 0
     row, column = directions.row[last, 1:-1], directions.column[last]
@@ -129,24 +144,18 @@ def end_limits(directions: Directions, rows: Array, bottom: bool) -> Array:
 
 
 def with_border(
-    directions: Directions,
-    rows: Array,
-    columns: Array,
-    ends: tuple[float, float],
-    flap: float,
+    directions: Directions, inner: InnerLengths, ends: tuple[float, float], flap: float
 ) -> EdgeLengths:
     """Lengths of all creases, the border's included.
 
-    directions: Directions of the creases.
-    rows, columns: Lengths of the inner creases (m, n-1) and (m-1, n).
     ends: Lengths of column 1's first and last crease; those of other columns are to it as their
         nearest inner creases, or shorter, so that the panels stay convex.
     flap: Length of the row creases at the left and the right border.
     """
-    border = []
-    for bottom, end in ((False, ends[0]), (True, ends[1])):
-        inner = columns[-1 if bottom else 0] if len(columns) else np.ones(columns.shape[1])
-        length = end * inner / inner[0]
+    rows, columns, border = inner.row, inner.column, []
+    for bottom, end in zip((False, True), ends, strict=True):
+        near = columns[-1 if bottom else 0] if len(columns) else np.ones(columns.shape[1])
+        length = end * near / near[0]
         length = np.minimum(length, END_SHARE * end_limits(directions, rows, bottom))
         length[0] = end
         border.append(length[None])

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import conversion, plain
 from orishell.deployment.feet import Feet
 from orishell.design import Design
@@ -49,7 +48,7 @@ others), the farthest of three track saws to 48 (Popular Woodworking 175, April 
 V-bit with an edge of 90 degrees leans by 45 (degrees)."""
 
 
-def find_caveats(
+def warn_of_building(
     design: Design, lock: Lock, feet: Feet | None, unit: str, workshop: Workshop
 ) -> list[str]:
     """Warnings for whoever builds the shell."""
@@ -221,10 +220,11 @@ def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> It
 
 
 def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
-    if lock.depth > DEEP * height:
+    depth = lock.corrugation_depth
+    if depth > DEEP * height:
         yield (
-            f"the folds are {plain(lock.depth, 3)} {unit} deep in a shell {plain(height, 3)} "
-            f"{unit} high: one sees them rather than the curve f; more rows make them shallower"
+            f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
+            "high: one sees them rather than the curve f; more rows make them shallower"
         )
 
 
@@ -243,27 +243,3 @@ def _of_chamfers(lock: Lock) -> Iterator[str]:
             f"{TRACK_SAW}), nor does a V-bit of {2 * SAW} degrees; mill them on five axes or print "
             'the panels, or make boards that are cut square (construction = "sandwich")'
         )
-
-
-def warn_of_lock(lock: Lock) -> list[str]:
-    """Warnings of a clash before the target, or of panels that touch there and should not."""
-    contact = lock.obstacle
-    if contact is not None and contact is lock.clipped_contact:
-        first_name, second_name = contact.names
-        return [
-            f"{first_name} and {second_name} meet when flaps are clipped on at the target: these "
-            "have no room there"
-        ]
-    if contact is not None:
-        first, second = (list(panel) for panel in contact.panels)
-        return [
-            f"panels {first} and {second} meet at drive {in_degrees(contact.drive)} of "
-            f"{in_degrees(lock.target)} degrees: the shell stops there, short of its target"
-        ]
-    if lock.touching:
-        first, second = (list(panel) for panel in lock.touching[0])
-        return [
-            f"{len(lock.touching)} pairs of panels touch at the target without being "
-            f"meant to, for example {first} and {second}"
-        ]
-    return []

@@ -19,7 +19,7 @@ from orishell.families.longitudinal_linear_repeating import (
 from orishell.families.orthodiagonal import design_orthodiagonal
 from orishell.families.parallel_repeating import design_parallel_repeating
 from orishell.locking import lock_without_clash
-from orishell.shell.caveats import (
+from orishell.shell.build_warnings import (
     ABOVE,
     BELOW,
     BESIDE,
@@ -27,7 +27,7 @@ from orishell.shell.caveats import (
     SAW,
     UNEVEN,
     WASTEFUL,
-    find_caveats,
+    warn_of_building,
 )
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
@@ -42,7 +42,7 @@ ELLIPSE = pair("2.5*cos(t)", "3*sin(t)", 0, np.pi)
 
 def caveats(design: Design, unit: str = "m", **workshop: Any) -> list[str]:
     lock, feet = lock_without_clash(design), find_feet(design)
-    return find_caveats(design, lock, feet, unit, Workshop(**workshop))
+    return warn_of_building(design, lock, feet, unit, Workshop(**workshop))
 
 
 def matching(design: Design, words: str, unit: str = "m", **workshop: Any) -> list[str]:
@@ -201,7 +201,7 @@ def test_chamfers_steeper_than_saws_make() -> None:
 def test_folds_that_hide_the_curve() -> None:
     deep, shallow = parallel(graph("-0.3*x**2", -1, 1)), orthodiagonal()
     for design, deserved in ((deep, True), (shallow, False)):
-        depth, size = lock_without_clash(design).depth, heights(design)[0]
+        depth, size = lock_without_clash(design).corrugation_depth, heights(design)[0]
         assert (depth > DEEP * size) == deserved
         words = f"the folds are {depth:.3g} m deep in a shell {size:.3g} m high"
         assert bool(matching(design, words)) == deserved

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
 from orishell.conventions.errors import DesignError, InputError, Remedy
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.quantities import plain
-from orishell.deployment import find_pack
+from orishell.deployment import OwnWeight, Pack, find_pack
+from orishell.deployment.report import DeploymentReport
 from orishell.design import Design
 from orishell.design_file import DesignFile
 from orishell.locking import Lock, find_lock
-from orishell.shell.deployment_report import DeploymentReport, PackedReport, WeightReport
 from orishell.shell.designed import designed
-from orishell.shell.steps import Step
 
 PLANE = 0.01
 """A pack whose height is below this share of its length is a bundle of panels on each other."""
@@ -24,17 +23,12 @@ SMALLER = 0.5
 
 
 def warn_of_deployment(
-    file: DesignFile,
-    design: Design,
-    lock: Lock,
-    report: DeploymentReport,
-    skip: Collection[Step] = (),
+    file: DesignFile, design: Design, lock: Lock, report: DeploymentReport, *, mended: bool = True
 ) -> list[str]:
     """Warnings of a pack that is no bundle, and of what nothing holds.
 
-    skip: What is not asked for: of changes that would mend them.
+    mended: Whether changes that would mend them are tried.
     """
-    mended = "remedies" not in skip
     return [
         *_of_pack(file, design, lock, report, mended=mended),
         *_of_ties(report),
@@ -65,7 +59,7 @@ def _of_pack(
     yield f"the pack, {box}, is no flat bundle: {why}{remedy}"
 
 
-def _closes_better(file: DesignFile, packed: PackedReport) -> Remedy | None:
+def _closes_better(file: DesignFile, packed: Pack) -> Remedy | None:
     """A change with which the shell is tried and found to close into a flat bundle."""
     remedy = file.pattern.closing
     if remedy is None or file.deployment.largest_fold < np.pi or file.panel:
@@ -75,7 +69,7 @@ def _closes_better(file: DesignFile, packed: PackedReport) -> Remedy | None:
     except (DesignError, InputError):
         return None
     lock = find_lock(design, tolerance=file.contact_tolerance)
-    if lock.early or lock.closes_to <= lock.target:
+    if lock.early or lock.closes_to <= lock.target_drive:
         return None
     box = find_pack(design.mechanism, lock.closes_to, 1).box
     now = packed.length * packed.width
@@ -85,18 +79,18 @@ def _closes_better(file: DesignFile, packed: PackedReport) -> Remedy | None:
 
 def _of_ties(report: DeploymentReport) -> Iterator[str]:
     failing = [tie for tie in report.ties if tie.slack is False]
-    if failing:
+    if failing and failing[0].fails_at is not None:
         (row, column), (other, _) = failing[0].ends
         yield (
             f"{len(failing)} of {len(report.ties)} ties are not slack all the way from the pack, "
             f"for example the one of rows {row} and {other} in column {column}, about drive "
-            f"{failing[0].fails_at_deg:.4g} degrees: tie other vertices of the column"
+            f"{np.rad2deg(failing[0].fails_at):.4g} degrees: tie other vertices of the column"
         )
     if any(tie.slack is None for tie in report.ties):
         yield "that ties are slack before the target is not proved in this family"
 
 
-def _of_weight(report: DeploymentReport, weight: WeightReport) -> Iterator[str]:
+def _of_weight(report: DeploymentReport, weight: OwnWeight) -> Iterator[str]:
     unit = "N" if weight.force_unit == "N" else "times its weight"
     force = f"{plain(abs(weight.at_feet), 3)} {unit} at each line of feet"
     if weight.at_feet > 0 and report.opening is None:

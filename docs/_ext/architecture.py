@@ -1,4 +1,4 @@
-"""Pages that are read off the program: what is inside a room, the commands and their options."""
+"""Pages that are read off the program: what is inside a package, the commands and their options."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ if TYPE_CHECKING:
 TypeAliasForwardRef.__repr__ = lambda self: self.name  # type: ignore[method-assign]
 
 
-class Room(SphinxDirective):
-    """A room: what it offers, and module by module where things stand in it.
+class Package(SphinxDirective):
+    """A package: what it offers, and module by module where things stand in it.
 
-    A room that lists its names in ``__all__`` keeps the rest to itself: of its modules only the
+    A package that lists its names in ``__all__`` keeps the rest to itself: of its modules only the
     texts, the constants, and the classes that `:show:` names are here. `:open:` names modules that
     it leaves to those who ask for them.
     """
@@ -134,8 +134,8 @@ def find_constant(
         for name, entry in env.domaindata["py"]["objects"].items()
         if name.endswith(f".{target}") and not entry.aliased
     )
-    room = f"{node.get('py:module')}."
-    near = [each for each in found if each[1].startswith(room)]
+    package = f"{node.get('py:module')}."
+    near = [each for each in found if each[1].startswith(package)]
     found = near if len(near) == 1 else found
     if len(found) != 1:
         return None
@@ -185,10 +185,10 @@ def mend_links(
         parts = match[1].split(".")
         tails = [".".join(parts[k:]) for k in range(1, len(parts))]
         own = (
-            f"{room}.{tail}"
-            for room in (module, module.rpartition(".")[0])
+            f"{package}.{tail}"
+            for package in (module, module.rpartition(".")[0])
             for tail in tails
-            if f"{room}.{tail}" in objects
+            if f"{package}.{tail}" in objects
         )
         return match[0] if match[1] in places else f'#{objects[next(own)].node_id}"'
 
@@ -203,7 +203,7 @@ def own_module(_app: Sphinx, module: str, name: str) -> str | None:
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives and the search for bare names."""
-    app.add_directive("room", Room)
+    app.add_directive("package", Package)
     app.add_directive("commands", Commands)
     app.connect("missing-reference", find_constant)
     app.connect("autodoc-process-docstring", list_fields, priority=300)

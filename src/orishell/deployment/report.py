@@ -1,0 +1,85 @@
+"""How a shell is deployed and held, in the report."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from orishell.conventions.quantities import GRAVITY
+from orishell.conventions.record import Angle, record
+from orishell.deployment.pack import Pack, find_pack
+from orishell.deployment.settings import Attachment, Start
+from orishell.deployment.site import Site
+from orishell.deployment.ties import Tie, find_ties
+from orishell.deployment.weight import OwnWeight, measure_weight
+from orishell.design import Design, PanelSpec
+from orishell.locking import Cause, Lock
+from orishell.solids import largest_thickness
+
+PACKS = 9
+"""States from the target on that are compared to find the one that packs smallest."""
+
+
+@record
+class DeploymentReport:
+    """How a shell is deployed, and what holds it at its target."""
+
+    start: Start  # what it is folded up or opened from
+    # whether flaps are part of the folding sheet; None if there are none
+    flap_attachment: Attachment | None
+    largest_fold: Angle  # how far its hinges close
+    # thickness of its panels, 0 for none, and the largest with which set-backs take no more of any
+    # than they may; None if it is not limited
+    thickness: float
+    largest_thickness: float | None
+    end_drive: Angle  # as far as it closes, proved if its path was examined
+    # what keeps it from closing, and from opening, beyond its target; None if nothing does
+    closing: Cause | Literal["clipped flaps"] | None
+    opening: Literal["ties"] | None
+    packed: Pack | None  # the state that packs smallest; None if that was not asked for
+    ties: tuple[Tie, ...]  # its ties
+    # what its own weight does; None if it does not stand, or that was not asked for
+    weight: OwnWeight | None
+
+
+def describe_deployment(
+    design: Design, lock: Lock, site: Site, start: Start, *, packed: bool, weighed: bool
+) -> DeploymentReport:
+    """How a shell is deployed, and what holds it at its target.
+
+    packed, weighed: Whether pack and largest thickness, and own weight, are asked for.
+
+    Raises InputError if ties do not fit the sheet.
+    """
+    mechanism, thickness = design.mechanism, 0.0 if design.panel is None else design.panel.thickness
+    clipped, folded = design.clipped is not None, bool(mechanism.flap_columns)
+    end = max(lock.closes_to, lock.target_drive)
+    ties = find_ties(mechanism, site.ties, lock.closes_to)
+    caught = lock.cause if lock.closes_to <= lock.target_drive else None
+    return DeploymentReport(
+        start=start,
+        flap_attachment="clipped" if clipped else "folded" if folded else None,
+        largest_fold=design.largest_fold,
+        thickness=thickness,
+        largest_thickness=_largest_thickness(design) if packed else None,
+        end_drive=lock.closes_to,
+        closing="clipped flaps" if clipped else caught,
+        opening="ties" if ties else None,
+        packed=find_pack(mechanism, end, PACKS, thickness) if packed else None,
+        ties=ties,
+        weight=_weight(design, site, end) if weighed else None,
+    )
+
+
+def _largest_thickness(design: Design) -> float | None:
+    sheet, build = design.clipped or design.mechanism, design.panel or PanelSpec(thickness=0.0)
+    most = largest_thickness(sheet, build)
+    return most if np.isfinite(most) else None
+
+
+def _weight(design: Design, site: Site, pack: float) -> OwnWeight | None:
+    if site.feet is None:
+        return None
+    newtons = GRAVITY * site.areal_density * site.metres**2 or None
+    return measure_weight(design.mechanism, site.feet.rows, newtons, metres=site.metres, pack=pack)

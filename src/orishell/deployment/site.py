@@ -1,0 +1,81 @@
+"""Where a shell stands, what ties it, and what it weighs."""
+
+from __future__ import annotations
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.quantities import conversion
+from orishell.conventions.record import record
+from orishell.deployment.feet import Feet
+from orishell.deployment.settings import Deployment
+from orishell.deployment.ties import feet_ties
+from orishell.design import Design
+from orishell.motion import sheet_area
+from orishell.motion.grid import VertexPair
+from orishell.solids import BuiltPanels
+
+
+@record
+class Site:
+    """Where a shell stands, what ties it, and what it weighs."""
+
+    unit: str  # of its lengths
+    feet: Feet | None  # what it stands on; None if it cannot stand
+    ties: tuple[VertexPair, ...]  # rows and columns of both ends in the folding sheet
+    areal_density: float  # mass per area of the sheet (kg/m^2); 0 where it is not known
+
+    @property
+    def metres(self) -> float:
+        """Its unit of length."""
+        return conversion(self.unit, "m")
+
+
+def find_site(
+    design: Design,
+    feet: Feet | None,
+    deployment: Deployment,
+    built: BuiltPanels | None,
+    *,
+    unit: str,
+    areal_density: float | None = None,
+) -> Site:
+    """Return where a shell stands, what ties it, and what it weighs.
+
+    Parameters
+    ----------
+    built
+        Its panels where they have a thickness: they are weighed.
+    areal_density
+        Mass per area that is given instead (kg/m^2).
+
+    Raises
+    ------
+    InputError
+        If its feet are to be tied, and there are none.
+    """
+    density = areal_density or (0.0 if built is None else _weighed(design, built, unit))
+    return Site(unit, feet, _ties(design, deployment, feet), density)
+
+
+def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[VertexPair, ...]:
+    if isinstance(deployment.ties, tuple):
+        return deployment.ties
+    if deployment.ties == "none":
+        return ()
+    if feet is None:
+        raise InputError(
+            "there are no feet to tie",
+            where="[deployment] ties",
+            got='"feet"',
+            expected="a shell that stands on the two ends of f",
+            remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",
+        )
+    return tuple(feet_ties(design.mechanism, feet.rows))
+
+
+def _weighed(design: Design, built: BuiltPanels, unit: str) -> float:
+    """Mass of built panels per area of the sheet; 0 where the density of a part is not known."""
+    build, area = built.build, sheet_area(design.mechanism.positions(0.0))
+    boards = build.density * float(built.boards.volumes().sum())
+    membrane = build.membrane_density * build.membrane * area
+    known = build.density and (build.membrane_density or not build.membrane)
+    return conversion(unit, "m") * (boards + membrane) / area if known else 0.0
