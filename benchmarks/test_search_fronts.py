@@ -17,7 +17,7 @@ from orishell.design_file import starter_file
 from orishell.numerics.arrays import Array
 from orishell.search import journal_in_memory, local_processes, search_designs
 from orishell.search.front import front_of, scores
-from orishell.search.problem import pose
+from orishell.search.problem import parse_problem
 
 TIMES = 10
 LENGTHS = {
@@ -75,9 +75,9 @@ def fronts(family: str) -> dict[int, Array]:
         tables[name] = tables.get(name, {}) | values
     lengths = LENGTHS[family]
     table = {**search, "evaluations": TIMES * max(lengths)}
-    problem = pose({**tables, "search": table}, Path("search.toml"))
-    with local_processes() as crew:
-        found = search_designs(problem, crew, journal_in_memory())
+    problem = parse_problem({**tables, "search": table}, Path("search.toml"))
+    with local_processes() as pool:
+        found = search_designs(problem, pool, journal_in_memory())
     assert found.whole
     objectives = {}
     for count in {each * times for each in lengths for times in (1, TIMES)}:

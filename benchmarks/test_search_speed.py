@@ -12,15 +12,15 @@ from typing import Any
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.search import (
-    Crew,
+    WorkerPool,
     alone,
     dask_workers,
     journal_in_memory,
     local_processes,
     search_designs,
 )
-from orishell.search.crew import Work
-from orishell.search.problem import Problem, pose
+from orishell.search.problem import Problem, parse_problem
+from orishell.search.worker_pool import Work
 from search.dask_cluster import dask_cluster
 
 SEARCH: dict[str, Any] = {
@@ -37,15 +37,17 @@ def problem(evaluations: int) -> Problem:
     """A search of orthodiagonal shells, some tens of milliseconds each."""
     tables = parse_toml(starter_file("orthodiagonal"))
     tables["pattern"] |= {"rows": 5, "columns": 7}
-    return pose({**tables, "search": {**SEARCH, "evaluations": evaluations}}, Path("search.toml"))
+    return parse_problem(
+        {**tables, "search": {**SEARCH, "evaluations": evaluations}}, Path("search.toml")
+    )
 
 
-def seconds(evaluations: int, workers: AbstractContextManager[Crew]) -> float:
+def seconds(evaluations: int, workers: AbstractContextManager[WorkerPool]) -> float:
     """Time of a search, from start to end."""
     asked = problem(evaluations)
     begin = time.perf_counter()
-    with workers as crew:
-        found = search_designs(asked, crew, journal_in_memory())
+    with workers as pool:
+        found = search_designs(asked, pool, journal_in_memory())
     assert len(found.outcomes) == evaluations
     return time.perf_counter() - begin
 
@@ -63,7 +65,7 @@ def test_overhead(benchmark: Any) -> None:
     place = _Timed()
     begin = time.process_time()
     benchmark.pedantic(
-        search_designs, args=(asked, Crew([place], 1), journal_in_memory()), rounds=1
+        search_designs, args=(asked, WorkerPool([place], 1), journal_in_memory()), rounds=1
     )
     whole = time.process_time() - begin
     share = (whole - place.seconds) / place.seconds

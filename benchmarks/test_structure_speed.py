@@ -11,9 +11,9 @@ import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
 from orishell.design_file import read_design_file
+from orishell.shell.analyse import analyse_structure
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
-from orishell.shell.structure import analyse_structure
 from orishell.structure.settings import NO_CODE, LoadCase, Snow, Structure, Support, Wind
 
 SHELTER = Path(__file__).parents[1] / "examples" / "shelter.toml"
@@ -42,7 +42,7 @@ PEAK = """
 import resource, sys
 sys.path.insert(0, sys.argv[1])
 from test_structure_speed import STRUCTURE, shelter
-from orishell.shell.structure import analyse_structure
+from orishell.shell.analyse import analyse_structure
 analyse_structure(shelter(), STRUCTURE)
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20)
 """

@@ -15,10 +15,10 @@ from orishell import Shell
 from orishell.design_file import check_design
 from orishell.design_file.tables import with_values
 from orishell.search import (
-    Crew,
-    Found,
     Outcome,
     Problem,
+    SearchResult,
+    WorkerPool,
     alone,
     open_journal,
     read_problem,
@@ -31,15 +31,15 @@ DESIGN = Path(__file__).with_suffix(".toml")
 MADE = DESIGN.with_suffix("") / "journal.jsonl"
 
 
-def find(problem: Problem, crew: Crew) -> Found:
+def find(problem: Problem, pool: WorkerPool) -> SearchResult:
     """What the search finds, from a copy of its journal: a search would add to it."""
     with TemporaryDirectory() as directory:
         path = Path(shutil.copy(MADE, directory))
         with open_journal(path, problem) as journal:
-            return search_designs(problem, crew, journal)
+            return search_designs(problem, pool, journal)
 
 
-def chosen(problem: Problem, found: Found) -> dict[str, Outcome]:
+def chosen(problem: Problem, found: SearchResult) -> dict[str, Outcome]:
     """The ends of the front and its knee, by what is said of them."""
     words = {"mass": "lightest", "packed_volume": "smallest pack", "deflection": "stiffest"}
     members = found.front.members
@@ -47,7 +47,7 @@ def chosen(problem: Problem, found: Found) -> dict[str, Outcome]:
         words[each.name]: min(members, key=lambda member: member.figures[each.name])
         for each in problem.objectives
     }
-    return {**ends, "knee": members[found.front.knee], "to begin with": found.begun_with}
+    return {**ends, "knee": members[found.front.knee], "to begin with": found.baseline}
 
 
 def design(problem: Problem, outcome: Outcome) -> Shell:
@@ -73,8 +73,8 @@ def row(problem: Problem, name: str, outcome: Outcome) -> str:
 def main() -> None:
     """Print the ends of the front and its knee."""
     problem = read_problem(DESIGN)
-    with alone() as crew:
-        found = find(problem, crew)
+    with alone() as pool:
+        found = find(problem, pool)
     print(f"{len(found.outcomes)} designs, {len(found.front.members)} that no other beats")
     print(HEAD)
     for name, outcome in chosen(problem, found).items():

@@ -10,8 +10,6 @@ from dataclasses import dataclass, replace
 from math import inf, sqrt
 from pathlib import Path
 
-import numpy as np
-
 from orishell import Shell, analyse_structure
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
@@ -147,13 +145,13 @@ def judge(shell: Shell, analysis: Analysis) -> Verdict:
     assert shell.file.structure is not None
     strength = shell.file.structure.strength
     assert strength is not None
-    height = float(np.ptp(analysis.mesh.facets.points[:, 2]))
-    if any(case.motion for case in analysis.cases):
-        return Verdict(analysis.mass, inf, 0.0, inf)
-    sizes = [np.linalg.norm(case.displacements, axis=1).max() for case in analysis.cases]
-    factors = [inf if case.buckling is None else case.buckling[0] for case in analysis.cases]
-    used = max(case.stresses.max() for case in analysis.cases) / strength
-    return Verdict(analysis.mass, float(max(sizes)) / height, min(factors), float(used))
+    mass, found = analysis.model.mass, [case.stands for case in analysis.cases if case.stands]
+    if len(found) < len(analysis.cases):
+        return Verdict(mass, inf, 0.0, inf)
+    moved = max(each.displacement.share for each in found)
+    factor = min(inf if each.buckling is None else each.buckling for each in found)
+    used = max(each.stress.size for each in found) / strength
+    return Verdict(mass, moved, factor, used)
 
 
 def row(name: str, found: Verdict) -> str:

@@ -86,12 +86,16 @@ def _shape(kind: Any) -> tuple[str, tuple[Any, ...]]:
 
 
 def _is_record(kind: Any) -> bool:
-    return is_typeddict(kind) or dataclasses.is_dataclass(kind)
+    return is_typeddict(kind) or _has_written_fields(kind)
+
+
+def _has_written_fields(kind: Any) -> bool:
+    return dataclasses.is_dataclass(kind) or hasattr(kind, "WRITTEN")
 
 
 def _fields(record: type) -> tuple[dict[str, Any], set[str]]:
     """Types of fields by name, and the names of those that are always there."""
-    if dataclasses.is_dataclass(record):
+    if _has_written_fields(record):
         fields = {key: each.kind for key, each in written_fields(record).items()}
         return fields, set(fields)
     fields = get_type_hints(record)
@@ -113,7 +117,7 @@ def _interface(record: type) -> str:
     fields, needed = _fields(record)
     text = inspect.getdoc(record) or ""
     notes = field_notes(record)
-    if dataclasses.is_dataclass(record):
+    if _has_written_fields(record):
         names = {key: each.name for key, each in written_fields(record).items()}
         notes = {key: notes[name] for key, name in names.items() if name in notes}
     lines = [f"/** {text.splitlines()[0]} */", f"export interface {record.__name__} {{"]

@@ -9,6 +9,7 @@ import re
 import textwrap
 import tokenize
 from functools import cache
+from typing import get_type_hints
 
 
 @cache
@@ -23,8 +24,11 @@ def field_notes(thing: type) -> dict[str, str]:
         if each.__module__.startswith("orishell"):
             notes |= _own_notes(each)
     for name in getattr(thing, "WRITTEN", ()):
-        if name not in notes and isinstance(given := getattr(thing, name), property):
-            notes[name] = (inspect.getdoc(given) or "").partition("\n")[0]
+        part, _, rest = name.partition(".")
+        if rest:
+            notes[name] = field_notes(get_type_hints(thing)[part]).get(rest, "")
+        elif name not in notes:
+            notes[name] = (inspect.getdoc(getattr(thing, name)) or "").partition("\n")[0]
     return notes
 
 

@@ -29,8 +29,8 @@ example = runpy.run_path(str(EXAMPLES / "shelter_search.py"))
 find, chosen, design, row = (example[name] for name in ("find", "chosen", "design", "row"))
 
 problem = read_problem(EXAMPLES / "shelter_search.toml")
-with alone() as crew:
-    found = find(problem, crew)
+with alone() as pool:
+    found = find(problem, pool)
 print(f"{len(found.outcomes)} shelters, {len(found.front.members)} that no other beats")
 for reason, count in reasons(problem, found.outcomes):
     print(f"{count}: {reason}")

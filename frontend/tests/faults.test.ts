@@ -1,14 +1,8 @@
-import { describe, expect, test } from "vitest";
+import { expect, test } from "vitest";
 
 import { sentence } from "../src/shared/words.ts";
-import { ServerFault, faultOf, isAbout, mended, ownFault, patternKeysOf, refusalOf, wordsOfRemedies } from "../src/studio/state/faults.ts";
-import type { Design } from "../src/studio/state/types.ts";
+import { ServerFault, faultOf, isAbout, ownFault, patternKeysOf, refusalOf, wordsOfRemedies } from "../src/studio/state/faults.ts";
 
-const DESIGN: Design = {
-  shell: { family: "orthodiagonal", unit: "m" },
-  target: { f: { points: [[0, 0], [1, 1]], smooth: true, scale: 2 }, g: { formula: "x", range: [0, 1] } },
-  pattern: { rows: 9, columns: 11, xi_deg: 170 },
-};
 const { searching: _, ...input } = ownFault("input", "no");
 const REFUSED = { ...input, kind: "input" as const };
 
@@ -30,24 +24,6 @@ test("the controls that a fault is about are found by its keys, not by its words
   expect(isAbout(fault, "g")).toBe(false);
   expect(isAbout({ ...fault, keys: ["target.g"] }, "g")).toBe(true);
   expect(isAbout({ ...fault, keys: ["target"] }, "g")).toBe(false);
-});
-
-describe("a remedy changes", () => {
-  test("values, and removes keys", () => {
-    const design = mended(DESIGN, { text: "", changes: { "pattern.xi_deg": 90, "pattern.rows": null } });
-    expect(design.pattern).toEqual({ columns: 11, xi_deg: 90 });
-    expect(DESIGN.pattern["rows"]).toBe(9);
-  });
-
-  test("a curve to a formula, and removes its points", () => {
-    const gone = { "target.f.points": null, "target.f.smooth": null };
-    const { target } = mended(DESIGN, { text: "", changes: { "target.f.formula": "x**2", ...gone } });
-    expect(target.f).toEqual({ formula: "x**2", scale: 2 });
-  });
-
-  test("a table that was not there", () => {
-    expect(mended(DESIGN, { text: "", changes: { "tolerance.surface": 0.1 } }).tolerance).toEqual({ surface: 0.1 });
-  });
 });
 
 test("what works is listed, or what limits, or that it is being looked for", () => {

@@ -4,7 +4,8 @@ import { offeredFigures } from "../src/studio/search/figures.ts";
 import { Scale } from "../src/shared/plot.ts";
 import { joined, wordsOfCount, wordsOfRest } from "../src/studio/search/found.ts";
 import { candidates, otherwise, suggestion } from "../src/studio/search/numbers.ts";
-import { countOf, hasValues, keyOf, lacking, listed, searchOf, withSearch, withValues } from "../src/studio/search/table.ts";
+import { countOf, hasValues, keyOf, lacking, listed, searchOf } from "../src/studio/search/table.ts";
+import { changed } from "../src/studio/state/changed.ts";
 import { Labels } from "../src/studio/state/labels.ts";
 import { isSameShell } from "../src/studio/state/sizing.ts";
 import type { Design, Info, Parameter, Report, SearchTable } from "../src/studio/state/types.ts";
@@ -20,7 +21,7 @@ const TABLES: Info["tables"] = {
   target: { label: "Curves", keys: {} },
   panel: { label: "Panels", keys: { thickness: { label: "Thickness", help: "", choices: {} } } },
 };
-const LABELS = new Labels({ one: { label: "", what: "", parameters: PARAMETERS } }, TABLES, () => "one");
+const LABELS = new Labels({ one: { label: "", what: "", borders: "", parameters: PARAMETERS } }, TABLES, () => "one");
 const design: Design = {
   shell: { family: "one", unit: "m" },
   target: { f: { formula: "-x**2", range: [-1, 1] }, g: { points: [[0, 0], [1, 0]] } },
@@ -117,17 +118,17 @@ describe("the table", () => {
   });
 
   it("changes nothing of the shell", () => {
-    expect(isSameShell(withSearch(design, table), design)).toBe(true);
-    expect(isSameShell(withSearch({ ...design, pattern: { ...design.pattern } }, table), design)).toBe(false);
+    expect(isSameShell(changed(design, { search: table }), design)).toBe(true);
+    expect(isSameShell(changed({ ...design, pattern: { ...design.pattern } }, { search: table }), design)).toBe(false);
     expect(isSameShell({ ...design, panel: {} }, design)).toBe(false);
-    expect(withSearch(withSearch(design, table), null)).toEqual(design);
+    expect(changed(changed(design, { search: table }), { search: null })).toEqual(design);
   });
 });
 
 describe("a design that is picked", () => {
   it("has the values, and all else as before", () => {
     const values = { "pattern.rows": 7, "target.f.range.1": 2, "target.g.scale": 3 };
-    const picked = withValues(design, values);
+    const picked = changed(design, values);
     expect(picked.pattern).toEqual({ rows: 7, columns: 11, xi_deg: 48 });
     expect(picked.target.f.range).toEqual([-1, 2]);
     expect(picked.target.g).toEqual({ points: [[0, 0], [1, 0]], scale: 3 });
@@ -139,16 +140,16 @@ describe("a design that is picked", () => {
 
   it("is of the same search, another design is not", () => {
     const key = keyOf(design, ["pattern.rows"]);
-    expect(keyOf(withValues(design, { "pattern.rows": 5 }), ["pattern.rows"])).toBe(key);
-    expect(keyOf(withSearch(design, { variables: {}, minimise: [] }), ["pattern.rows"])).toBe(key);
-    expect(keyOf(withValues(design, { "pattern.columns": 5 }), ["pattern.rows"])).not.toBe(key);
+    expect(keyOf(changed(design, { "pattern.rows": 5 }), ["pattern.rows"])).toBe(key);
+    expect(keyOf(changed(design, { search: { variables: {}, minimise: [] } }), ["pattern.rows"])).toBe(key);
+    expect(keyOf(changed(design, { "pattern.columns": 5 }), ["pattern.rows"])).not.toBe(key);
   });
 });
 
 describe("what is found", () => {
   const made = (panels: number): SearchState["designs"][number] => ({ values: { "pattern.rows": panels }, figures: { panels } });
   const state = (more: Partial<SearchState>): SearchState => ({
-    objectives: [{ name: "panels", label: "panels" }], begun_with: null, designs: [], front: [], knee: -1, made: 0, total: 10, refused: [], ...more,
+    objectives: [{ name: "panels", label: "panels" }], baseline: null, designs: [], front: [], knee: -1, made: 0, total: 10, refused: [], ...more,
   });
 
   it("grows by what is told", () => {

@@ -1,16 +1,16 @@
 import { expect, test } from "vitest";
 
-import type { CaseReport, StructureReport } from "../src/shared/api-types.ts";
+import type { CaseResult, Analysis } from "../src/shared/api-types.ts";
 import { structureFigures } from "../src/shared/structure-figures.ts";
 
-function caseOf(name: string, creases: CaseReport["creases"], displaced: number | null): CaseReport {
+function caseOf(name: string, creases: CaseResult["creases"], displaced: number | null): CaseResult {
   const moves = displaced === null ? "opens under its loads" : null;
   const stands = displaced === null ? null : { displacement: { size: displaced } };
-  return { name, creases, loads: [], load: [0, 0, 0], moves, stands } as unknown as CaseReport;
+  return { name, creases, loads: [], load: [0, 0, 0], moves, stands } as unknown as CaseResult;
 }
 
-const reportOf = (cases: CaseReport[], governs: StructureReport["governs"] = null): StructureReport =>
-  ({ cases, governs, warnings: [], not_covered: [] }) as unknown as StructureReport;
+const reportOf = (cases: CaseResult[], governs: Analysis["governs"] = null): Analysis =>
+  ({ cases, governs, warnings: [], not_covered: [] }) as unknown as Analysis;
 
 test("a shell that was not analysed has no figures", () => {
   expect(structureFigures(null, "m")).toEqual([]);

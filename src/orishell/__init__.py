@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     from orishell.families.orthodiagonal import design_orthodiagonal
     from orishell.families.parallel_repeating import ParallelRepeating, design_parallel_repeating
     from orishell.motion import FoldedState, FoldingMotion, Mechanism, measure_fold_angles
+    from orishell.shell.analyse import analyse_structure
     from orishell.shell.export import convert_fold, write_shell
     from orishell.shell.make import Shell, design_shell
-    from orishell.shell.structure import analyse_structure
     from orishell.studio.notebook import show
     from orishell.verification.residuals import measure_residuals
 
@@ -59,7 +59,7 @@ _HOMES = {
     "orishell.motion": ("FoldedState", "FoldingMotion", "Mechanism", "measure_fold_angles"),
     "orishell.studio.notebook": ("show",),
     "orishell.shell.make": ("Shell", "design_shell"),
-    "orishell.shell.structure": ("analyse_structure",),
+    "orishell.shell.analyse": ("analyse_structure",),
     "orishell.shell.export": ("convert_fold", "write_shell"),
 }
 

@@ -7,21 +7,21 @@ from pathlib import Path
 
 import pytest
 
-from analysed import STRUCTURE, analysed
+from analysed import analysed
 from command_line import orishell
 from design_tables import formula, made, tables
 from orishell.cli.structure import summarize_structure
 from orishell.conventions.errors import InputError
 from orishell.shell.export import write_structure
 from orishell.shell.make import Shell
-from orishell.structure.report import StructureReport, describe_structure
+from orishell.structure.results import Analysis
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture(scope="module")
-def report() -> StructureReport:
-    return describe_structure(STRUCTURE, analysed(), None)
+def report() -> Analysis:
+    return analysed()
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +38,7 @@ def test_a_file_without_the_table_is_refused(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_the_summary(report: StructureReport) -> None:
+def test_the_summary(report: Analysis) -> None:
     lines = list(summarize_structure(report, "m", [Path("a/structure.json")]))
     for line in (
         "model     16 triangles, 99 freedoms; 32.2 kg; panels 0.01 m thick, E = 2.7e8 N/m2",

@@ -14,7 +14,7 @@ import pytest
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import check_design, starter_file
 from orishell.families.registry import FAMILIES
-from orishell.search.problem import pose
+from orishell.search.problem import parse_problem
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from samples import THOROUGH
@@ -98,7 +98,7 @@ def test_an_example_works(tables: Tables, directory: Path) -> None:
     if "structure" in tables:
         tables["workshop"] = {"areal_density": 5}
     if "search" in tables:
-        assert pose(tables, path).figures
+        assert parse_problem(tables, path).figures
         del tables["search"]
     file = check_design(tables, path)
     if THOROUGH:

@@ -7,7 +7,7 @@ from typing import Any
 
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
-from orishell.search.problem import Problem, pose
+from orishell.search.problem import Problem, parse_problem
 
 PATH = Path("small.toml")
 
@@ -43,7 +43,7 @@ GRIDS: dict[str, dict[str, Any]] = {
 def small_problem(family: str, **changes: Any) -> Problem:
     """The small search of a family, keys of its table [search] changed."""
     tables = parse_toml(starter_file(family))
-    return pose({**tables, "search": {**GRIDS[family], **changes}}, PATH)
+    return parse_problem({**tables, "search": {**GRIDS[family], **changes}}, PATH)
 
 
 def loaded_tables(**search: Any) -> dict[str, Any]:

@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from orishell.search import Found, Problem, alone, journal_in_memory, search_designs
+from orishell.search import Problem, SearchResult, alone, journal_in_memory, search_designs
 from orishell.search.evaluate import asked_of_loads, evaluate, job_of, reasons, violation
-from orishell.search.problem import pose
+from orishell.search.problem import parse_problem
 from search.problems import PATH, loaded_tables, small_problem
 
 THICK = [0.001, 0.003, 0.01]
@@ -26,12 +26,12 @@ def posed(structure: dict[str, float], **search: Any) -> Problem:
         **search,
     )
     kept = {key: each for key, each in raw["structure"].items() if key != "strength"}
-    return pose({**raw, "structure": {**kept, **structure}}, PATH)
+    return parse_problem({**raw, "structure": {**kept, **structure}}, PATH)
 
 
-def found(problem: Problem) -> Found:
-    with alone() as crew:
-        return search_designs(problem, crew, journal_in_memory())
+def found(problem: Problem) -> SearchResult:
+    with alone() as pool:
+        return search_designs(problem, pool, journal_in_memory())
 
 
 @pytest.mark.parametrize("structure", [BREAKS, BUCKLES], ids=["breaks", "buckles"])
@@ -57,7 +57,7 @@ def test_the_file_may_allow_it_and_then_it_is_said() -> None:
 def test_a_shell_that_moves_is_refused_whatever_is_asked_for() -> None:
     """Nothing holds its feet together: only with ties does it stand."""
     raw = loaded_tables(variables={"deployment.ties": ["none", "feet"]}, minimise=["panels"])
-    loose, tied = evaluate(job_of(pose(raw, PATH)), [{"deployment.ties": "none"}, {}])
+    loose, tied = evaluate(job_of(parse_problem(raw, PATH)), [{"deployment.ties": "none"}, {}])
     assert loose.reason == "the shell does not stand under its loads"
     assert tied.figures["utilisation"] < 1
 
@@ -73,7 +73,7 @@ def test_a_structure_that_only_variants_have_bears_its_loads_too() -> None:
     table = raw.pop("structure")
     del raw["load_case"]  # own weight remains
     raw["search"]["variables"] = {"structure": [table, {**table, "strength": 1e3}]}
-    problem = pose(raw, PATH)
+    problem = parse_problem(raw, PATH)
     whole = found(problem)
     assert [each.values["structure"]["strength"] for each in whole.front.members] == [5e6]
-    assert not whole.begun_with.figures
+    assert not whole.baseline.figures

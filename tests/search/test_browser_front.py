@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from orishell.conventions.progress import no_progress
-from orishell.search import Found, Problem, alone, journal_in_memory, search_designs
+from orishell.search import Problem, SearchResult, alone, journal_in_memory, search_designs
 from orishell.search import page as pages
 from orishell.search.page import write_page
 from page_checks import MISPLACED, serious_findings
@@ -33,30 +33,30 @@ VARIABLES = {"pattern.rows": [3, 5, 7], "pattern.columns": [3, 4, 5], "pattern.x
 MIXED = ["panels", "deviation.f.max", "deviation.g.max"]
 
 
-def searched(minimise: list[str]) -> tuple[Problem, Found]:
+def searched(minimise: list[str]) -> tuple[Problem, SearchResult]:
     problem = small_problem(
         "parallel-repeating", variables=VARIABLES, minimise=minimise, method="grid"
     )
-    with alone() as crew:
-        return problem, search_designs(problem, crew, journal_in_memory())
+    with alone() as pool:
+        return problem, search_designs(problem, pool, journal_in_memory())
 
 
-def written(path: Path, minimise: list[str]) -> tuple[Path, Found]:
+def written(path: Path, minimise: list[str]) -> tuple[Path, SearchResult]:
     require_viewer()
     problem, found = searched(minimise)
-    with alone() as crew:
-        write_page(path, problem, found, crew, no_progress)
+    with alone() as pool:
+        write_page(path, problem, found, pool, no_progress)
     return path, found
 
 
 @pytest.fixture(scope="module")
-def pair(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Found]:
+def pair(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, SearchResult]:
     """The page of a search with two objectives, and what it shows."""
     return written(tmp_path_factory.mktemp("pair") / "front.html", ["panels", "deviation.f.max"])
 
 
 @pytest.fixture(scope="module")
-def three(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Found]:
+def three(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, SearchResult]:
     """Likewise with three."""
     return written(tmp_path_factory.mktemp("three") / "front.html", MIXED)
 
@@ -92,7 +92,7 @@ def folds(page: Page) -> list[float]:
 
 
 def test_points_are_chosen_by_pointer_and_by_keys(
-    browser: Browser, pair: tuple[Path, Found]
+    browser: Browser, pair: tuple[Path, SearchResult]
 ) -> None:
     path, found = pair
     members, knee = found.front.members, found.front.knee
@@ -136,7 +136,7 @@ def test_points_are_chosen_by_pointer_and_by_keys(
 
 @thorough
 def test_a_shell_is_folded_and_stays_so_when_another_is_chosen(
-    browser: Browser, pair: tuple[Path, Found]
+    browser: Browser, pair: tuple[Path, SearchResult]
 ) -> None:
     with watched_page(browser) as page:
         opened(page, pair[0])
@@ -160,7 +160,7 @@ def test_a_shell_is_folded_and_stays_so_when_another_is_chosen(
 
 @thorough
 def test_two_are_compared_at_one_scale_with_one_slider(
-    browser: Browser, pair: tuple[Path, Found]
+    browser: Browser, pair: tuple[Path, SearchResult]
 ) -> None:
     path, found = pair
     members = found.front.members
@@ -211,7 +211,9 @@ def test_two_are_compared_at_one_scale_with_one_slider(
 
 
 @pytest.mark.parametrize("size", led_by(["narrow", *SIZES], 2))
-def test_the_page_at_every_size(browser: Browser, three: tuple[Path, Found], size: str) -> None:
+def test_the_page_at_every_size(
+    browser: Browser, three: tuple[Path, SearchResult], size: str
+) -> None:
     shape: dict[str, Any] = SIZES.get(size, {"width": 360, "height": 740})
     width, height = shape["width"], shape["height"]
     options = {key: value for key, value in shape.items() if key not in ("width", "height")}
@@ -236,7 +238,7 @@ def test_the_page_at_every_size(browser: Browser, three: tuple[Path, Found], siz
 
 @thorough
 def test_axes_are_chosen_among_three_objectives(
-    browser: Browser, three: tuple[Path, Found]
+    browser: Browser, three: tuple[Path, SearchResult]
 ) -> None:
     path, found = three
     points = np.array([[each.figures[name] for name in MIXED] for each in found.front.members])

@@ -39,8 +39,8 @@ def apart(call: Callable[[], T]) -> T:
 
 def enter(address: str, timeout: float = 10.0) -> int:
     """Be connected to a cluster for a moment; how many chunks it would take."""
-    with dask_workers(address, timeout=timeout) as crew:
-        return len(crew.places)
+    with dask_workers(address, timeout=timeout) as pool:
+        return len(pool.slots)
 
 
 @pytest.fixture(scope="module")
@@ -206,8 +206,8 @@ def work_on(
     """A small grid, so many times, on a cluster, in pieces: a minute's work without a number."""
     problem = small_problem("parallel-repeating")
     variants = [*problem.space.grid()] * times
-    with dask_workers(address, timeout=timeout) as crew:
-        yield from crew.work(partial(evaluate, job_of(problem)), variants, threading.Event())
+    with dask_workers(address, timeout=timeout) as pool:
+        yield from pool.work(partial(evaluate, job_of(problem)), variants, threading.Event())
 
 
 @thorough

@@ -8,7 +8,7 @@ from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
 from orishell.search.evaluate import evaluate, job_of
 from orishell.search.figures import NAMES, figure
-from orishell.search.problem import pose
+from orishell.search.problem import parse_problem
 from orishell.shell.make import make_shell
 from orishell.shell.report import Report
 from search.problems import PATH, loaded_tables
@@ -40,7 +40,7 @@ def report() -> Report:
 
 
 def test_what_a_search_leaves_out_changes_no_figure(report: Report) -> None:
-    (outcome,) = evaluate(job_of(pose(TABLES, PATH)), [{}])
+    (outcome,) = evaluate(job_of(parse_problem(TABLES, PATH)), [{}])
     assert outcome.figures == {name: figure(name).read(report) for name in (*NAMES, *KEYS)}
 
 
@@ -49,7 +49,7 @@ def test_each_figure_needs_what_it_says() -> None:
         raw = loaded_tables(variables={"pattern.depth": [0.12]}, minimise=[name])
         if figure(name).part != "structure":  # that would be analysed for its limits
             del raw["structure"], raw["load_case"]
-        (outcome,) = evaluate(job_of(pose(raw, PATH)), [{}])
+        (outcome,) = evaluate(job_of(parse_problem(raw, PATH)), [{}])
         assert not outcome.reason, name
 
 

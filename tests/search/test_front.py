@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from orishell.search.evaluate import Outcome, nearest, reasons, said_of
+from orishell.search.evaluate import Outcome, reasons, said_of, violation
 from orishell.search.front import costs, front_of, unbeaten
 from search.problems import small_problem
 
@@ -54,7 +54,7 @@ def test_designs_that_break_limits_or_cannot_be_made_are_not_on_the_front() -> N
     assert front.members == (kept,)
     assert front_of(PROBLEM, [broken, refused]) is None
     assert reasons(PROBLEM, [broken, refused, refused]) == [("no", 2), ("panels is above 100", 1)]
-    assert nearest(PROBLEM, [refused, broken]) is broken
+    assert violation(PROBLEM, broken) < violation(PROBLEM, refused)
     assert said_of(PROBLEM, broken) == "panels is above 100: 200"
     assert said_of(PROBLEM, refused) == "no, not so"
 

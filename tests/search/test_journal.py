@@ -15,10 +15,10 @@ from typing import Any
 import pytest
 
 from orishell.conventions.errors import InputError, OrishellError
-from orishell.search.crew import Crew, Work
 from orishell.search.evaluate import FAULT, Outcome
 from orishell.search.journal import NAME, open_journal
 from orishell.search.run import search_designs
+from orishell.search.worker_pool import Work, WorkerPool
 from samples import THOROUGH
 from search.problems import small_problem
 
@@ -261,12 +261,12 @@ def quickly(values: dict[str, Any]) -> Outcome:
 def test_a_mangled_journal_is_refused_in_one_line_or_does_no_harm(tmp_path: Path) -> None:
     """What is refused stays as it is; otherwise the search comes to its end."""
     path = tmp_path / NAME
-    crew = Crew([Quick()])
+    pool = WorkerPool([Quick()])
 
     def searched() -> str:
         try:
             with open_journal(path, SEARCHED) as journal:
-                return "" if search_designs(SEARCHED, crew, journal).whole else "not whole"
+                return "" if search_designs(SEARCHED, pool, journal).whole else "not whole"
         except OrishellError as error:
             return str(error)
 

@@ -20,7 +20,14 @@ from command_line import orishell
 from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
 from orishell.design_file.tables import with_values
-from orishell.search import Crew, Found, Problem, alone, journal_in_memory, local_processes
+from orishell.search import (
+    Problem,
+    SearchResult,
+    WorkerPool,
+    alone,
+    journal_in_memory,
+    local_processes,
+)
 from orishell.search import page as pages
 from orishell.search.evaluate import Outcome, job_of
 from orishell.search.front import Front, costs
@@ -56,12 +63,12 @@ method = "grid"
 """
 
 
-def posed(directory: Path, text: str = DESIGN) -> tuple[Problem, Found]:
+def posed(directory: Path, text: str = DESIGN) -> tuple[Problem, SearchResult]:
     """A search, and what it found."""
     (directory / "vault.toml").write_text(text)
     problem = read_problem(directory / "vault.toml")
-    with alone() as crew:
-        return problem, search_designs(problem, crew, journal_in_memory())
+    with alone() as pool:
+        return problem, search_designs(problem, pool, journal_in_memory())
 
 
 @pytest.fixture(autouse=True)
@@ -90,9 +97,9 @@ class Data(HTMLParser):
             self.inside = False
 
 
-def written(directory: Path, problem: Problem, found: Found, crew: Crew) -> FrontPage:
+def written(directory: Path, problem: Problem, found: SearchResult, pool: WorkerPool) -> FrontPage:
     told: list[float] = []
-    write_page(directory / "front.html", problem, found, crew, lambda share, _: told.append(share))
+    write_page(directory / "front.html", problem, found, pool, lambda share, _: told.append(share))
     assert told == sorted(told)
     assert told[-1] == 1.0
     return page_at(directory)
@@ -110,8 +117,8 @@ def page_at(directory: Path) -> FrontPage:
 
 def test_what_the_page_is_told(tmp_path: Path) -> None:
     problem, found = posed(tmp_path)
-    with alone() as crew:
-        page = written(tmp_path, problem, found, crew)
+    with alone() as pool:
+        page = written(tmp_path, problem, found, pool)
     members = found.front.members
     assert page["title"] == "vault"
     assert page["said"].startswith(f"{len(members)} design")
@@ -130,14 +137,14 @@ def test_what_the_page_is_told(tmp_path: Path) -> None:
         for step in told["steps"]:
             assert step["words"] == costs(problem, member, members[step["to"]])
     assert len(members) + len(page["beaten"]) == 6
-    assert page["begun_with"] == [36.0, found.begun_with.figures["sheet_area"]]
+    assert page["baseline"] == [36.0, found.baseline.figures["sheet_area"]]
 
 
 def test_a_shell_is_the_one_that_its_design_file_makes(tmp_path: Path) -> None:
     """Its states have the ends of the motion among them."""
     problem, found = posed(tmp_path)
-    with alone() as crew:
-        page = written(tmp_path, problem, found, crew)
+    with alone() as pool:
+        page = written(tmp_path, problem, found, pool)
     for told, member in zip(page["members"], found.front.members, strict=True):
         assert told["view"] is not None
         view = zlib.decompress(base64.b64decode(told["view"]))
@@ -159,14 +166,14 @@ def test_bytes_are_the_same_with_two_processes(tmp_path: Path) -> None:
     problem, found = posed(tmp_path)
     texts = []
     for many in (alone(), local_processes(2)):
-        with many as crew:
-            written(tmp_path, problem, found, crew)
+        with many as pool:
+            written(tmp_path, problem, found, pool)
         texts.append((tmp_path / "front.html").read_bytes())
     assert texts[0] == texts[1]
 
 
 class Dying:
-    """A crew of which each other chunk dies."""
+    """A pool of which each other chunk dies."""
 
     def work(
         self, work: Any, items: Sequence[Any], stop: threading.Event
@@ -178,8 +185,8 @@ class Dying:
 
 def test_members_that_cannot_be_drawn_say_so(tmp_path: Path) -> None:
     problem, found = posed(tmp_path)
-    crew: Any = Dying()
-    page = written(tmp_path, problem, found, crew)
+    pool: Any = Dying()
+    page = written(tmp_path, problem, found, pool)
     for number, member in enumerate(page["members"]):
         assert (member["view"] is None) == bool(number % 2)
         died = (
@@ -201,8 +208,8 @@ def test_of_many_members_the_ends_and_the_knee_are_drawn(
         replace(member, figures={**member.figures, "panels": float(k)}) for k in range(200)
     )
     monkeypatch.setattr(pages, "_drawn", lambda _, number, __: (number, b"a view", ""))
-    with alone() as crew:
-        page = written(tmp_path, problem, replace(found, front=Front(many, 101)), crew)
+    with alone() as pool:
+        page = written(tmp_path, problem, replace(found, front=Front(many, 101)), pool)
     drawn = [number for number, each in enumerate(page["members"]) if each["view"]]
     assert {0, 101, 199} <= set(drawn)
     assert pages.MOST_SHELLS <= len(drawn) <= pages.MOST_SHELLS + 1
@@ -217,8 +224,8 @@ def test_of_a_great_many_beaten_designs_some_are_drawn(tmp_path: Path) -> None:
         Outcome({"pattern.rows": k}, {**figures, "panels": 100.0 + k})
         for k in range(3 * pages.MOST_DOTS)
     )
-    with alone() as crew:
-        page = written(tmp_path, problem, replace(found, outcomes=found.outcomes + others), crew)
+    with alone() as pool:
+        page = written(tmp_path, problem, replace(found, outcomes=found.outcomes + others), pool)
     assert pages.MOST_DOTS / 2 < len(page["beaten"]) <= pages.MOST_DOTS
 
 
@@ -229,8 +236,8 @@ def test_what_stands_in_the_page_stays_there(tmp_path: Path) -> None:
     member = replace(
         found.front.members[0], values={**found.front.members[0].values, "pattern.rows": hostile}
     )
-    with alone() as crew:
-        page = written(tmp_path, problem, replace(found, front=Front((member,), 0)), crew)
+    with alone() as pool:
+        page = written(tmp_path, problem, replace(found, front=Front((member,), 0)), pool)
     assert page["members"][0]["values"][0] == hostile
     assert page["members"][0]["view"] is None
 
@@ -240,7 +247,7 @@ def test_a_stop_while_shells_are_drawn_writes_what_there_is_and_is_told(
 ) -> None:
     several = DESIGN.replace('"sheet_area"', '"deviation.f.max"')
     (tmp_path / "vault.toml").write_text(several)
-    monkeypatch.setattr("orishell.cli.search._crew", lambda *_: alone())
+    monkeypatch.setattr("orishell.search.local_processes", lambda *_: alone())
     drawn = pages._drawn
 
     def stopping(*job: Any) -> Any:

@@ -17,7 +17,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.design_file.search import Range
-from orishell.search.problem import pose, read_problem
+from orishell.search.problem import parse_problem, read_problem
 from orishell.search.space import Choices, Interval
 from orishell.search.write import variant_text
 from search.problems import PATH, loaded_tables, small_problem
@@ -84,7 +84,9 @@ BAD: list[tuple[dict[str, Any], str]] = [
 
 
 def posed(**changes: Any) -> None:
-    pose({**parse_toml(starter_file("parallel-repeating")), "search": {**GOOD, **changes}}, PATH)
+    parse_problem(
+        {**parse_toml(starter_file("parallel-repeating")), "search": {**GOOD, **changes}}, PATH
+    )
 
 
 def test_the_table_that_the_bad_ones_differ_from_can_be_used() -> None:
@@ -121,7 +123,7 @@ def test_keys_may_be_written_without_quotes() -> None:
         """
     )
     tables = {**parse_toml(starter_file("parallel-repeating")), "search": written}
-    problem = pose(tables, PATH)
+    problem = parse_problem(tables, PATH)
     assert problem.space.axes == {
         "pattern.rows": Choices((3, 5)),
         "pattern.flap": Interval(0.1, 0.3),
@@ -141,7 +143,7 @@ def test_entries_of_lists_are_variables_too() -> None:
         variables={"load_case.1.snow.ground": {"low": 100.0, "high": 900.0}},
         minimise=["deflection"],
     )
-    assert pose(tables, PATH).space.axes == {"load_case.1.snow.ground": Interval(100, 900)}
+    assert parse_problem(tables, PATH).space.axes == {"load_case.1.snow.ground": Interval(100, 900)}
 
 
 def test_whole_steps_are_whole_however_they_are_written() -> None:
@@ -158,7 +160,7 @@ def test_a_design_is_told_from_others_by_its_tables_and_files(tmp_path: Path) ->
     def fingerprint(text: str, **search: Any) -> str:
         curve.write_text(text, encoding="utf-8")
         raw = {**tables, "search": {**GOOD, **search}}
-        return pose(raw, tmp_path / "design.toml").fingerprint()
+        return parse_problem(raw, tmp_path / "design.toml").fingerprint()
 
     first = fingerprint("-1, 0\n0, 1\n1, 0\n")
     assert first == fingerprint("-1, 0\n0, 1\n1, 0\n", evaluations=7, seed=3)
@@ -187,7 +189,7 @@ def test_what_is_called_as_a_file_is_not_read(tmp_path: Path) -> None:
     own = tomllib.loads(palettes.read_text(encoding="utf-8"))["plain"]
     (tmp_path / "own.toml").write_text(tomlkit.dumps({"mine": own}), encoding="utf-8")
     begin = time.perf_counter()
-    problem = pose(tables, tmp_path / "design.toml")
+    problem = parse_problem(tables, tmp_path / "design.toml")
     assert problem.files() == [tmp_path / "own.toml"]
     assert problem.fingerprint()
     assert time.perf_counter() - begin < 2

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from orishell.conventions.errors import DesignError, InputError
-from orishell.search.crew import Crew, alone, local_processes
 from orishell.search.evaluate import Outcome, _common, evaluate, job_of, violation
 from orishell.search.front import chooser, scores
 from orishell.search.journal import Journal, journal_in_memory
 from orishell.search.problem import Problem
-from orishell.search.run import Found, search_designs
+from orishell.search.run import SearchResult, search_designs
+from orishell.search.worker_pool import WorkerPool, alone, local_processes
 from samples import led_by
 from search.problems import GRIDS, small_problem
 
@@ -22,15 +22,17 @@ SHARE = 0.8
 """Of all variants, so many are bred."""
 
 
-def searched(problem: Problem, journal: Journal | None = None, crew: Crew | None = None) -> Found:
+def searched(
+    problem: Problem, journal: Journal | None = None, pool: WorkerPool | None = None
+) -> SearchResult:
     journal = journal or journal_in_memory()
-    if crew is not None:
-        return search_designs(problem, crew, journal)
+    if pool is not None:
+        return search_designs(problem, pool, journal)
     with alone() as one:
         return search_designs(problem, one, journal)
 
 
-def front(problem: Problem, found: Found) -> list[tuple[float, ...]]:
+def front(problem: Problem, found: SearchResult) -> list[tuple[float, ...]]:
     return [scores(problem, each) for each in found.front.members]
 
 
@@ -39,8 +41,8 @@ def front(problem: Problem, found: Found) -> list[tuple[float, ...]]:
 def test_the_front_is_that_of_all_variants(family: str) -> None:
     grid = small_problem(family, method="grid")
     journal = journal_in_memory()
-    with local_processes(2) as crew:
-        every = searched(grid, journal, crew)
+    with local_processes(2) as pool:
+        every = searched(grid, journal, pool)
     assert len(every.outcomes) == grid.space.count
     bred = small_problem(
         family, method="nsga2", population=10, evaluations=int(SHARE * grid.space.count)
@@ -151,7 +153,7 @@ def test_all_variants_are_made_where_they_are_few() -> None:
     found = searched(problem)
     assert [each.values for each in found.outcomes] == [{"pattern.rows": 3}, {"pattern.rows": 5}]
     assert found.whole
-    assert found.begun_with.values == {}
+    assert found.baseline.values == {}
 
 
 def test_a_search_without_a_feasible_design_says_why_and_what_is_nearest() -> None:
@@ -171,8 +173,8 @@ def test_a_search_without_a_feasible_design_says_why_and_what_is_nearest() -> No
 def test_a_figure_that_the_design_does_not_have_is_refused_before_the_search() -> None:
     problem = small_problem("orthodiagonal", minimise=["mass"])
     told: list[float] = []
-    with alone() as crew, pytest.raises(InputError, match="does not say mass"):
-        search_designs(problem, crew, journal_in_memory(), lambda share, _: told.append(share))
+    with alone() as pool, pytest.raises(InputError, match="does not say mass"):
+        search_designs(problem, pool, journal_in_memory(), lambda share, _: told.append(share))
     assert not told
 
 
@@ -187,12 +189,12 @@ def test_a_search_that_is_stopped_has_what_there_is_and_goes_on_from_there() -> 
         if len(seen) == 6:
             stop.set()
 
-    with alone() as crew:
-        half = search_designs(problem, crew, journal, stop=stop, seen=see)
+    with alone() as pool:
+        half = search_designs(problem, pool, journal, stop=stop, seen=see)
         assert not half.whole
         assert 5 <= len(half.outcomes) < 10
         assert len(journal) == 1 + len(half.outcomes)
-        whole = search_designs(problem, crew, journal)
+        whole = search_designs(problem, pool, journal)
     assert whole.whole
     assert whole.outcomes == searched(problem).outcomes
     assert whole.outcomes[: len(half.outcomes)] == half.outcomes
@@ -201,8 +203,8 @@ def test_a_search_that_is_stopped_has_what_there_is_and_goes_on_from_there() -> 
 def test_progress_ends_with_the_search() -> None:
     told: list[float] = []
     problem = small_problem("orthodiagonal", method="nsga2", population=4, evaluations=6)
-    with alone() as crew:
-        search_designs(problem, crew, journal_in_memory(), lambda share, _: told.append(share))
+    with alone() as pool:
+        search_designs(problem, pool, journal_in_memory(), lambda share, _: told.append(share))
     assert told == sorted(told)
     assert told[-1] == 1.0
 

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from orishell.search import Crew, Found, Outcome, Problem, read_problem
-from orishell.search.crew import Work
+from orishell.search import Outcome, Problem, SearchResult, WorkerPool, read_problem
 from orishell.search.evaluate import evaluate, job_of, violation
+from orishell.search.worker_pool import Work
 from samples import thorough
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -45,20 +45,22 @@ def problem() -> Problem:
 
 
 @pytest.fixture(scope="module")
-def found(example: dict[str, Any], problem: Problem) -> Found:
+def found(example: dict[str, Any], problem: Problem) -> SearchResult:
     """What the search finds with nobody to make a design."""
-    result: Found = example["find"](problem, Crew([Nobody()]))
+    result: SearchResult = example["find"](problem, WorkerPool([Nobody()]))
     return result
 
 
-def test_the_journal_is_whole(example: dict[str, Any], problem: Problem, found: Found) -> None:
+def test_the_journal_is_whole(
+    example: dict[str, Any], problem: Problem, found: SearchResult
+) -> None:
     assert found.whole
     assert len(found.outcomes) == problem.search.evaluations
     lines = example["MADE"].read_bytes().splitlines()
     assert len(lines) == 2 + len(found.outcomes)  # its head, and the design to begin with
 
 
-def test_the_front_keeps_the_limits(problem: Problem, found: Found) -> None:
+def test_the_front_keeps_the_limits(problem: Problem, found: SearchResult) -> None:
     assert len(found.front.members) > 5
     assert all(each.figures["deflection"] <= 0.06 for each in found.front.members)
     assert all(each.figures["utilisation"] <= 1 for each in found.front.members)
@@ -70,7 +72,7 @@ def test_the_front_keeps_the_limits(problem: Problem, found: Found) -> None:
 @thorough
 @pytest.mark.slow
 def test_designs_of_the_front_are_made_again(
-    example: dict[str, Any], problem: Problem, found: Found
+    example: dict[str, Any], problem: Problem, found: SearchResult
 ) -> None:
     picked: dict[str, Outcome] = example["chosen"](problem, found)
     kept = [picked["lightest"], picked["knee"]]
@@ -80,7 +82,7 @@ def test_designs_of_the_front_are_made_again(
 
 
 def test_stiff_ones_have_a_ridge_and_those_that_pack_small_a_valley(
-    example: dict[str, Any], problem: Problem, found: Found
+    example: dict[str, Any], problem: Problem, found: SearchResult
 ) -> None:
     picked: dict[str, Outcome] = example["chosen"](problem, found)
 
@@ -96,7 +98,10 @@ def test_stiff_ones_have_a_ridge_and_those_that_pack_small_a_valley(
 
 
 def test_the_example_prints_its_choice(
-    example: dict[str, Any], problem: Problem, found: Found, capsys: pytest.CaptureFixture[str]
+    example: dict[str, Any],
+    problem: Problem,
+    found: SearchResult,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     example["main"]()
     first, _, *rows = capsys.readouterr().out.splitlines()

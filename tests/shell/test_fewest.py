@@ -111,5 +111,5 @@ def test_a_shell_of_two_panels_is_found() -> None:
         Path("shell.toml"),
     )
     assert file.tolerance is not None
-    pattern, choice = meet_tolerance(file, file.tolerance)
-    assert (pattern.rows, pattern.columns, choice.trial.panels) == (1, 2, 2)
+    sized, choice = meet_tolerance(file, file.tolerance)
+    assert (sized.pattern.rows, sized.pattern.columns, choice.trial.panels) == (1, 2, 2)

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from orishell.conventions.errors import DesignError
 from orishell.families.pattern import Tolerance, Variants
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import MOST, Measured, Sizes
+from orishell.shell.size_trials import MOST, Sizes, Trial
 
 Error = Callable[[int, int], float]
 
@@ -31,13 +31,13 @@ def sizes(
     A variant is its number of rows: there is one for each.
     """
 
-    def measure(rows: int, columns: int, careful: bool) -> Measured:
+    def measure(rows: int, columns: int, careful: bool) -> Trial:
         if asked is not None:
             asked.append((rows, columns))
         if refuses(rows, columns):
             raise DesignError("f's plane does not cross the chord of g")
         edges = sorted((10 / (rows + 1), 20 / columns))
-        return Measured(error(rows, columns) * (1 if careful else quick), *edges)
+        return Trial.of(rows, columns, error(rows, columns) * (1 if careful else quick), *edges)
 
     found: dict[str, Any] = {
         "variants": lambda rows: Variants([rows]),
@@ -115,9 +115,9 @@ def test_a_quick_measure_that_is_too_kind_is_made_up_for(quick: float) -> None:
 def test_other_variants_are_tried_where_the_telling_ones_nearly_do() -> None:
     shares = {"telling": 1.0, "other": 0.9}
 
-    def measure(variant: tuple[int, str], columns: int, careful: bool) -> Measured:
+    def measure(variant: tuple[int, str], columns: int, careful: bool) -> Trial:
         rows, name = variant
-        return Measured(shares[name] * ERRORS["sum"](rows, columns), 1.0, 1.0)
+        return Trial.of(rows, columns, shares[name] * ERRORS["sum"](rows, columns), 1.0, 1.0)
 
     tolerance = Tolerance(surface=0.3)
     (_, name), choice = choose(

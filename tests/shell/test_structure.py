@@ -13,7 +13,7 @@ from orishell.conventions.errors import InputError
 from orishell.design_file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.structure.report import StructureReport
+from orishell.structure.results import Analysis
 
 STORM = {"speed": 26, "terrain": "II", "direction_deg": 90}
 
@@ -39,7 +39,7 @@ def arch(supports: Any = "pinned", **changes: Any) -> dict[str, Any]:
     return design
 
 
-def analysed(design: dict[str, Any]) -> StructureReport:
+def analysed(design: dict[str, Any]) -> Analysis:
     shell = make_shell(
         check_design(design, Path("shell.toml")), clash="unexamined", skip=(*MEASURES, "stock")
     )
@@ -52,13 +52,13 @@ def case(**loads: Any) -> list[dict[str, Any]]:
 
 
 @pytest.fixture(scope="module")
-def winter() -> StructureReport:
+def winter() -> Analysis:
     """On sliding feet, tied, with flaps."""
     loads = case(self_weight=True, snow={"ground": 500})
     return analysed(arch("sliding", deployment={"ties": "feet"}, load_case=loads))
 
 
-def test_reactions_balance_loads(winter: StructureReport) -> None:
+def test_reactions_balance_loads(winter: Analysis) -> None:
     for found in winter.cases:
         assert found.stands is not None
         np.testing.assert_allclose(
@@ -71,12 +71,12 @@ def test_reactions_balance_loads(winter: StructureReport) -> None:
         np.testing.assert_allclose(total, found.stands.reaction, rtol=1e-12, atol=1e-9)
 
 
-def test_own_weight_is_that_of_all_panels(winter: StructureReport) -> None:
+def test_own_weight_is_that_of_all_panels(winter: Analysis) -> None:
     weight = next(load for load in winter.cases[0].loads if load.kind == "self_weight")
     assert weight.force == pytest.approx([0, 0, -9.81 * winter.model.mass], abs=1e-9)
 
 
-def test_stiffer_creases_give_less(winter: StructureReport) -> None:
+def test_stiffer_creases_give_less(winter: Analysis) -> None:
     free, rigid = winter.cases
     assert (free.creases, rigid.creases) == ("free", "rigid")
     assert free.stands is not None

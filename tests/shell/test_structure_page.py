@@ -17,10 +17,9 @@ from analysed import STRUCTURE, analysed
 from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
-from orishell.structure.build_warnings import name_of
 from orishell.structure.files import write_structure_files
 from orishell.structure.page import structure_page
-from orishell.structure.report import StructureReport, describe_structure
+from orishell.structure.results import Analysis
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -29,11 +28,11 @@ HOSTILE = "</title><script>alert(1)</script> \"'& α"
 PNG = b"\x89PNG, not really"
 
 
-def report() -> StructureReport:
-    return describe_structure(STRUCTURE, analysed(), None)
+def report() -> Analysis:
+    return analysed()
 
 
-def page(found: StructureReport | None = None, title: str = "tent", unit: str = "m") -> str:
+def page(found: Analysis | None = None, title: str = "tent", unit: str = "m") -> str:
     return structure_page(found or report(), title=title, unit=unit, png=PNG)
 
 
@@ -71,7 +70,7 @@ def test_all_cases_and_what_governs_are_in_it() -> None:
     found = report()
     text = words(page(found))
     for case in found.cases:
-        assert f"|{name_of(case, found.cases)}|" in text
+        assert f"|{found.name_of(case)}|" in text
     # The second tie pulls 4 kN of the 5 kN that it bears: see tests/analysed.py.
     assert (
         "The force in a tie governs, under wind, free creases: 80 % of what can be borne." in text
@@ -146,14 +145,14 @@ def test_it_is_as_wide_as_a4_and_dark_where_pages_are(browser: Browser, tmp_path
 
 def test_without_strengths_it_says_that_nothing_is_said_of_them() -> None:
     plain = STRUCTURE.having(strength=None, crease_strength=None, tie_strength=None)
-    text = words(page(describe_structure(plain, analysed(), None)))
+    text = words(page(analysed(plain)))
     assert "of panels and creases and ties no strength is given" in text
     assert "Buckling governs" in text
 
 
 def loaded() -> Document:
     found = analysed()
-    mesh = found.mesh
+    mesh = found.model.mesh
     count, triangles = len(mesh.facets.points), mesh.facets.triangles
     down = np.outer(np.arange(count) / count, [0, 0, -0.1])
     cases = tuple(
@@ -180,7 +179,7 @@ def loaded() -> Document:
 def test_files_are_the_same_each_time_and_hold_each_other(tmp_path: Path) -> None:
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
-        write_structure_files(tmp_path / name, loaded(), report(), analysed())
+        write_structure_files(tmp_path / name, loaded(), analysed())
     one, two = ((tmp_path / name / "structure.html").read_bytes() for name in ("one", "two"))
     png = (tmp_path / "one" / "structure.png").read_bytes()
     assert one == two

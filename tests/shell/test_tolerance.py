@@ -45,8 +45,8 @@ def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
 ) -> None:
     file = read_design_file(write_file(tmp_path, "parallel-repeating", "surface = 0.05"))
     assert file.tolerance is not None
-    pattern, choice = meet_tolerance(file, file.tolerance)
-    deviation = measure_deviation(pattern.design(file.f, file.g))
+    sized, choice = meet_tolerance(file, file.tolerance)
+    deviation = measure_deviation(sized.pattern.design(file.f, file.g))
     assert deviation.max <= 0.05 + deviation.sample_spacing
     plain = file.changed(
         {
@@ -89,8 +89,8 @@ def test_panels_keep_the_sizes_asked_for(tmp_path: Path) -> None:
     text = "surface = 0.4\npanel_min = 0.2\npanel_max = 2.5"
     file = read_design_file(write_file(tmp_path, "parallel-repeating", text))
     assert file.tolerance == Tolerance(surface=0.4, panel_min=0.2, panel_max=2.5)
-    pattern, _ = meet_tolerance(file, file.tolerance)
-    measured = measure(pattern.design(file.f, file.g), False)
+    sized, _ = meet_tolerance(file, file.tolerance)
+    measured = measure(sized.pattern.design(file.f, file.g), False)
     assert measured.shortest >= 0.2
     assert measured.longest <= 2.5
 
@@ -109,8 +109,8 @@ def test_what_the_file_says_is_kept(tmp_path: Path) -> None:
     text = 'xi_deg = 40\nspacing = "equal"\nplacement = "inscribed"'
     file = read_design_file(write_file(tmp_path, "parallel-repeating", "surface = 0.5", text))
     assert file.tolerance is not None
-    pattern, _ = meet_tolerance(file, file.tolerance)
-    parameters = pattern.design(file.f, file.g).parameters
+    sized, _ = meet_tolerance(file, file.tolerance)
+    parameters = sized.pattern.design(file.f, file.g).parameters
     assert parameters["xi_deg"] == 40
     assert (parameters["spacing"], parameters["placement"]) == ("equal", "inscribed")
 
@@ -164,13 +164,13 @@ def test_angles_left_open_are_chosen_once_for_each_number_of_rows(
     assert file.tolerance is not None
     of_curves = counted(monkeypatch, Nearest, "__call__")
     of_meshes = counted(monkeypatch, Triangles, "nearest")
-    pattern, choice = meet_tolerance(file, file.tolerance)
+    sized, choice = meet_tolerance(file, file.tolerance)
     assert choice.trial.panels <= 126
     assert choice.trial.error <= 0.15
     assert len(of_curves) < 800
     assert len(of_meshes) < 250
     # The measure that decides is that of the report.
-    assert measure_deviation(pattern.design(file.f, file.g)).max == choice.trial.error
+    assert measure_deviation(sized.pattern.design(file.f, file.g)).max == choice.trial.error
 
 
 @pytest.mark.parametrize("sizes", led_by(["surface = 1e-4", "surface = 0.4\npanel_max = 0.02"]))

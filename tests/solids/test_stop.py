@@ -189,7 +189,7 @@ def test_a_stop_that_no_flap_can_have_is_refused() -> None:
     """Flaps of Figure 1 can stop short by less than half of its xi of 50 degrees."""
     error = refusal(1, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=30.0))
     assert error.keys == ("panel.stop_deg",)
-    assert "less than 25, half" in error.size
+    assert "the limit is 25, half" in error.size
     works = offered(error)["panel.stop_deg"]
     assert 0 < works < 25
     assert shell(1, PanelSpec(thickness=0.01, membrane=2e-4, stop_deg=works)).lock.cause == "flaps"

@@ -32,8 +32,9 @@ def largest(cells: int, refine: float = 0.0) -> tuple[float, float, int]:
     asked = STRUCTURE.having(cells=cells, refine=refine)
     found = analyse(design, asked, Frame("m", feet.rows, (), 6.0, None))
     (case,) = found.cases
-    size = float(np.linalg.norm(case.displacements, axis=1).max())
-    return size, found.change, len(found.mesh.facets.triangles)
+    assert case.stands is not None
+    size = float(np.linalg.norm(case.stands.displacements, axis=1).max())
+    return size, found.model.change, found.model.triangles
 
 
 @thorough

@@ -14,7 +14,7 @@ from orishell.design_file import read_design_file
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.structure.conditions import joined, on_ground
-from orishell.structure.factorise import hold
+from orishell.structure.factorise import factorise
 from orishell.structure.model import Frame, Model
 from orishell.structure.sections import Section
 from orishell.structure.settings import Structure, Support
@@ -81,15 +81,16 @@ def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
         cases=(),
         thickness=0.01,
     ).having(supports=(PINNED.having(kind="friction"),))
-    model = Model(design, structure, Frame("m", feet.rows, ties, 1.0, None), 2, 0.0)
-    count = len(ties) + len(model.flaps())
+    model = Model(design, structure, Frame("m", feet.rows, ties, 1.0, None), 2)
+    sprung = model.factorised(0.0)
+    count = len(ties) + len(model.flaps)
     assert count > len(ties)
-    nobody = np.zeros(len(model.held.rows), dtype=bool)
-    assert model.held.motions(nobody).shape[1] == 7
+    nobody = np.zeros(len(sprung.rows), dtype=bool)
+    assert sprung.motions(nobody).shape[1] == 7
     for those in (slice(0, len(ties)), slice(len(ties), count), slice(0, count)):
-        acting = nobody.copy()
-        acting[those] = True
-        assert model.held.motions(acting).shape[1] == 6
+        active = nobody.copy()
+        active[those] = True
+        assert sprung.motions(active).shape[1] == 6
 
 
 SIDE, PLATE = 2.0, Section.solid(70e9, 0.01, 0.3)
@@ -108,7 +109,7 @@ def plate(cells: int) -> tuple[Inverse, Array, int]:
     rim = (np.abs(facets.points[:, :2] - 0.5 * SIDE) == 0.5 * SIDE).any(axis=1)
     supported = [own[rim][:, 2], own[:, :2].ravel(), mesh.rotations()[..., 2].ravel()]
     elements = [mesh.elements(PLATE)]
-    held = hold(elements, mesh, np.unique(np.concatenate(supported)), NOTHING, Grid(2, 2))
+    held = factorise(elements, mesh, np.unique(np.concatenate(supported)), NOTHING, Grid(2, 2))
     area = np.zeros(len(facets.points))
     np.add.at(area, facets.triangles, facets.areas()[:, None] / 3)
     nobody = np.zeros(len(held.rows), dtype=bool)
@@ -120,7 +121,7 @@ def test_frequencies_of_a_plate() -> None:
     inverse, area, count = plate(16)
     mass = np.zeros(count)
     mass[: 3 * len(area)] = np.repeat(27.0 * area, 3)
-    found, _ = find_frequencies(inverse, mass[inverse.held.free], 3)
+    found, _ = find_frequencies(inverse, mass[inverse.structure.free], 3)
     one = 0.5 * np.pi / SIDE**2 * np.sqrt(BENDING / 27.0)
     np.testing.assert_allclose(found, one * np.array([2, 5, 5]), rtol=0.01)
 
@@ -132,7 +133,9 @@ def test_buckling_of_a_plate() -> None:
     along = facets.axes()[:, 0]  # forces of -1 along the world's x, in every triangle's own axes
     cos, sin = along[:, 0], -along[:, 1]
     forces = -np.stack([cos**2, sin**2, cos * sin], axis=1)
-    geometric = geometric_stiffness(facets, forces, count)[inverse.held.free][:, inverse.held.free]
+    geometric = geometric_stiffness(facets, forces, count)[inverse.structure.free][
+        :, inverse.structure.free
+    ]
     found = find_buckling(inverse, geometric)
     assert found is not None
     assert found[0] == pytest.approx(4 * np.pi**2 * BENDING / SIDE**2, rel=0.01)

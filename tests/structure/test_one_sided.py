@@ -8,8 +8,8 @@ import pytest
 from orishell.motion.grid import Grid
 from orishell.structure.active_set import Response, respond
 from orishell.structure.conditions import Conditions, between, joined, on_ground
-from orishell.structure.factorise import hold
-from orishell.structure.held import Held
+from orishell.structure.factorise import factorise
+from orishell.structure.factorised import Factorised
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh, mesh_sheet
 
@@ -18,15 +18,17 @@ CORNERS = np.array([0, 1, 2, 3])
 WEIGHT, FRICTION = 100.0, 0.4
 
 
-def slab(conditions: list[Conditions]) -> tuple[SheetMesh, Held]:
+def slab(conditions: list[Conditions]) -> tuple[SheetMesh, Factorised]:
     """A square panel of 1 m that lies on what conditions are."""
     x, y = np.meshgrid([0.0, 1.0], [1.0, 0.0])
     mesh = mesh_sheet(np.stack([x, y, 0 * x], axis=-1), GRID, 2)
     elements = [mesh.elements(SECTION)]
-    return mesh, hold(elements, mesh, np.zeros(0, np.int64), joined(conditions), GRID)
+    return mesh, factorise(elements, mesh, np.zeros(0, np.int64), joined(conditions), GRID)
 
 
-def load(mesh: SheetMesh, held: Held, *forces: tuple[int, tuple[float, float, float]]) -> Response:
+def load(
+    mesh: SheetMesh, held: Factorised, *forces: tuple[int, tuple[float, float, float]]
+) -> Response:
     """What forces at nodes do, beside weight that is spread over all nodes."""
     loads = np.zeros(mesh.count)
     at = mesh.translations()
@@ -88,7 +90,7 @@ def test_a_tie_pulls_and_a_flap_presses(approach: bool, sign: float, stiffness: 
     elements = [mesh.elements(section)]
     left = mesh.facets.points[:, 0] == 0
     held_up = np.concatenate([own[:, 2], own[left].ravel(), mesh.rotations()[..., :2].ravel()])
-    held = hold(elements, mesh, np.unique(held_up), ties, grid)
+    held = factorise(elements, mesh, np.unique(held_up), ties, grid)
     for way in (1.0, -1.0):
         loads = np.zeros(mesh.count)
         loads[own[[vertices[0, 2], vertices[1, 2]], 0]] = 3.5 * way

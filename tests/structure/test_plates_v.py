@@ -16,7 +16,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.structure.active_set import respond
 from orishell.structure.conditions import joined, on_ground
-from orishell.structure.factorise import hold
+from orishell.structure.factorise import factorise
 from orishell.structure.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
@@ -61,11 +61,11 @@ def plates(crease: float, cells: int) -> Found:
     gables = np.isin(facets.points[:, 1], [0.0, LENGTH])
     supported = np.append(own[gables][:, [0, 2]], own[GRID.vertices()[0, 1], 1])
     nothing = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
-    held = hold(elements, mesh, supported, nothing, GRID)
+    held = factorise(elements, mesh, supported, nothing, GRID)
     found = respond(held, loads[held.free])
     moved = np.zeros(mesh.count)
     moved[held.free] = found.displacements
-    inverse = Inverse.of(held, found.acting, found.motions)
+    inverse = Inverse.of(held, found.active, found.motions)
     forces = facet_stresses(facets, SECTION, moved[mesh.freedoms()]).forces
     geometric = geometric_stiffness(facets, forces, mesh.count)[held.free][:, held.free]
     buckling = find_buckling(inverse, geometric)

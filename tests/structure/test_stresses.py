@@ -9,7 +9,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.structure.active_set import respond
 from orishell.structure.conditions import joined, on_ground
-from orishell.structure.factorise import hold
+from orishell.structure.factorise import factorise
 from orishell.structure.hinges import crease_moments, hinge_elements, rigid_stiffness
 from orishell.structure.sections import Section
 from orishell.structure.sheet import SheetMesh, mesh_sheet
@@ -31,7 +31,7 @@ def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[Sh
     elements = [mesh.elements(SECTION)]
     springs = min(crease, rigid_stiffness(mesh, SECTION))
     elements.append(hinge_elements(mesh, GRID, springs))
-    held = hold(elements, mesh, supported, NOTHING, GRID)
+    held = factorise(elements, mesh, supported, NOTHING, GRID)
     share = np.where((points[:, 1] == 0) | (points[:, 1] == WIDE), 0.5, 1.0) * end
     loads = np.zeros(mesh.count)
     loads[own] = share[:, None] / share.sum() * np.array(force)

@@ -20,7 +20,7 @@ from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
 from orishell.structure.active_set import respond
-from orishell.structure.loads import case_forces
+from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.model import Frame, Model
 from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.structure.sheet import mesh_sheet
@@ -69,15 +69,15 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
         crease_stiffness=(0.0, 0.0),
     ).having(supports=(PINNED.having(kind="friction"),))
     ties = tuple(feet_ties(sheet, feet.rows)) if tied else ()
-    model = Model(design, structure, Frame("m", feet.rows, ties, MASS, None), 2, 0.0)
-    forces = case_forces(model.exposure, structure.cases[0], structure.cases)
-    loads = np.zeros(model.mesh.count)
-    loads[: forces.size] = forces.ravel()
-    response = respond(model.held, loads[model.held.free])
+    model = Model(design, structure, Frame("m", feet.rows, ties, MASS, None), 2)
+    sprung = model.factorised(0.0)
+    loads = case_loads(model.exposure, structure.cases[0], structure.cases)
+    forces = sum_forces(model.exposure, loads)
+    response = respond(sprung, sprung.free_loads(forces))
     assert response.moves is None
     pulls, presses, bears = np.split(
-        response.forces[: len(model.held.conditions)],
-        [len(ties), len(ties) + len(model.flaps())],
+        response.forces[: len(sprung.conditions)],
+        [len(ties), len(ties) + len(model.flaps)],
     )
 
     # The closed form's velocity, turned so that the feet that bear stay on the ground.
@@ -91,8 +91,7 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
     moved = moved - [0, 0, lift] - np.cross([by_y, -by_x, 0.0], places)
 
     def rates(pairs: tuple[Any, ...]) -> Array:
-        ends = np.array([[model.grid.vertices()[each] for each in pair] for pair in pairs], int)
-        first, last = ends.reshape(-1, 2).T
+        first, last = model.nodes_of(pairs).T
         along = places[last] - places[first]
         along /= np.linalg.norm(along, axis=1, keepdims=True)
         return np.asarray(((moved[last] - moved[first]) * along).sum(axis=1))
@@ -102,8 +101,8 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
         pulls,
         presses,
         float((forces * everywhere.facets.points).sum()),
-        float(pulls @ rates(model.ties())),
-        float(presses @ rates(model.flaps())),
+        float(pulls @ rates(model.frame.ties)),
+        float(presses @ rates(model.flaps)),
         measure_weight(sheet, feet.rows, MASS * GRAVITY).at_feet,
         float(np.abs(forces).sum()),
     )

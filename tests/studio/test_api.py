@@ -16,8 +16,8 @@ from orishell.design_file import starter_file
 from orishell.families.registry import FAMILIES
 from orishell.io.view import Header
 from orishell.search.page import FrontPage
-from orishell.structure.case_report import GOVERNING
-from orishell.studio import api, search_api
+from orishell.structure.equilibrium import GOVERNING
+from orishell.studio import api
 from orishell.studio.refusals import make_refusal
 from typescript import declarations, fits
 
@@ -31,7 +31,7 @@ HEAD = """\
 
 """
 WORDS_HEAD = """\
-// Words that every page has, those without a server too, from orishell.structure.case_report.
+// Words that every page has, those without a server too, from orishell.structure.equilibrium.
 // Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 
@@ -48,8 +48,8 @@ MESSAGES: tuple[Any, ...] = (
     api.Result,
     api.TradeoffResult,
     api.SheetsResult,
-    search_api.SearchFound,
-    search_api.SearchResult,
+    api.SearchFound,
+    api.SearchAnswer,
     api.Refusal,
 )
 
@@ -99,10 +99,8 @@ def test_answers_about_a_design(client: httpx.Client, family: str, more: str) ->
     }
     lines = client.post("/api/search", json={"design": {**design, "search": search}}).text
     *said, result = map(json.loads, lines.splitlines())
-    assert all(
-        fits(each, api.Advance if "progress" in each else search_api.SearchFound) for each in said
-    )
-    assert fits(result, search_api.SearchResult)
+    assert all(fits(each, api.Advance if "progress" in each else api.SearchFound) for each in said)
+    assert fits(result, api.SearchAnswer)
     assert result["result"]["made"] == 2
     view = client.post("/api/design", json={"design": design}).content
     header = json.loads(view[4 : 4 + struct.unpack("<I", view[:4])[0]])

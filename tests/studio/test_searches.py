@@ -12,7 +12,7 @@ from orishell.conventions.toml_file import parse_toml
 from orishell.design_file import starter_file
 from orishell.search.figures import NAMES
 from orishell.studio import processes, searches
-from orishell.studio.search_api import SearchState
+from orishell.studio.api import SearchState
 from orishell.studio.tasks import answer
 from orishell.studio.workers import Pool
 
@@ -40,10 +40,10 @@ def test_the_front_grows_and_no_design_is_told_twice() -> None:
     told, last = searched(design_with())
     assert [state["made"] for state in told] == [0, 1, 2, 3, 4, 5, 6]
     assert last["made"] == last["total"] == 6
-    begun_with = told[0]["begun_with"]
-    assert begun_with is not None
-    assert begun_with["values"] == {}
-    assert begun_with["figures"]["panels"] == 120.0
+    baseline = told[0]["baseline"]
+    assert baseline is not None
+    assert baseline["values"] == {}
+    assert baseline["figures"]["panels"] == 120.0
     designs = [each for state in [*told, last] for each in state["designs"]]
     assert len({str(each["values"]) for each in designs}) == len(designs) == 6
     front = [designs[member["number"]] for member in last["front"]]

@@ -12,7 +12,7 @@ export function keyOf(page: FrontPage, outside: number): HTMLElement[] {
     entry("no other beats it", svg("circle", { class: "dot", cx: 9, cy: 9, r: 5 })),
     entry("knee", svg("path", { class: "dot knee", d: diamond(9, 9) })),
     ...(page.beaten.length ? [entry(`others beat it${beyond}`, svg("path", { class: "beaten", d: "M9 9h0" }))] : []),
-    ...(page.begun_with ? [entry("the design to begin with", svg("path", { class: "begun", d: square(9, 9) }))] : []),
+    ...(page.baseline ? [entry("the design to begin with", svg("path", { class: "begun", d: square(9, 9) }))] : []),
   ];
 }
 

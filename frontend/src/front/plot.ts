@@ -49,7 +49,7 @@ export class Plot {
     for (const [name, value] of Object.entries({ width, height, viewBox: `0 0 ${width} ${height}` })) {
       this.element.setAttribute(name, String(value));
     }
-    const { members, beaten, begun_with: begun, knee } = this.page;
+    const { members, beaten, baseline: begun, knee } = this.page;
     const at = (figures: number[]): Point => [figures[this.pair[0]]!, this.objectives > 1 ? figures[this.pair[1]]! : 0];
     const front = members.map(({ figures }) => at(figures));
     const others = beaten.map(at), start = begun ? [at(begun)] : [];

@@ -8,6 +8,20 @@ export interface Advance {
   what: string;
 }
 
+/** The shell as a structure. */
+export interface Analysis {
+  /** What is analysed. */
+  model: Model;
+  /** All load cases, those with the least stiffness of creases first. */
+  cases: CaseResult[];
+  /** What is nearest to the end of what it bears; None if that of nothing is known. */
+  governs: Governing | null;
+  /** Sentences an engineer should read. */
+  warnings: string[];
+  /** What the analysis says nothing of. */
+  not_covered: string[];
+}
+
 /** The surface that ever finer shells approach, where it is not f swept along g. */
 export interface ApproachReport {
   /** What it is. */
@@ -60,19 +74,19 @@ export interface BoxReport {
 }
 
 /** A load case with one stiffness of creases. */
-export interface CaseReport {
+export interface CaseResult {
   /** The case. */
   name: string;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
   /** What loads it, kind by kind. */
-  loads: LoadReport[];
+  loads: Load[];
   /** Sum of all loads. */
   load: [number, number, number];
   /** How it moves, where nothing resists; None if it stands. */
   moves: string | null;
   /** How it stands; None if it does not. */
-  stands: StandingReport | null;
+  stands: Equilibrium | null;
 }
 
 /** How rows and columns were chosen. */
@@ -129,16 +143,13 @@ export interface Contact {
 
 /** Length of all creases of a kind, in the document's unit. */
 export interface CreaseLength {
-  /** The kinds. */
   mountain: number;
-  /** The kinds. */
   valley: number;
-  /** The kinds. */
   unfolded: number;
 }
 
 /** The crease with the largest moment. */
-export interface CreaseReport {
+export interface CreaseMoment {
   /** Per length. */
   moment: number;
   /** The two panels beside it. */
@@ -217,7 +228,7 @@ export interface DeviationReport {
 }
 
 /** The largest displacement. */
-export interface DisplacementReport {
+export interface Displacement {
   /** How large it is. */
   size: number;
   /** Along x, y and z. */
@@ -259,6 +270,34 @@ export interface DroppedCurve {
   note: string;
 }
 
+/** A shell that stands under its loads. */
+export interface Equilibrium {
+  /** Sum of all reactions. */
+  reaction: [number, number, number];
+  /** What is missing between loads and reactions, of forces and moments the larger, relative to the loads. */
+  residual: number;
+  /** The largest. */
+  displacement: Displacement;
+  /** Of all supported vertices. */
+  reactions: Reaction[];
+  /** The largest share of the friction of the ground that a foot uses; None where none is rough. */
+  friction: number | null;
+  /** Forces in ties, the largest first. */
+  ties: PairForce[];
+  /** Forces of flaps that press on each other, the largest first. */
+  flaps: PairForce[];
+  /** The largest moment about a crease; None where they are free. */
+  crease: CreaseMoment | null;
+  /** The largest. */
+  stress: Stress;
+  /** Of panels, creases and ties. */
+  utilisation: Utilisation;
+  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
+  buckling: number | null;
+  /** The lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and free motions, which have none. */
+  frequencies: number[];
+}
+
 /** A design to begin with: its tables, and the text of its file. */
 export interface Example {
   name: string;
@@ -271,6 +310,8 @@ export interface Example {
 export interface Family {
   label: string;
   what: string;
+  /** What the panels beside its inner columns are. */
+  borders: string;
   parameters: Parameter[];
 }
 
@@ -346,11 +387,11 @@ export interface FrontPage {
   /** Objectives of designs that keep all limits and are not on the front. */
   beaten: number[][];
   /** Objectives of the design that the file has; null if it cannot be made. */
-  begun_with: number[] | null;
+  baseline: number[] | null;
 }
 
 /** What is nearest to the end of what it bears, of all cases. */
-export interface GoverningReport {
+export interface Governing {
   /** What it is. */
   part: "panels" | "creases" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
@@ -421,8 +462,8 @@ export interface LayerPen {
   colour: string;
 }
 
-/** A load of a case. */
-export interface LoadReport {
+/** What one kind of load adds to a case. */
+export interface Load {
   /** The case that has it: another one where that is combined. */
   case: string;
   /** By which it is combined. */
@@ -445,7 +486,7 @@ export interface Lock {
   cause: "flaps" | "clash" | "crease" | "hinges" | "boards" | null;
   /** Where the shell meets its target. */
   target_drive_deg: number;
-  /** Mean distance of inner vertices from the line between those above and below, at the target. */
+  /** Mean distance of inner vertices from the line between those above and below, at the target state (length). */
   corrugation_depth: number;
   /** The panels that touch first, if any do. */
   first_contact: Contact | null;
@@ -472,12 +513,12 @@ export interface MeetingReport {
 }
 
 /** What is analysed. */
-export interface ModelReport {
-  /** Size of the mesh. */
+export interface Model {
+  /** Nodes of the mesh. */
   nodes: number;
-  /** Size of the mesh. */
+  /** Triangles of the mesh. */
   triangles: number;
-  /** Size of the mesh. */
+  /** Degrees of freedom of the mesh. */
   freedoms: number;
   /** By what share the largest displacement of a case changed when cells were halved for the last time. */
   change: number;
@@ -487,28 +528,28 @@ export interface ModelReport {
   height: number;
   /** Of panels. */
   thickness: number;
-  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  /** Young's modulus of panels or boards, of their section as a whole (force per area). */
   modulus: number;
-  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  /** Poisson's ratio of panels. */
   poisson: number;
-  /** Young's modulus of panels or boards, their Poisson's ratio, and Young's modulus of the membrane between boards (force per area). */
+  /** Young's modulus of the membrane between boards; 0 if it is not counted (force per area). */
   membrane_modulus: number;
-  /** Of the sections of panels, the least and the largest: force per length by strain, and moment per length by curvature. */
+  /** Of the sections of panels, the least and the largest: force per length by strain. */
   membrane_stiffness: [number, number];
-  /** Of the sections of panels, the least and the largest: force per length by strain, and moment per length by curvature. */
+  /** Of the sections of panels, the least and the largest: moment per length by curvature. */
   bending_stiffness: [number, number];
   /** The least and the largest with which all is analysed. */
   crease_stiffness: [number | "free" | "rigid", number | "free" | "rigid"];
   /** Force by strain; None if ties do not stretch. */
   tie_stiffness: number | null;
-  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  /** What panels bear; None if that is not known (force per area). */
   strength: number | null;
-  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  /** What creases bear: moment per length; None if that is not known (force). */
   crease_strength: number | null;
-  /** What panels bear (force per area), creases (moment per length) and ties (force); None if it is not known. */
+  /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
-  /** What holds the shell. */
-  supports: SupportReport[];
+  /** What holds it. */
+  supports: Support[];
 }
 
 /** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
@@ -592,7 +633,7 @@ export interface PageMember {
 }
 
 /** The force between two vertices: of a tie, or of two panels of a flap on each other. */
-export interface PairReport {
+export interface PairForce {
   /** The vertices. */
   ends: [[number, number], [number, number]];
   /** How much a tie pulls, or flaps push. */
@@ -701,7 +742,6 @@ export interface ProofRecord {
 
 /** Totals of the sheet and its clipped boards; lengths and areas in the document's unit. */
 export interface Quantities {
-  /** Number of panels. */
   panels: number;
   /** How many of them are panels of boards that are clipped on at the target. */
   clipped: number;
@@ -737,7 +777,7 @@ export interface Ranges {
 }
 
 /** The force of a support on the shell. */
-export interface ReactionReport {
+export interface Reaction {
   /** The supported vertex. */
   at: [number, number];
   /** Along x, y and z. */
@@ -796,7 +836,7 @@ export interface Report {
   /** Panels as they are built; None if they have no thickness. */
   panel: PanelReport | null;
   /** The shell as a structure; None if it was not analysed. */
-  structure: StructureReport | null;
+  structure: Analysis | null;
   /** Bill of quantities. */
   quantities: Quantities;
   /** The findings, worst first. */
@@ -830,6 +870,11 @@ export interface Row {
   finding: string;
 }
 
+/** The last line of the answer: the search has come to its end. */
+export interface SearchAnswer {
+  result: SearchState;
+}
+
 /** A figure that a search can make small, or keep within limits. */
 export interface SearchFigure {
   name: string;
@@ -851,20 +896,17 @@ export interface SearchFound {
 /** What a search can be for. */
 export interface SearchInfo {
   figures: SearchFigure[];
+  /** Designs that are made at most where the table [search] does not say it. */
+  evaluations: number;
   /** The command that installs what a search needs; empty where that is installed. */
   install: string;
-}
-
-/** The last line of the answer: the search has come to its end. */
-export interface SearchResult {
-  result: SearchState;
 }
 
 /** How far a search has come. */
 export interface SearchState {
   objectives: Objective[];
   /** The design as it was opened; null if it cannot be made. */
-  begun_with: SearchedDesign | null;
+  baseline: SearchedDesign | null;
   /** Those that keep all limits and were not sent before. */
   designs: SearchedDesign[];
   /** Those that no other beats, by their first objective. */
@@ -918,34 +960,6 @@ export interface SheetsResult {
   result: Sheets;
 }
 
-/** A shell that stands under its loads. */
-export interface StandingReport {
-  /** Sum of all reactions. */
-  reaction: [number, number, number];
-  /** What is missing between loads and reactions, of forces and moments the larger, relative to the loads. */
-  residual: number;
-  /** The largest. */
-  displacement: DisplacementReport;
-  /** Of all supported vertices. */
-  reactions: ReactionReport[];
-  /** The largest share of the friction of the ground that a foot uses; None where none is rough. */
-  friction: number | null;
-  /** Forces in ties, the largest first. */
-  ties: PairReport[];
-  /** Forces of flaps that press on each other, the largest first. */
-  flaps: PairReport[];
-  /** The largest moment about a crease; None where they are free. */
-  crease: CreaseReport | null;
-  /** The largest. */
-  stress: StressReport;
-  /** Of panels, creases and ties. */
-  utilisation: UtilisationReport;
-  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
-  buckling: number | null;
-  /** The lowest natural frequencies (Hz). */
-  frequencies: number[];
-}
-
 /** What it gains and costs to take a neighbour on the front instead. */
 export interface Step {
   /** Number of the neighbour. */
@@ -955,7 +969,7 @@ export interface Step {
 }
 
 /** The largest stress in panels. */
-export interface StressReport {
+export interface Stress {
   /** Von Mises' stress. */
   size: number;
   /** Where. */
@@ -968,22 +982,8 @@ export interface StressReport {
   least: number;
 }
 
-/** The shell as a structure. */
-export interface StructureReport {
-  /** What is analysed. */
-  model: ModelReport;
-  /** All load cases, those with the least stiffness of creases first. */
-  cases: CaseReport[];
-  /** What is nearest to the end of what it bears; None if that of nothing is known. */
-  governs: GoverningReport | null;
-  /** Sentences an engineer should read. */
-  warnings: string[];
-  /** What the analysis says nothing of. */
-  not_covered: string[];
-}
-
 /** What holds some vertices. */
-export interface SupportReport {
+export interface Support {
   /** The rows that are feet, the first and last columns, or vertices. */
   at: "feet" | "ends" | [number, number][];
   /** How they are held. */
@@ -1003,11 +1003,11 @@ export interface TableWords {
 export interface Tie {
   /** Its vertices by row and column of the whole grid. */
   ends: [[number, number], [number, number]];
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   length: number;
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   flat: number;
-  /** Their distance at the target, in the flat sheet, and at the end of the motion. */
+  /** Their distance at the target, in the flat sheet, and at the end of the motion (length). */
   packed: number;
   /** Whether it is proved that its vertices move apart all the way from the end of the motion to the flat sheet; None if the family does not say. */
   grows: boolean | null;
@@ -1044,14 +1044,14 @@ export interface Trial {
   panels: number;
   /** Distance between shell and target surface, largest both ways (length). */
   error: number;
-  /** Edges of its panels (length). */
+  /** Edges of its panels in the flat sheet (length). */
   shortest: number;
-  /** Edges of its panels (length). */
+  /** Edges of its panels in the flat sheet (length). */
   longest: number;
 }
 
 /** Shares of what is borne, by what can be borne. */
-export interface UtilisationReport {
+export interface Utilisation {
   /** Of their strength; None where that is not known. */
   panels: number | null;
   /** Of their strength; None where that is not known. */

@@ -1,4 +1,4 @@
-// Words that every page has, those without a server too, from orishell.structure.case_report.
+// Words that every page has, those without a server too, from orishell.structure.equilibrium.
 // Do not edit:
 // ORISHELL_WRITE_GOLDEN=1 python -m pytest tests/studio/test_api.py writes it anew.
 

@@ -1,6 +1,6 @@
 // The structure's answer in a few lines: what moves, how far the shell is displaced, and what governs.
 
-import type { CaseReport, StructureReport } from "./api-types.ts";
+import type { CaseResult, Analysis } from "./api-types.ts";
 import { GOVERNING } from "./api-words.ts";
 import { length, threeDigits } from "./colours.ts";
 
@@ -10,7 +10,7 @@ export interface Figure {
   note: string;
 }
 
-export function structureFigures(report: StructureReport | null, unit: string): Figure[] {
+export function structureFigures(report: Analysis | null, unit: string): Figure[] {
   if (!report) return [];
   const { cases, governs } = report;
   const figures: Figure[] = [];
@@ -18,7 +18,7 @@ export function structureFigures(report: StructureReport | null, unit: string): 
   if (moving.length) figures.push({ name: "Moves", value: namesOf(moving, cases), note: `the shell ${moving[0]!.moves}` });
   const standing = cases.filter(({ stands }) => stands !== null);
   if (standing.length) {
-    const size = (each: CaseReport): number => each.stands!.displacement.size;
+    const size = (each: CaseResult): number => each.stands!.displacement.size;
     const worst = standing.reduce((most, each) => (size(each) > size(most) ? each : most));
     figures.push({ name: "Displaced", value: length(size(worst), unit), note: `at most, under ${namesOf([worst], cases)}` });
   }
@@ -33,9 +33,9 @@ export function structureFigures(report: StructureReport | null, unit: string): 
 }
 
 /** Names of cases, the stiffness of creases said where there are several. */
-function namesOf(some: CaseReport[], all: CaseReport[]): string {
+function namesOf(some: CaseResult[], all: CaseResult[]): string {
   const several = new Set(all.map(({ creases }) => creases)).size > 1;
-  const stiffness = ({ creases }: CaseReport): string =>
+  const stiffness = ({ creases }: CaseResult): string =>
     typeof creases === "string" ? `${creases} creases` : `creases of ${threeDigits(creases)} N`;
   return some.map((each) => (several ? `${each.name}, ${stiffness(each)}` : each.name)).join("; ");
 }

@@ -50,7 +50,7 @@ def check(
         with bar() as progress:
             inspection = inspect_fold(pattern, tolerance, progress)
     except InputError as error:
-        if error.where == "tolerance":
+        if "tolerance" in error.keys:
             error.where = "--tolerance"
         raise
     if json_report:

@@ -18,11 +18,7 @@ from orishell.io.formats import ALL, format_modules
 
 
 def say(text: str, *, err: bool = False) -> None:
-    """Print lines, with all control characters but line breaks escaped.
-
-    text: The lines.
-    err: Whether on standard error.
-    """
+    """Print lines, with all control characters but line breaks escaped."""
     typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
 
 
@@ -70,20 +66,14 @@ STATE_HELP = (
 
 
 def directory(text: str) -> Path:
-    """The path of the output directory, which must have a name.
-
-    Raises InputError if the name is empty, which would be where the command was given.
-    """
+    """The path of the output directory; refuses an empty name, which would be this directory."""
     if not text:
         raise InputError("the name is empty", where="--out", expected="the name of a directory")
     return Path(text)
 
 
 def state_named(text: str | None) -> int | str | None:
-    """The state that ``--state`` asks for: a name or a number; None if it asks for none.
-
-    Raises InputError if it is neither.
-    """
+    """The state that ``--state`` asks for: a name or a number; None if it asks for none."""
     if text is None or text in STATES:
         return text
     if text.isascii() and text.isdecimal() and len(text) < 10:

@@ -27,14 +27,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,  # it takes [workshop] for markup, and leaves it out
 )
-app.command()(new)
-app.command()(design)
-app.command()(structure)
-app.command()(search)
-app.command()(solve)
-app.command()(check)
-app.command()(convert)
-app.command()(studio)
+for command in (new, design, structure, search, solve, check, convert, studio):
+    app.command()(command)
 
 
 def _print_version(asked: bool) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,7 +12,7 @@ from orishell.cli.files import bar, directory, say, shortened
 from orishell.conventions.progress import asked_to_stop
 
 if TYPE_CHECKING:
-    from orishell.search import Crew, Found, Outcome, Problem
+    from orishell.search import Outcome, Problem, SearchResult, WorkerPool
 
 SHOWN = 12
 """Members of a front that are printed; of more, the ends and those about the knee."""
@@ -37,11 +36,14 @@ def search(
 
     It goes on where a search into the same directory ended.
     """
-    with _crew(processes, cluster) as crew:  # at once: it imports what this process does meanwhile
-        _search(file, out, crew)
+    from orishell.search import dask_workers, local_processes
+
+    workers = local_processes(processes) if cluster is None else dask_workers(cluster)
+    with workers as pool:  # at once: it imports what this process does meanwhile
+        _search(file, out, pool)
 
 
-def _search(file: Path, out: Path, crew: Crew) -> None:
+def _search(file: Path, out: Path, pool: WorkerPool) -> None:
     from orishell.io import OutputDirectory
     from orishell.search import open_journal, read_problem, search_designs
     from orishell.search.journal import NAME
@@ -57,21 +59,15 @@ def _search(file: Path, out: Path, crew: Crew) -> None:
             say(f"orishell: {known} designs were made before: {out / NAME}", err=True)
         with asked_to_stop("orishell: stopping, and writing what there is") as stopped:
             with bar() as shown:
-                found = search_designs(problem, crew, journal, shown, stop=stopped)
+                found = search_designs(problem, pool, journal, shown, stop=stopped)
             with bar() as shown:
-                written = write_found(problem, found, out, crew, shown, stop=stopped)
+                written = write_found(problem, found, out, pool, shown, stop=stopped)
     say("\n".join(_summary(problem, found, written)))
     if stopped.is_set():
         raise typer.Exit(128 + stopped.number)
 
 
-def _crew(processes: int | None, address: str | None) -> AbstractContextManager[Crew]:
-    from orishell.search import dask_workers, local_processes
-
-    return local_processes(processes) if address is None else dask_workers(address)
-
-
-def _summary(problem: Problem, found: Found, written: list[Path]) -> Iterator[str]:
+def _summary(problem: Problem, found: SearchResult, written: list[Path]) -> Iterator[str]:
     from orishell.search.evaluate import asked_of_loads, reasons, violation
     from orishell.search.front import costs
 

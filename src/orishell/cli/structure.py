@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,45 +14,45 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 
 if TYPE_CHECKING:
-    from orishell.structure.case_report import CaseReport, StandingReport, Vector
-    from orishell.structure.report import ModelReport, StructureReport
+    from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.loads import Vector
+    from orishell.structure.model import Model
+    from orishell.structure.results import Analysis, CaseResult
 
 ROUNDING = 1e-6
 """Components of a vector below this share of the largest are none."""
 
 
-def summarize_structure(report: StructureReport, unit: str, written: list[Path]) -> Iterator[str]:
+def summarize_structure(report: Analysis, unit: str, written: list[Path]) -> Iterator[str]:
     """Lines that say what was analysed and found, and which files were written."""
-    from orishell.structure.build_warnings import name_of
-
     yield from _model(report.model, unit)
     for each in {case.name: case for case in report.cases}.values():
         yield from _loads(each)
     for case in report.cases:
-        yield f"case      {name_of(case, report.cases)}"
+        yield f"case      {report.name_of(case)}"
         yield from _case(case, unit)
     yield from _governing(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
 
-def _model(model: ModelReport, unit: str) -> Iterator[str]:
+def _model(model: Model, unit: str) -> Iterator[str]:
     yield (
         f"model     {model.triangles} triangles, {model.freedoms} freedoms; "
-        f"{plain(model.mass)} kg; "
-        f"panels {plain(model.thickness)} {unit} thick, E = {plain(model.modulus)} N/{unit}2"
+        f"{plain(model.mass)} kg; panels {plain(model.thickness)} {unit} thick, "
+        f"E = {plain(model.structure.modulus)} N/{unit}2"
     )
     low, high = model.crease_stiffness
     stiffness = f"{low}" if low == high else f"{low} to {high}"
     stretch = "that do not stretch" if model.tie_stiffness is None else plain(model.tie_stiffness)
     yield f"stiffness of creases {stiffness} (N), of ties {stretch} (N)"
-    for each in model.supports:
+    for each in model.structure.supports:
         at = each.at if isinstance(each.at, str) else ", ".join(str(list(v)) for v in each.at)
         friction = f" {each.friction:g}" if each.friction else ""
         yield f"held      {at}: {each.kind}{friction}"
 
 
-def _loads(case: CaseReport) -> Iterator[str]:
+def _loads(case: CaseResult) -> Iterator[str]:
     """The loads of a case, which are the same for every stiffness of creases."""
     yield f"load      {case.name}: {_vector(case.load)} in all"
     for load in case.loads:
@@ -61,23 +60,26 @@ def _loads(case: CaseReport) -> Iterator[str]:
         yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
 
 
-def _case(case: CaseReport, unit: str) -> Iterator[str]:
+def _case(case: CaseResult, unit: str) -> Iterator[str]:
     if case.stands is None:
         yield f"  moves     it {case.moves}"
         return
     found = case.stands
-    yield f"  stands    {_displacement(found, unit)}"
+    most = found.displacement
+    yield (
+        f"  stands    displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % "
+        f"of its height, at panel {list(most.panel)} along {_components(most.vector, 3)}"
+    )
     yield from _forces(found, unit)
-    factor, frequencies = found.buckling, found.frequencies
-    buckling = "not" if factor is None else f"under {plain(factor)} times the loads"
-    yield f"  buckles   {buckling}"
-    if frequencies:
-        yield f"  frequency {', '.join(plain(each) for each in frequencies)} Hz"
-    missing = f"{found.residual:.1g} of the loads"
-    yield f"  balance   reactions {_vector(found.reaction)}, missing {missing}"
+    factor = found.buckling
+    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    if found.frequencies:
+        yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
+    reaction = _vector(found.reaction)
+    yield f"  balance   reactions {reaction}, missing {found.residual:.1g} of the loads"
 
 
-def _forces(found: StandingReport, unit: str) -> Iterator[str]:
+def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
     used = found.utilisation
     if found.ties:
         tie, pulling = found.ties[0], sum(each.force > 0 for each in found.ties)
@@ -103,17 +105,9 @@ def _forces(found: StandingReport, unit: str) -> Iterator[str]:
     )
 
 
-def _displacement(found: StandingReport | None, unit: str) -> str:
-    assert found is not None
-    most = found.displacement
-    return (
-        f"displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, at "
-        f"panel {list(most.panel)} along {_components(most.vector, 3)}"
-    )
-
-
-def _governing(report: StructureReport) -> Iterator[str]:
-    from orishell.structure.case_report import GOVERNING
+def _governing(report: Analysis) -> Iterator[str]:
+    from orishell.structure.equilibrium import GOVERNING
+    from orishell.structure.results import creases_in_words
 
     governs = report.governs
     if governs is None:
@@ -122,8 +116,7 @@ def _governing(report: StructureReport) -> Iterator[str]:
     buckles = governs.part == "buckling"
     borne = f"{plain(100 * share, 3)} % of what can be borne"
     much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
-    creases = governs.creases
-    stiffness = f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"
+    stiffness = creases_in_words(governs.creases)
     yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
 
 
@@ -162,6 +155,7 @@ def structure(
 
     What it finds are displacements, forces, buckling and frequencies under its loads.
     """
+    from orishell.conventions.record import as_table
     from orishell.design_file import read_design_file
     from orishell.io import OutputDirectory
     from orishell.shell.export import write_structure
@@ -174,7 +168,8 @@ def structure(
     if asked.structure is None:
         raise InputError(
             "there is no structure to analyse",
-            where=f"{file}: [structure]",
+            file=file,
+            keys=("structure",),
             remedy="add the table [structure]; orishell new writes a file that shows its keys",
         )
     with bar() as progress:
@@ -185,6 +180,6 @@ def structure(
         say(f"orishell: warning: {warning}", err=True)
     written = [] if out is None else write_structure(shell, out)
     if json_report:
-        say(json.dumps(asdict(report), indent=2, allow_nan=False))
+        say(json.dumps(as_table(report), indent=2, allow_nan=False))
     else:
         say("\n".join(summarize_structure(report, shell.report.unit, written)))

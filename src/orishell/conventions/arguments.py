@@ -9,7 +9,7 @@ from collections.abc import Callable
 from functools import cache, wraps
 from itertools import islice
 from pathlib import Path
-from typing import Any, TypeVar, cast, get_type_hints
+from typing import Any, TypedDict, TypeVar, cast, get_type_hints
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, create_model, model_validator
@@ -21,21 +21,30 @@ MOST_FAULTS = 20
 """So many faults are said, the others counted."""
 NUMBER = re.compile(r"[+-]?\d{1,20}(?:[.,]\d{0,20})?")
 NUMBERS = ("int_type", "float_type")
+WHOLE = frozenset({"int_type", "int_from_float"})
 Location = tuple[str | int, ...]
 """Keys and indices from the outermost table to the value."""
+
+
+class Place(TypedDict, total=False):
+    """Where a fault is, as :class:`~orishell.conventions.errors.InputError` takes it."""
+
+    where: str
+    keys: tuple[str, ...]
+    file: Path
 
 
 def first_fault(
     raw: dict[str, Any],
     error: ValidationError,
-    spell: Callable[[Location], str],
+    place: Callable[[Location], Place],
     keys: Callable[[Location], list[str]],
     inside: tuple[str, ...] = (),
 ) -> InputError:
     """One message for the first fault; the others follow, a line each.
 
-    ``spell`` says where a location is, ``keys`` which keys may stand beside its last one.
-    ``inside`` are the keys of the table that pydantic looked at.
+    ``keys`` are those that may stand beside the last one of a location, ``inside`` those of the
+    table that pydantic looked at.
     """
     found = [
         (_key_path(raw, (*inside, *details["loc"]), details["type"]), details)
@@ -49,7 +58,7 @@ def first_fault(
         whole = next(location[:k] for k in range(len(location) + 1) if location[:k] in places)
         faults.setdefault(whole, []).append(details)
     first, *others = [
-        _fault(location, group, spell, keys)
+        _fault(location, group, place, keys)
         for location, group in islice(faults.items(), MOST_FAULTS)
     ]
     more = len(faults) - MOST_FAULTS
@@ -77,35 +86,36 @@ def _key_path(raw: dict[str, Any], location: Location, kind: str) -> Location:
 def _fault(
     location: Location,
     group: list[ErrorDetails],
-    spell: Callable[[Location], str],
+    place: Callable[[Location], Place],
     keys: Callable[[Location], list[str]],
 ) -> InputError:
     details = group[0]
     context = details.get("ctx", {})
     if "key" in context:
         location = (*location, str(context["key"]))
-    where = spell(location)
+    found = place(location)
     kind = details["type"]
     if kind == "missing":
-        return InputError("this key is missing", where=where)
+        return InputError("this key is missing", **found)
     if kind == "extra_forbidden":
         close = difflib.get_close_matches(str(location[-1]), keys(location), n=1)
         return InputError(
             "unknown key",
-            where=where,
+            **found,
             expected="one of " + ", ".join(keys(location)),
             remedy=f"write {close[0]}, if that is what was meant" if close else "remove it",
         )
     if kind == "source":
-        return InputError(details["msg"], where=where, got=str(context.get("found", "")))
+        return InputError(details["msg"], got=str(context.get("found", "")), **found)
     got = context.get("got", details["input"])
     expected = " or ".join(dict.fromkeys(_expected(each) for each in group))
     return InputError(
         "this value does not fit",
-        where=where,
         got=_shown(got),
         expected=expected,
         remedy=_remedy(kind, got),
+        whole=not WHOLE.isdisjoint(each["type"] for each in group),
+        **found,
     )
 
 
@@ -183,12 +193,13 @@ def checked(*rules: Callable[[Any], None]) -> Callable[[F], F]:
             try:
                 found = model().model_validate(raw)
             except ValidationError as error:
-                raise first_fault(raw, error, spell, lambda _: []) from None
+                raise first_fault(raw, error, place, lambda _: []) from None
             return function(**{name: getattr(found, name) for name in given})
 
-        def spell(location: Location) -> str:
+        def place(location: Location) -> Place:
             name, *index = location
-            return f"{function.__name__}: {name}" + "".join(f"[{each}]" for each in index)
+            where = f"{function.__name__}: {name}" + "".join(f"[{each}]" for each in index)
+            return {"where": where}
 
         return cast("F", call)
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Self
+from pathlib import Path
+from typing import Any, Self
 
 
 def printable(text: str) -> str:
@@ -41,13 +42,19 @@ class InputError(OrishellError):
     what
         What is wrong, in one clause.
     where
-        File, table and key, outermost first; see :meth:`located`.
+        The place in its file, outermost first; made from ``keys`` where it is left out.
+    keys
+        Keys of the design file that it is about, the tables in front of them, or tables.
+    file
+        The file.
     got, expected
         What was found there and what would have been accepted.
     remedy
         What to do about it.
     detail
         Further lines, for example the formula with a caret under the fault.
+    whole
+        Whether a whole number would have been accepted.
     """
 
     exit_status = 2
@@ -57,14 +64,20 @@ class InputError(OrishellError):
         what: str,
         *,
         where: str = "",
+        keys: tuple[str, ...] = (),
+        file: Path | str = "",
         got: str = "",
         expected: str = "",
         remedy: str = "",
         detail: str = "",
+        whole: bool = False,
     ) -> None:
         super().__init__(what)
         self.what = what
-        self.where = where
+        self.whole = whole
+        self.where = where or _place_of(keys)
+        self.keys = keys
+        self.file = str(file)
         self.got = got
         self.expected = expected
         self.remedy = remedy
@@ -73,6 +86,22 @@ class InputError(OrishellError):
     def located(self, where: str) -> Self:
         """Put an outer place, ``where``, in front of the one known so far, and return the error."""
         self.where = f"{where} {self.where}".strip()
+        return self
+
+    def at_key(self, key: str, where: str = "") -> Self:
+        """Put a key or table of the design file in front of the place and the keys known so far.
+
+        Parameters
+        ----------
+        where
+            How messages write the key, if otherwise than others.
+        """
+        self.keys = tuple(f"{key}.{inner}" for inner in self.keys) or (key,)
+        return self.located(where or _place_of((key,)))
+
+    def in_file(self, file: Path | str) -> Self:
+        """Say which file the error is about, and return the error."""
+        self.file = str(file)
         return self
 
     def __str__(self) -> str:
@@ -84,16 +113,25 @@ class InputError(OrishellError):
         sentence = "; ".join([self.what, ", ".join(facts)] if facts else [self.what]) + "."
         if self.remedy:
             sentence += f" Remedy: {self.remedy}."
-        if self.where:
-            sentence = f"{self.where.removesuffix(':')}: {sentence}"
-        sentence = printable(sentence)
+        places = [self.file, self.where.removesuffix(":"), sentence]
+        sentence = printable(": ".join(filter(None, places)))
         return f"{sentence}\n{self.detail}" if self.detail else sentence
+
+
+def _place_of(keys: tuple[str, ...]) -> str:
+    """Keys of one table, or a table, as messages write them: "[pattern] rows, columns"."""
+    if not keys:
+        return ""
+    table, _, first = keys[0].rpartition(".")
+    if not table:
+        return f"[{first}]"
+    return f"[{table}] " + ", ".join(key.removeprefix(f"{table}.") for key in keys)
 
 
 class FormulaError(InputError):
     """A formula that cannot be used; ``column`` is the 0-based place of the fault."""
 
-    def __init__(self, what: str, text: str, column: int, **facts: str) -> None:
+    def __init__(self, what: str, text: str, column: int, **facts: Any) -> None:
         begin = max(0, min(column, len(text)) - 60)
         shown = "".join(c if c.isprintable() else " " for c in text[begin : begin + 80])
         caret = " " * (column - begin) + "^"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
+from operator import attrgetter
 from pathlib import Path
 from typing import (
     Annotated,
@@ -77,7 +78,7 @@ Angle = Annotated[float, "degrees in files"]
 
 
 class Written(NamedTuple):
-    """A field or a property of a record that files have."""
+    """What files have of a record: a field, a property, or "part.name" for one of a part of it."""
 
     name: str
     kind: Any
@@ -90,22 +91,28 @@ _KNOWN: dict[Any, dict[str, Written]] = {}
 def written_fields(kind: Any) -> dict[str, Written]:
     """What files say of a record, by their keys.
 
-    All its public fields, or those fields and properties that its ``WRITTEN`` names.
+    All its public fields, or those fields and properties that its ``WRITTEN`` names: "part.name"
+    for one of a part, under the key "name".
     """
     if kind not in _KNOWN:
         names = getattr(kind, "WRITTEN", None) or [each.name for each in fields(kind)]
         found = (_written(kind, name) for name in names if not name.startswith("_"))
-        _KNOWN[kind] = {f"{each.name}_deg" if each.angle else each.name: each for each in found}
+        _KNOWN[kind] = {each.name.rpartition(".")[2] + "_deg" * each.angle: each for each in found}
     return _KNOWN[kind]
 
 
 def _written(kind: type, name: str) -> Written:
+    part, _, rest = name.partition(".")
+    if rest:
+        return _written(get_type_hints(kind)[part], rest)._replace(name=name)
     found = getattr(kind, name, None)
-    if isinstance(found, property):
-        type_ = get_type_hints(found.fget, include_extras=True)["return"]
-    else:
-        type_ = get_type_hints(kind, include_extras=True)[name]
-    return Written(name, type_, _is_angle(type_))
+    got = found.fget if isinstance(found, property) else getattr(found, "func", None)
+    hints = [
+        get_type_hints(got or kind, include_extras=extras)["return" if got else name]
+        for extras in (True, False)
+    ]
+    angle = _is_angle(hints[0])
+    return Written(name, hints[0] if angle else hints[1], angle)
 
 
 def _is_angle(kind: Any) -> bool:
@@ -121,7 +128,7 @@ def as_table(thing: Any) -> Any:
             return [as_table(each) for each in thing]
         case Mapping():
             return {key: as_table(each) for key, each in thing.items()}
-        case _ if is_dataclass(thing):
+        case _ if is_dataclass(thing) or hasattr(thing, "WRITTEN"):
             return {key: as_table(read_key(thing, key)) for key in written_fields(type(thing))}
     return thing
 
@@ -129,7 +136,7 @@ def as_table(thing: Any) -> Any:
 def read_key(thing: Any, key: str) -> Any:
     """The value that files have under a key of a record."""
     name, _, angle = written_fields(type(thing))[key]
-    value = getattr(thing, name)
+    value = attrgetter(name)(thing)
     return _tidy(value) if angle else value
 
 

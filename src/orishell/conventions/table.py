@@ -16,11 +16,14 @@ TRACE = 1e-15
 Number = Annotated[float, Field(allow_inf_nan=False)]
 
 
+def misfit(expected: str, got: Any, key: str = "") -> PydanticCustomError:
+    """The error about a value that does not fit; ``key`` names it within what is checked."""
+    return PydanticCustomError("misfit", expected, {"got": got, **({"key": key} if key else {})})
+
+
 def _no_trace(value: float) -> float:
     if 0 < value < TRACE:
-        raise PydanticCustomError(
-            "trace", "0, or a value of at least {least}", {"least": TRACE, "got": value}
-        )
+        raise misfit(f"0, or a value of at least {TRACE}", value)
     return value
 
 

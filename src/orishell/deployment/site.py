@@ -42,8 +42,12 @@ def find_site(
 
     Parameters
     ----------
+    feet
+        What it stands on; None if it cannot stand.
     built
         Its panels where they have a thickness: they are weighed.
+    unit
+        The unit of lengths of the design, such as "mm".
     areal_density
         Mass per area that is given instead (kg/m^2).
 
@@ -64,7 +68,7 @@ def _ties(design: Design, deployment: Deployment, feet: Feet | None) -> tuple[Ve
     if feet is None:
         raise InputError(
             "there are no feet to tie",
-            where="[deployment] ties",
+            keys=("deployment.ties",),
             got='"feet"',
             expected="a shell that stands on the two ends of f",
             remedy="name pairs of vertices, [[row, column], [row, column]], or leave ties out",

@@ -65,7 +65,7 @@ class Tie:
     WRITTEN = ("ends", "length", "flat", "packed", "grows", "slack", "fails_at")
 
     ends: VertexPair  # its vertices by row and column of the whole grid
-    # their distance at the target, in the flat sheet, and at the end of the motion
+    # their distance at the target, in the flat sheet, and at the end of the motion (length)
     length: float
     flat: float
     packed: float
@@ -153,7 +153,7 @@ def _require_pair(mechanism: Mechanism, first: Vertex, second: Vertex) -> Vertex
     if fault:
         raise InputError(
             fault,
-            where="[deployment] ties",
+            keys=("deployment.ties",),
             got=f"rows and columns {list(first)}, {list(second)}",
             expected=f"two rows of 0 to {grid.rows - 1} in one column of {inner[0]} to {inner[-1]}",
             remedy="take two vertices of one column between the flaps, such as its feet",

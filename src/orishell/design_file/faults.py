@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from orishell.conventions.arguments import Location, first_fault
+from orishell.conventions.arguments import Location, Place, first_fault
 from orishell.conventions.errors import InputError
 
 LISTS = ("load_case",)
@@ -23,7 +24,12 @@ def explain(
     inside: tuple[str, ...] = (),
 ) -> InputError:
     """One message for the first fault; the others follow, a line each."""
-    return first_fault(raw, error, lambda location: f"{path}: {_spell(location)}", keys, inside)
+
+    def place(location: Location) -> Place:
+        table = takewhile(lambda part: isinstance(part, str), location)
+        return {"file": path, "where": _spell(location), "keys": (".".join(map(str, table)),)}
+
+    return first_fault(raw, error, place, keys, inside)
 
 
 def _spell(location: Location) -> str:

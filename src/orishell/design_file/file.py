@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import field, replace
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from orishell.conventions.arguments import path_of
-from orishell.conventions.errors import InputError, Value
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
 from orishell.curves import Curve
@@ -55,7 +55,8 @@ def require_memory(path: Path, pattern: Pattern, frames: int) -> None:
     if vertices > MAX_VERTICES:
         raise InputError(
             "the pattern is too large",
-            where=f"{path}: [pattern] rows, columns",
+            file=path,
+            keys=("pattern.rows", "pattern.columns"),
             got=f"{pattern.rows} x {pattern.columns}, which need {_bytes(24 * vertices)} of memory "
             "for the coordinates of every state",
             expected=f"at most {MAX_VERTICES} vertices ({_bytes(24 * MAX_VERTICES)})",
@@ -64,7 +65,8 @@ def require_memory(path: Path, pattern: Pattern, frames: int) -> None:
     if size > MAX_FOLD:
         raise InputError(
             "shell.fold would be too large",
-            where=f"{path}: [motion] frames",
+            file=path,
+            keys=("motion.frames",),
             got=f"{frames} frames of {vertices} vertices, about {_bytes(size)}",
             expected=f"at most {_bytes(MAX_FOLD)}",
             remedy=f"set frames to at most {MAX_FOLD // (FOLD_BYTES * vertices)}",
@@ -116,7 +118,7 @@ class DesignFile:
         """Number of panels, the flaps included."""
         return (self.pattern.rows + 1) * (self.pattern.columns + 1)
 
-    def changed(self, values: Mapping[str, Value | None]) -> DesignFile:
+    def changed(self, values: Mapping[str, Any]) -> DesignFile:
         """The design file with other values at some keys, as if they had been typed in.
 
         Parameters
@@ -132,18 +134,6 @@ class DesignFile:
         tables = with_values(self.tables, values)
         same = all(value_at(tables, key) == value_at(self.tables, key) for key in CURVES)
         return _checked(tables, self.path, files=self.files, known=self.target if same else None)
-
-    def sized(self, pattern: Pattern) -> DesignFile:
-        """The design file with a pattern that meets its tolerance: what is changed then keeps it.
-
-        Parameters
-        ----------
-        pattern
-            The pattern, its rows and columns chosen.
-        """
-        table = pattern.model_dump(exclude_unset=True)
-        tables = with_values(self.tables, {"tolerance": None, "pattern": table})
-        return replace(self, pattern=pattern, tables=tables)
 
     @property
     def f(self) -> Curve:
@@ -166,7 +156,8 @@ class DesignFile:
         if self.target is None:
             raise InputError(
                 "there is no target",
-                where=f"{self.path}: [target]",
+                file=self.path,
+                keys=("target",),
                 remedy="add [target.f] and [target.g], or use orishell design, which needs none",
             )
         return self.target
@@ -218,17 +209,26 @@ def _checked(
         file = FileTable.model_validate(raw)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(Pattern)) from None
-    family = FAMILIES[require_family(file.shell.family, f"{path}: [shell] family")]
+    family = FAMILIES[require_family(file.shell.family, file=path, keys=("shell.family",))]
     table = file.pattern
     if file.tolerance is not None:
         if file.target is None:
             raise InputError(
                 "a tolerance needs a target to be measured from",
-                where=f"{path}: [tolerance]",
+                file=path,
+                keys=("tolerance",),
                 remedy="add [target.f] and [target.g], or remove the table [tolerance] and give "
                 "rows and columns",
             )
-        table = {**_require_no_size(path, table), **ANY_SIZE}
+        for key in [key for key in ANY_SIZE if key in table]:
+            raise InputError(
+                "rows and columns are chosen where there is a tolerance",
+                file=path,
+                keys=(f"pattern.{key}",),
+                got=repr(table[key]),
+                remedy=f"remove {key}, or the table [tolerance]",
+            )
+        table = {**table, **ANY_SIZE}
     try:
         pattern = family.pattern.model_validate(table)
     except ValidationError as error:
@@ -236,7 +236,8 @@ def _checked(
     if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
         raise InputError(
             "too few states for a motion from the pack over the target to the flat sheet",
-            where=f"{path}: [motion] frames",
+            file=path,
+            keys=("motion.frames",),
             got=str(file.motion.frames),
             expected=f"{FROM_PACK} to 1000",
             remedy=f"frames = {FROM_PACK}, or more",
@@ -251,7 +252,7 @@ def _checked(
         if target is None and file.target is not None:
             target = file.target.curves(directory, file.shell.unit)
     except InputError as error:
-        raise error.located(f"{path}:") from None
+        raise error.in_file(path) from None
     return DesignFile(
         path=path,
         family=file.shell.family,
@@ -270,16 +271,3 @@ def _checked(
         tables=raw,
         files=files,
     )
-
-
-def _require_no_size(path: Path, table: dict[str, Any]) -> dict[str, Any]:
-    """Refuse rows or columns beside a tolerance, which is there to choose them."""
-    for key in ANY_SIZE:
-        if key in table:
-            raise InputError(
-                "rows and columns are chosen where there is a tolerance",
-                where=f"{path}: [pattern] {key}",
-                got=repr(table[key]),
-                remedy=f"remove {key}, or the table [tolerance]",
-            )
-    return table

@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
-from pydantic_core import PydanticCustomError
 
-from orishell.conventions.table import Number, Several, Table
+from orishell.conventions.table import Number, Several, Table, misfit
 from orishell.conventions.toml_file import DEEPEST
 
 Method = Literal["auto", "nsga2", "nsga3", "grid"]
@@ -34,24 +33,12 @@ class Range(Table):
     @model_validator(mode="after")
     def _check(self) -> Self:
         if not self.low < self.high:
-            raise PydanticCustomError(
-                "empty_range",
-                "a value above low ({low})",
-                {"low": f"{self.low:g}", "key": "high", "got": self.high},
-            )
+            raise misfit(f"a value above low ({self.low:g})", self.high, "high")
         width = self.high - self.low
         least = max(NARROWEST, DIGITS * max(abs(self.low), abs(self.high)))
         if not least <= width <= WIDEST:
-            raise PydanticCustomError(
-                "no_range",
-                "numbers that are apart by at least {least} and by at most {most}",
-                {
-                    "least": f"{least:.3g}",
-                    "most": f"{WIDEST:g}",
-                    "key": "high",
-                    "got": self.high,
-                },
-            )
+            expected = f"numbers that are apart by at least {least:.3g} and by at most {WIDEST:g}"
+            raise misfit(expected, self.high, "high")
         return self
 
 
@@ -64,13 +51,10 @@ class Limit(Table):
     @model_validator(mode="after")
     def _check(self) -> Self:
         if self.least is None and self.most is None:
-            raise PydanticCustomError("no_limit", "least, most or both", {"got": {}})
+            raise misfit("least, most or both", {})
         if self.least is not None and self.most is not None and self.least > self.most:
-            raise PydanticCustomError(
-                "no_room",
-                "a value of at least {least}, which is least",
-                {"least": f"{self.least:g}", "key": "most", "got": self.most},
-            )
+            expected = f"a value of at least {self.least:g}, which is least"
+            raise misfit(expected, self.most, "most")
         return self
 
 
@@ -98,30 +82,22 @@ class Search(Table):
     def _require_choice(cls, variables: dict[str, Any]) -> dict[str, Any]:
         for key, values in variables.items():
             if len(key) > LONGEST_KEY or key.count(".") >= MOST_PARTS:
-                raise PydanticCustomError(
-                    "long_key",
-                    "a key of at most {letters} characters and {parts} parts",
-                    {
-                        "letters": LONGEST_KEY,
-                        "parts": MOST_PARTS,
-                        "got": f"{len(key)} characters, {key.count('.') + 1} parts",
-                    },
+                raise misfit(
+                    f"a key of at most {LONGEST_KEY} characters and {MOST_PARTS} parts",
+                    f"{len(key)} characters, {key.count('.') + 1} parts",
                 )
-            if isinstance(values, tuple) and not _all_finite(values):
-                raise PydanticCustomError("finite", "finite numbers", {"key": key, "got": values})
-            if isinstance(values, tuple) and any(
-                each in values[:k] for k, each in enumerate(values)
-            ):
-                raise PydanticCustomError(
-                    "twice", "values that differ", {"key": key, "got": values}
-                )
+            if isinstance(values, tuple):
+                if not _all_finite(values):
+                    raise misfit("finite numbers", values, key)
+                if any(each in values[:k] for k, each in enumerate(values)):
+                    raise misfit("values that differ", values, key)
         return variables
 
     @field_validator("minimise")
     @classmethod
     def _require_different(cls, names: tuple[str, ...]) -> tuple[str, ...]:
         if len(set(names)) < len(names):
-            raise PydanticCustomError("twice", "figures that differ", {"got": names})
+            raise misfit("figures that differ", names)
         return names
 
 
@@ -136,8 +112,6 @@ def with_joined_keys(raw: dict[str, Any]) -> dict[str, Any]:
     """The tables of a design file, keys of [search] without quotes joined by their dots.
 
     TOML takes them for tables within each other.
-
-    raw: The tables.
     """
     search = raw.get("search")
     if not isinstance(search, dict):

@@ -24,5 +24,5 @@ def starter_file(family: str) -> str:
     """
     return "".join(
         path.read_text(encoding="utf-8")
-        for path in (FAMILIES[require_family(family, "family")].starter, WORKSHOP)
+        for path in (FAMILIES[require_family(family, where="family")].starter, WORKSHOP)
     )

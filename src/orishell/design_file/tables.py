@@ -42,14 +42,10 @@ def value_at(tables: Any, key: str) -> Any:
 
 
 def with_values(tables: Any, values: Mapping[str, Any]) -> Any:
-    """Tables of a design file with other values at some keys; what they name need not exist.
+    """Tables with other values at dotted keys, in lists a number from 0; None removes a key.
 
-    tables: The tables.
-    values: Values by dotted key; in lists a number, from 0, is the key. None for a key that is
-        removed.
-
-    Raises LookupError if a key names an entry that a list does not have, or stands in what is no
-    table.
+    What a key names need not exist. Raises LookupError if it names an entry that a list does not
+    have, or stands in what is no table.
     """
     for key, value in values.items():
         tables = _with_value(tables, key.split("."), value)
@@ -92,16 +88,13 @@ def read_workshop(path: Path) -> Workshop:
     try:
         return table.beside(path.parent)
     except InputError as error:
-        raise error.located(f"{path}:") from None
+        raise error.in_file(path) from None
 
 
 def structure_of(
     table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelSpec | None
 ) -> Structure | None:
-    """The structure that a design file asks for; None without the table.
-
-    cases: Its load cases; none for its own weight.
-    panel: What the table [panel] says.
+    """The structure that a design file asks for, by default under own weight; None without table.
 
     Raises InputError if load cases or the thickness of panels do not fit.
     """
@@ -110,6 +103,7 @@ def structure_of(
             raise InputError(
                 "load cases need a structure that they load",
                 where="[[load_case]]",
+                keys=("load_case",),
                 remedy="add the table [structure], or remove the load cases",
             )
         return None
@@ -125,6 +119,7 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
             raise InputError(
                 "two load cases have one name",
                 where=f"[[load_case]][{number}] name",
+                keys=("load_case",),
                 got=repr(case.name),
             )
     loaded = [case.name for case in cases if not case.combine]
@@ -134,6 +129,7 @@ def _require_names(cases: tuple[LoadCase, ...]) -> None:
                 raise InputError(
                     "there is no such load case that has loads of its own",
                     where=f"[[load_case]][{number}] combine",
+                    keys=("load_case",),
                     got=repr(name),
                     expected="one of " + ", ".join(map(repr, loaded)) if loaded else "",
                     remedy="" if loaded else "add the cases that are to be combined",
@@ -144,20 +140,20 @@ def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> No
     if panel is None and table.thickness is None:
         raise InputError(
             "the thickness of panels is not known",
-            where="[structure] thickness",
+            keys=("structure.thickness",),
             remedy="write it here, or in [panel] if the motion is to leave room for it",
         )
     if panel is not None and table.thickness is not None:
         raise InputError(
             "panels have a thickness already",
-            where="[structure] thickness",
+            keys=("structure.thickness",),
             got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
             remedy="remove it here",
         )
     if table.membrane_modulus and (panel is None or panel.construction != "sandwich"):
         raise InputError(
             "there is no membrane between boards",
-            where="[structure] membrane_modulus",
+            keys=("structure.membrane_modulus",),
             got=f"{table.membrane_modulus:g}",
             expected='a table [panel] with a thickness and construction = "sandwich"',
             remedy="remove it",
@@ -209,10 +205,7 @@ class FileTable(Table):
 
 
 def keys_of(pattern: type[BaseModel]) -> Callable[[Location], list[str]]:
-    """The keys that may stand beside the last one of a location.
-
-    pattern: The table [pattern] of the family.
-    """
+    """The keys that may stand beside the last one of a location, in a family with this pattern."""
 
     def keys(location: Location) -> list[str]:
         table: type[BaseModel] = FileTable

@@ -74,48 +74,33 @@ class Target(Table):
         given = [key for key in type(self).model_fields if key in self.model_fields_set]
         sources = [key for key in given if key in FITTING]
         if len(sources) != 1:
-            raise PydanticCustomError(
-                "source",
-                "a curve comes from either a formula, points, svg, dxf or a path",
-                {"found": " and ".join(sources) or "none of them"},
-            )
+            found = {"found": " and ".join(sources) or "none of them"}
+            what = "a curve comes from either a formula, points, svg, dxf or a path"
+            raise PydanticCustomError("source", what, found)
         source = sources[0]
         for key in given:
             if key not in {source, *FITTING[source], *ALWAYS}:
                 owners = [each for each, keys in FITTING.items() if key in keys]
-                raise PydanticCustomError(
-                    "source",
-                    "this key goes with {owners}, not with {source}",
-                    {"owners": " or ".join(owners), "source": source, "key": key},
-                )
+                what = f"this key goes with {' or '.join(owners)}, not with {source}"
+                raise PydanticCustomError("source", what, {"key": key})
         if source == "formula" and self.range is None:
             raise PydanticCustomError("source", "a formula needs its range, as in range = [0, 1]")
         if self.layer is not None and self.handle is not None:
-            raise PydanticCustomError(
-                "source",
-                "a curve is chosen by its layer or its handle",
-                {"found": "both", "key": "handle"},
-            )
+            what = "a curve is chosen by its layer or its handle"
+            raise PydanticCustomError("source", what, {"found": "both", "key": "handle"})
         return self
 
     def curve(self, directory: Path | None, unit: str) -> Curve:
-        """The curve that the table describes, in a unit of length.
+        """The curve that the table describes; formulas are in ``unit``, files are converted to it.
 
-        directory: What paths are relative to; None if no file may be read.
-        unit: Unit of the result: formulas are in it, files are converted.
-
-        Raises InputError if its formula or its file gives no curve.
+        Without a directory no file may be read. Raises InputError if there is no curve.
         """
         if self.svg is None and self.dxf is None and not isinstance(self.points, str):
             return _curve_of(self.model_dump_json(exclude_unset=True), unit)
         return self._curve(directory, unit)
 
     def without_files(self, directory: Path, unit: str) -> dict[str, Any]:
-        """The table with what its file draws in place of the file's name.
-
-        directory: What paths are relative to.
-        unit: Unit of the design.
-        """
+        """The table with what its file draws in place of the file's name."""
         table = self.model_dump(exclude_unset=True)
         if isinstance(self.points, str):
             points = self._points(directory, unit)
@@ -152,8 +137,10 @@ class Target(Table):
             curve = curve.reversed() if self.reverse else curve
         if self.part is not None:
             curve = curve.part(*_numbers("part", self.part))
-        factor = self.scale if isinstance(self.scale, float | int) else _pair(self.scale)
-        return curve.scaled(factor) if factor != 1.0 else curve
+        if isinstance(self.scale, list):
+            along_x, along_y = self.scale
+            return curve.scaled((along_x, along_y))
+        return curve.scaled(self.scale) if self.scale != 1.0 else curve
 
     def _points(self, directory: Path | None, unit: str) -> Array:
         if isinstance(self.points, str):
@@ -190,7 +177,7 @@ class Targets(Table):
             try:
                 return target.curve(directory, unit)
             except InputError as error:
-                raise error.located(f"[target.{name}]") from None
+                raise error.at_key(f"target.{name}", f"[target.{name}]") from None
 
         return curve("f", self.f), curve("g", self.g)
 
@@ -211,32 +198,27 @@ def _beside(directory: Path | None, name: str) -> Path:
     return directory / name
 
 
-def _pair(factors: list[float]) -> tuple[float, float]:
-    along_x, along_y = factors
-    return along_x, along_y
-
-
 def _numbers(key: str, ends: list[float | str]) -> tuple[float, float]:
-    """The two ends as numbers."""
     first, last = (
-        _constant(end, f"{key}[{index}]") if isinstance(end, str) else end
+        _constant(end, key, index) if isinstance(end, str) else end
         for index, end in enumerate(ends)
     )
     return first, last
 
 
-def _constant(text: str, where: str) -> float:
+def _constant(text: str, key: str, index: int) -> float:
     """The value of a formula without a variable."""
     try:
         formula = parse_formula(text)
     except InputError as error:
-        raise error.located(where) from None
+        raise error.at_key(key, f"{key}[{index}]") from None
     value = float(formula.jet(np.zeros(()))[0])
     if formula.variable is None and np.isfinite(value):
         return value
     raise InputError(
         "this is no number" if formula.variable is None else "only constants are allowed here",
-        where=where,
+        where=f"{key}[{index}]",
+        keys=(key,),
         got=repr(text[:60]),
         expected='a number, or a formula of constants as in "pi/2"',
     )
@@ -246,4 +228,4 @@ def _formula(text: str) -> Formula:
     try:
         return parse_formula(text)
     except InputError as error:
-        raise error.located("formula") from None
+        raise error.at_key("formula", "formula") from None

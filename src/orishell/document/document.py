@@ -154,7 +154,7 @@ class Document:
         if self.boards is None:
             raise InputError(
                 "panels have no thickness",
-                where="[panel] thickness",
+                keys=("panel.thickness",),
                 remedy="add the table [panel] to the design file",
             )
         return self.boards.carried(self.mesh.faces, self.require_flat(), state.positions)

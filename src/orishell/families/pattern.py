@@ -15,11 +15,10 @@ from typing import Annotated, Any, ClassVar, Final, Generic, Literal, Self, Type
 
 import numpy as np
 from pydantic import AfterValidator, Field, model_validator
-from pydantic_core import PydanticCustomError
 
 from orishell.conventions.errors import Remedy
 from orishell.conventions.record import record
-from orishell.conventions.table import Knob, Number, Table, knobs_of
+from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
 from orishell.design import Design, FlapSide
 
@@ -61,11 +60,7 @@ def in_radians(limits: Limits) -> AfterValidator:
                 meant = ""
                 if all(LIMITED[each][0](angle, other) for each, other in degrees.items()):
                     meant = f" ({angle:g} degrees are {np.deg2rad(angle):.4g})"
-                raise PydanticCustomError(
-                    "radians",
-                    "an angle in radians, {words} {limit}{meant}",
-                    {"words": words, "limit": f"{limit:g}", "meant": meant},
-                )
+                raise misfit(f"an angle in radians, {words} {limit:g}{meant}", angle)
         return angle
 
     return AfterValidator(check)
@@ -73,11 +68,8 @@ def in_radians(limits: Limits) -> AfterValidator:
 
 def _require_odd(rows: int) -> int:
     if rows % 2 == 0:
-        raise PydanticCustomError(
-            "even_rows",
-            "an odd number, so that there is a middle row ({below} or {above})",
-            {"below": rows - 1, "above": rows + 1},
-        )
+        middle = f"so that there is a middle row ({rows - 1} or {rows + 1})"
+        raise misfit(f"an odd number, {middle}", rows)
     return rows
 
 
@@ -128,12 +120,12 @@ class Tolerance(Table):
     @model_validator(mode="after")
     def _check(self) -> Self:
         if not self.panel_min < self.panel_max:
-            raise PydanticCustomError(
-                "panel_sizes",
-                "a value above panel_min ({low})",
-                {"low": self.panel_min, "key": "panel_max", "got": self.panel_max},
-            )
+            raise misfit(f"a value above panel_min ({self.panel_min})", self.panel_max, "panel_max")
         return self
+
+    def allows(self, shortest: float, longest: float) -> bool:
+        """Whether edges from the shortest to the longest (lengths) are allowed."""
+        return self.panel_min <= shortest and longest <= self.panel_max
 
     @property
     def limits_edges(self) -> bool:
@@ -207,13 +199,6 @@ class Pattern(Table):
     def variants(self, f: Curve, tolerance: Tolerance) -> Variants[Self]:
         """Patterns of as many rows that fill in what the file leaves open.
 
-        Parameters
-        ----------
-        f
-            The swept curve.
-        tolerance
-            What is to be met.
-
         Raises
         ------
         DesignError
@@ -255,6 +240,7 @@ class Family:
     label: str  # what headings call it
     what: str  # what it makes, in a few words
     starter: Path  # A design file to begin with
+    borders: str = "flaps"  # what the panels beside its inner columns are
 
 
 def placement_variants(pattern: P, tolerance: Tolerance) -> list[P]:

@@ -8,6 +8,7 @@ A further family is a folder here, with a ``pattern`` whose ``design`` returns a
 from __future__ import annotations
 
 from importlib import import_module
+from typing import Any
 
 from orishell.conventions.errors import InputError
 from orishell.families.pattern import Family
@@ -27,15 +28,15 @@ FAMILIES: dict[str, Family] = {
 }
 
 
-def require_family(name: str, where: str) -> str:
+def require_family(name: str, **place: Any) -> str:
     """Return the name of a family, and refuse one that is unknown.
 
     Parameters
     ----------
     name
         The name.
-    where
-        Where it stands, for the message.
+    place
+        Where it stands, as :class:`~orishell.conventions.errors.InputError` takes it.
 
     Raises
     ------
@@ -45,8 +46,8 @@ def require_family(name: str, where: str) -> str:
     if name not in FAMILIES:
         raise InputError(
             "unknown family",
-            where=where,
             got=repr(name[:60]),
             expected="one of " + ", ".join(FAMILIES),
+            **place,
         )
     return name

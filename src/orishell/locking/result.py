@@ -81,6 +81,7 @@ class Lock:
     first_contact: Contact | None  # the panels that touch first, if any do
     target_drive: Angle  # where the shell meets its target
     # mean distance of inner vertices from the line between those above and below, at the target
+    # state (length)
     corrugation_depth: float
     # pairs of panels that touch at the end of the motion and are not meant to
     touching_at_end: tuple[tuple[Panel, Panel], ...]

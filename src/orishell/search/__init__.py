@@ -6,20 +6,20 @@ from orishell.conventions.imports import import_on_demand
 
 if TYPE_CHECKING:
     from orishell.search.cluster import dask_workers
-    from orishell.search.crew import Crew, alone, local_processes
     from orishell.search.evaluate import Outcome
     from orishell.search.front import Front
     from orishell.search.journal import Journal, journal_in_memory, open_journal
     from orishell.search.problem import Problem, read_problem
-    from orishell.search.run import Found, search_designs
+    from orishell.search.run import SearchResult, search_designs
+    from orishell.search.worker_pool import WorkerPool, alone, local_processes
 
 __all__ = [
-    "Crew",
-    "Found",
     "Front",
     "Journal",
     "Outcome",
     "Problem",
+    "SearchResult",
+    "WorkerPool",
     "alone",
     "dask_workers",
     "journal_in_memory",
@@ -33,11 +33,11 @@ __getattr__, __dir__ = import_on_demand(
     __name__,
     {
         "orishell.search.cluster": ("dask_workers",),
-        "orishell.search.crew": ("Crew", "alone", "local_processes"),
+        "orishell.search.worker_pool": ("WorkerPool", "alone", "local_processes"),
         "orishell.search.evaluate": ("Outcome",),
         "orishell.search.front": ("Front",),
         "orishell.search.journal": ("Journal", "journal_in_memory", "open_journal"),
         "orishell.search.problem": ("Problem", "read_problem"),
-        "orishell.search.run": ("Found", "search_designs"),
+        "orishell.search.run": ("SearchResult", "search_designs"),
     },
 )

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.version import __version__
-from orishell.search.crew import Crew, Place, Work
+from orishell.search.worker_pool import Slot, Work, WorkerPool
 
 T = TypeVar("T")
 
@@ -34,7 +34,7 @@ AHEAD = 2
 
 
 @contextlib.contextmanager
-def dask_workers(address: str, *, timeout: float = TIMEOUT) -> Iterator[Crew]:
+def dask_workers(address: str, *, timeout: float = TIMEOUT) -> Iterator[WorkerPool]:
     """The workers of a Dask cluster that there are now.
 
     What they send back is unpickled, which may run anything here: they must be trusted.
@@ -57,9 +57,9 @@ def dask_workers(address: str, *, timeout: float = TIMEOUT) -> Iterator[Crew]:
     client = _connected(address, timeout)
     try:
         threads = _threads(client, address, timeout)
-        place = _Workers(client, address, SILENCE * timeout)
-        places: list[Place] = [place] * (AHEAD * threads)
-        yield Crew(places, require_alive=place.require_alive)
+        slot = _Workers(client, address, SILENCE * timeout)
+        slots: list[Slot] = [slot] * (AHEAD * threads)
+        yield WorkerPool(slots, require_alive=slot.require_alive)
     except CancelledError:
         raise _lost("the cluster was lost", address) from None
     finally:

@@ -7,7 +7,7 @@ import re
 import warnings
 from collections import Counter
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,7 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.quantities import plain
 from orishell.design_file import DesignFile, check_design
 from orishell.design_file.search import Limit
-from orishell.design_file.tables import Values, with_values
+from orishell.design_file.tables import Values
 from orishell.search.figures import figure
 from orishell.search.problem import Problem
 from orishell.shell.make import Shell, make_shell
@@ -46,20 +46,13 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """What a process needs to make variants of a design.
+    """What a process needs to make variants of a design."""
 
-    path: The design file; curves from files are found beside it.
-    tables: Its tables.
-    figures: Names of what is to be read off the report.
-    files: Whether curves may come from files.
-    require: Raises InputError for a variant that is not to be made; None if all are.
-    """
-
-    path: Path
+    path: Path  # the design file; curves from files are found beside it
     tables: dict[str, Any]
-    figures: tuple[str, ...]
-    files: bool = True
-    require: Require | None = None
+    figures: tuple[str, ...]  # what is read off the report
+    files: bool = True  # whether curves may come from files
+    require: Require | None = None  # raises InputError for a variant that is not to be made
 
 
 def job_of(problem: Problem, *, files: bool = True, require: Require | None = None) -> Job:
@@ -68,11 +61,7 @@ def job_of(problem: Problem, *, files: bool = True, require: Require | None = No
 
 
 def evaluate(job: Job, variants: Sequence[Values]) -> list[Outcome]:
-    """Make variants of a design, one after the other.
-
-    job: The design.
-    variants: What keys of each have.
-    """
+    """Make variants of a design, one after the other."""
     with warnings.catch_warnings():
         # Numbers beyond all measure are refused by what they lead to.
         warnings.simplefilter("ignore", RuntimeWarning)
@@ -85,32 +74,19 @@ def died(values: Values) -> Outcome:
 
 
 def report_of(job: Job, values: Values) -> Report:
-    """The report of a variant, without what no figure asks for.
-
-    job: The design.
-    values: What its keys have.
-
-    Raises InputError, DesignError if it cannot be made.
-    """
+    """The report of a variant, without what no figure asks for."""
     needed = {figure(name).part for name in job.figures}
     left_out = [part for part in STEPS if part not in needed]
     return shell_of(job, values, STATES, left_out).report
 
 
 def shell_of(job: Job, values: Values, states: int, skip: Collection[Step]) -> Shell:
-    """The shell of a variant.
-
-    job: The design.
-    values: What its keys have.
-    states: States of its motion.
-    skip: What is not found out of it.
-
-    Raises InputError, DesignError if it cannot be made.
-    """
-    file = check_design(with_values(job.tables, values), job.path, files=job.files)
+    """The shell of a variant; raises InputError or DesignError if it cannot be made."""
+    design = check_design(job.tables, job.path, files=job.files)
+    file = design.changed({**values, "motion.frames": states})
     if job.require is not None:
         job.require(file)
-    return make_shell(replace(file, frames=states), skip=skip)
+    return make_shell(file, skip=skip)
 
 
 def _outcome(job: Job, values: Values) -> Outcome:
@@ -155,13 +131,10 @@ def _moving(report: Report) -> str:
 
 
 def violation(problem: Problem, outcome: Outcome) -> float:
-    """By how much a variant breaks limits, 0 if it is feasible.
+    """How far a variant is from keeping all limits, 0 if it does.
 
     Up to 1 if it can be made, its figures relative to their limits; up to 2 if a refusal says by
     how much it fails, and 3 where nothing is known.
-
-    problem: The limits.
-    outcome: What became of the variant.
     """
     if outcome.reason:
         return 3.0 if outcome.excess is None else 1.0 + _squeezed(outcome.excess)
@@ -170,11 +143,7 @@ def violation(problem: Problem, outcome: Outcome) -> float:
 
 
 def reasons(problem: Problem, outcomes: Sequence[Outcome]) -> list[tuple[str, int]]:
-    """Why designs are not feasible, the commonest first, and how many it applies to.
-
-    problem: The limits.
-    outcomes: The designs.
-    """
+    """Why designs are not feasible, the commonest first, and how many it applies to."""
     counted: Counter[str] = Counter()
     for each in outcomes:
         if each.reason:
@@ -185,10 +154,7 @@ def reasons(problem: Problem, outcomes: Sequence[Outcome]) -> list[tuple[str, in
 
 
 def asked_of_loads(problem: Problem) -> str:
-    """What designs that keep all limits do under loads: no more than was looked at.
-
-    problem: The limits.
-    """
+    """What designs that keep all limits do under loads: no more than was looked at."""
     limit = next((limit for figure, limit in problem.limits if figure.name == "utilisation"), None)
     if limit is None:
         return "loads were not looked at: the design file has no [structure]"
@@ -198,11 +164,6 @@ def asked_of_loads(problem: Problem) -> str:
         f"under loads a utilisation of at most {limit.most:g}, of the strengths in the design file "
         "and of buckling, by linear analysis"
     )
-
-
-def nearest(problem: Problem, outcomes: Sequence[Outcome]) -> Outcome:
-    """The design that misses its limits by least."""
-    return min(outcomes, key=lambda each: violation(problem, each))
 
 
 def said_of(problem: Problem, outcome: Outcome) -> str:

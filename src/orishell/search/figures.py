@@ -15,10 +15,10 @@ from orishell.conventions.record import Angle, read_key, written_fields
 from orishell.design_file.search import Limit
 from orishell.shell.report import Report
 from orishell.shell.steps import Step
-from orishell.structure.case_report import StandingReport
+from orishell.structure.equilibrium import Equilibrium
 
 Read = Callable[[Report], float | None]
-Share = Callable[[StandingReport], float | None]
+Share = Callable[[Equilibrium], float | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,7 +119,7 @@ def _worst(share: Share, case: str) -> Read:
     return read
 
 
-def _tie_force(standing: StandingReport) -> float:
+def _tie_force(standing: Equilibrium) -> float:
     return max((tie.force for tie in standing.ties), default=0.0)
 
 

@@ -48,11 +48,7 @@ class Front:
 
 
 def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
-    """The front of designs that were made; None if none keeps all limits.
-
-    problem: Objectives and limits.
-    outcomes: The designs.
-    """
+    """The front of designs that were made; None if none keeps all limits."""
     feasible = [each for each in outcomes if violation(problem, each) == 0.0]
     if not feasible:
         return None
@@ -62,12 +58,7 @@ def front_of(problem: Problem, outcomes: Sequence[Outcome]) -> Front | None:
 
 
 def beaten(problem: Problem, outcomes: Sequence[Outcome], front: Front) -> list[Outcome]:
-    """The designs that keep all limits and are not on the front.
-
-    problem: The limits.
-    outcomes: The designs.
-    front: The front.
-    """
+    """The designs that keep all limits and are not on the front."""
     kept = {key_of(each.values) for each in front.members}
     return [
         each
@@ -84,7 +75,7 @@ def scores(problem: Problem, outcome: Outcome) -> tuple[float, ...]:
 def unbeaten(points: Array) -> list[int]:
     """Which points no other is at least as good as; of equal ones the first.
 
-    points: Objectives, (count, objectives), in lexicographic order: none is beaten by a later one.
+    They are (count, objectives), in lexicographic order: none is beaten by a later one.
     """
     kept: list[int] = []
     for k, point in enumerate(points):
@@ -100,11 +91,7 @@ def _knee(points: Array) -> int:
 
 
 def costs(problem: Problem, before: Outcome, after: Outcome) -> str:
-    """What a step from one design to another gains, then what it costs, in words.
-
-    problem: The objectives.
-    before, after: The designs.
-    """
+    """What a step from one design to another gains, then what it costs, in words."""
     gained: list[str] = []
     paid: list[str] = []
     for each in problem.objectives:
@@ -156,17 +143,13 @@ def _bred(problem: Problem) -> Chooser:
         fresh.made.update(map(key_of, variants))
         outcomes = yield variants
         left -= len(population)
-        found = {
-            "F": np.array([_objectives(problem, each) for each in outcomes]),
+        names = [each.name for each in problem.objectives]
+        found = {  # of designs that cannot be made only counts by how much
+            "F": np.array([[each.figures.get(name, 0.0) for name in names] for each in outcomes]),
             "G": np.array([[violation(problem, each)] for each in outcomes]),
         }
         algorithm.evaluator.eval(StaticProblem(algorithm.problem, **found), population)
         algorithm.tell(infills=population)
-
-
-def _objectives(problem: Problem, outcome: Outcome) -> list[float]:
-    """What counts; of designs that cannot be made nothing does but by how much."""
-    return [outcome.figures.get(each.name, 0.0) for each in problem.objectives]
 
 
 def _algorithm(problem: Problem, fresh: _Fresh) -> Algorithm:

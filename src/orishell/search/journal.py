@@ -80,13 +80,6 @@ def open_journal(path: Path, problem: Problem) -> Iterator[Journal]:
 
     Nothing is changed of a file that is not the journal of this search.
 
-    Parameters
-    ----------
-    path
-        Its file.
-    problem
-        What is searched.
-
     Raises
     ------
     InputError

@@ -21,11 +21,11 @@ from orishell.design_file.search import Limit
 from orishell.design_file.tables import Values
 from orishell.io.html_pages import place_of, program_page, read_program
 from orishell.io.view import dump_view
-from orishell.search.crew import Crew
 from orishell.search.evaluate import Job, asked_of_loads, job_of, shell_of, violation
 from orishell.search.front import beaten, costs, scores
 from orishell.search.problem import Problem
-from orishell.search.run import Found
+from orishell.search.run import SearchResult
+from orishell.search.worker_pool import WorkerPool
 from orishell.shell.steps import STEPS
 
 PROGRAM = place_of("front.js")
@@ -80,39 +80,26 @@ class FrontPage(TypedDict):
     knee: int  # number of the member at the knee
     beaten: list[list[float]]  # objectives of designs that keep all limits and are not on the front
     # objectives of the design that the file has; null if it cannot be made
-    begun_with: list[float] | None
+    baseline: list[float] | None
 
 
 def require_page() -> None:
-    """Refuse to begin what would end for want of the page.
-
-    Raises InputError if it has not been built.
-    """
+    """Refuse to begin what would end because the page has not been built."""
     read_program(PROGRAM, NOT_BUILT)
 
 
 def write_page(
     path: Path,
     problem: Problem,
-    found: Found,
-    crew: Crew,
+    found: SearchResult,
+    pool: WorkerPool,
     progress: Progress,
     *,
     stop: threading.Event | None = None,
 ) -> None:
-    """Write ``front.html``: one file that needs no network and no other file.
-
-    path: The file.
-    problem: What was searched.
-    found: What was found.
-    crew: Who makes the shells.
-    progress: Is told the share of them that is made.
-    stop: Set where no further ones are to be drawn.
-
-    Raises InputError if the page has not been built.
-    """
+    """Write ``front.html``, which needs no other file; no shell is drawn once it is to stop."""
     program = read_program(PROGRAM, NOT_BUILT)
-    shown = _page(problem, found, _draw(problem, found, crew, progress, stop or threading.Event()))
+    shown = _page(problem, found, _draw(problem, found, pool, progress, stop or threading.Event()))
     page = program_page(
         program,
         title=f"{shown['title']}: the front of a search",
@@ -124,11 +111,7 @@ def write_page(
 
 
 def draw_shells(job: Job, numbered: Sequence[tuple[int, Values]]) -> list[Drawn]:
-    """The views of shells, as they were when they were evaluated.
-
-    job: The design.
-    numbered: Numbers of members, and what keys of each have.
-    """
+    """The views of shells, as they were when they were evaluated, by numbers of members."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         return [_drawn(job, number, values) for number, values in numbered]
@@ -144,7 +127,11 @@ def _drawn(job: Job, number: int, values: Values) -> Drawn:
 
 
 def _draw(
-    problem: Problem, found: Found, crew: Crew, progress: Progress, stop: threading.Event
+    problem: Problem,
+    found: SearchResult,
+    pool: WorkerPool,
+    progress: Progress,
+    stop: threading.Event,
 ) -> dict[int, Drawn]:
     """Members that are drawn, by number; a process that dies leaves its own out."""
     members = found.front.members
@@ -152,7 +139,7 @@ def _draw(
     drawn: dict[int, Drawn] = {}
     count = 0
     progress(0.0, DRAWING)
-    work = crew.work(
+    work = pool.work(
         partial(draw_shells, job_of(problem)),
         [(number, members[number].values) for number in chosen],
         stop,
@@ -171,12 +158,12 @@ def _chosen(count: int, knee: int) -> list[int]:
     return sorted({*spread.tolist(), knee})
 
 
-def _page(problem: Problem, found: Found, drawn: dict[int, Drawn]) -> FrontPage:
+def _page(problem: Problem, found: SearchResult, drawn: dict[int, Drawn]) -> FrontPage:
     front = found.front
     others = beaten(problem, found.outcomes, front)
     dots = [[rounded(each) for each in scores(problem, outcome)] for outcome in others]
     distinct = [list(dot) for dot in dict.fromkeys(map(tuple, dots))]
-    begun_with = found.begun_with
+    baseline = found.baseline
     limits = {figure.name: limit for figure, limit in problem.limits}
     return {
         "title": problem.path.stem,
@@ -193,11 +180,13 @@ def _page(problem: Problem, found: Found, drawn: dict[int, Drawn]) -> FrontPage:
         "members": [_member(problem, found, number, drawn) for number in range(len(front.members))],
         "knee": front.knee,
         "beaten": distinct[:: -(-len(distinct) // MOST_DOTS) or 1],
-        "begun_with": list(scores(problem, begun_with)) if begun_with.figures else None,
+        "baseline": list(scores(problem, baseline)) if baseline.figures else None,
     }
 
 
-def _member(problem: Problem, found: Found, number: int, drawn: dict[int, Drawn]) -> PageMember:
+def _member(
+    problem: Problem, found: SearchResult, number: int, drawn: dict[int, Drawn]
+) -> PageMember:
     members = found.front.members
     member, file = members[number], f"{found.front.name(number)}.toml"
     _, view, why = drawn.get(number, (number, None, f"only {MOST_SHELLS} of the front are drawn"))
@@ -215,7 +204,7 @@ def _member(problem: Problem, found: Found, number: int, drawn: dict[int, Drawn]
     }
 
 
-def _said(problem: Problem, found: Found) -> str:
+def _said(problem: Problem, found: SearchResult) -> str:
     made, front = len(found.outcomes), len(found.front.members)
     feasible = sum(violation(problem, each) == 0.0 for each in found.outcomes)
     stopped = "" if found.whole else " The search was stopped before its end."

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ from orishell.conventions.arguments import path_of
 from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.conventions.toml_file import read_toml
-from orishell.design_file import check_design
+from orishell.design_file import DesignFile, check_design
 from orishell.design_file.search import Limit, Range, Search
 from orishell.design_file.tables import value_at, with_values
 from orishell.search.figures import BEARS, Figure, figure
@@ -96,45 +95,36 @@ def read_problem(path: str | Path) -> Problem:
     """
     path = path_of(path, "design file")
     tables = read_toml(path, "design file", "orishell new FAMILY writes one")
-    return pose(tables, path, text=path.read_text(encoding="utf-8-sig"))
+    return parse_problem(tables, path, text=path.read_text(encoding="utf-8-sig"))
 
 
-def pose(raw: dict[str, Any], path: Path, *, text: str = "", files: bool = True) -> Problem:
-    """Check the tables of a design file with a table [search].
-
-    raw: The tables.
-    path: Where they were read from.
-    text: What stands there.
-    files: Whether curves may come from files.
-
-    Raises InputError: As :func:`read_problem` does.
-    """
+def parse_problem(
+    raw: dict[str, Any], path: Path, *, text: str = "", files: bool = True
+) -> Problem:
+    """Check the tables of a design file; raises InputError as :func:`read_problem` does."""
     design = check_design(raw, path, files=files)
     search = design.search
     if search is None:
         raise InputError(
             "there is nothing to search for",
-            where=f"{path}: [search]",
+            file=path,
+            keys=("search",),
             remedy="add the table [search] with variables and minimise",
         )
-    tables = {name: table for name, table in raw.items() if name != "search"}
+    design = design.changed({"search": None})
     _require_apart(search, path)
-    axes = {
-        key: _Checked(tables, path, key, files).axis(allowed)
-        for key, allowed in search.variables.items()
-    }
-    space = Space(axes)
+    space = Space({key: _axis(design, key, each) for key, each in search.variables.items()})
     _require_grid(search, space, path)
     return Problem(
         path,
         text,
-        tables,
+        design.tables,
         design.unit,
         search,
         space,
-        tuple(_figure(name, f"{path}: [search] minimise") for name in search.minimise),
+        tuple(_figure(name, path, "search.minimise") for name in search.minimise),
         tuple(
-            (_figure(name, f"{path}: [search] subject_to"), limit)
+            (_figure(name, path, "search.subject_to"), limit)
             for name, limit in _limits(search, loaded=design.structure is not None).items()
         ),
     )
@@ -146,75 +136,64 @@ def _limits(search: Search, *, loaded: bool) -> dict[str, Limit]:
     return {**(BEARS if loaded else {}), **search.subject_to}
 
 
-def _figure(name: str, where: str) -> Figure:
+def _figure(name: str, path: Path, key: str) -> Figure:
     try:
         return figure(name)
     except InputError as error:
-        raise error.located(where) from None
+        raise error.at_key(key).in_file(path) from None
 
 
-@dataclass(frozen=True, slots=True)
-class _Checked:
-    """Tries the values of one variable in the design file."""
+def _axis(design: DesignFile, key: str, allowed: Range | tuple[Any, ...]) -> Interval | Choices:
+    """What a variable may be; raises InputError if a value does not fit the design file."""
+    if not isinstance(allowed, Range):
+        for value in allowed:
+            _require(design, key, value)
+        return Choices(allowed)
+    steps = (allowed.high - allowed.low) / (allowed.step or 1.0)
+    whole = _is_whole(design, key, allowed)
+    if (whole or allowed.step) and steps > MOST_STEPS:
+        raise InputError(
+            "this range has too many steps",
+            **_variable(design.path, key),
+            got=f"{steps:.0f}",
+            expected=f"at most {MOST_STEPS}",
+            remedy="give a larger step",
+        )
+    axis = stepped(allowed, whole=whole)
+    ends = (axis.low, axis.high) if isinstance(axis, Interval) else axis.values
+    for value in ends if len(ends) <= MOST_TRIED else (ends[0], ends[-1]):
+        _require(design, key, value)
+    return axis
 
-    tables: dict[str, Any]
-    path: Path
-    key: str
-    files: bool
 
-    def axis(self, allowed: Range | tuple[Any, ...]) -> Interval | Choices:
-        """What the variable may be; raises InputError if a value does not fit."""
-        if not isinstance(allowed, Range):
-            for value in allowed:
-                self._require(value)
-            return Choices(allowed)
-        steps = (allowed.high - allowed.low) / (allowed.step or 1.0)
-        whole = self._is_whole(allowed)
-        if (whole or allowed.step) and steps > MOST_STEPS:
-            raise InputError(
-                "this range has too many steps",
-                where=self._where,
-                got=f"{steps:.0f}",
-                expected=f"at most {MOST_STEPS}",
-                remedy="give a larger step",
-            )
-        axis = stepped(allowed, whole=whole)
-        ends = (axis.low, axis.high) if isinstance(axis, Interval) else axis.values
-        for value in ends if len(ends) <= MOST_TRIED else (ends[0], ends[-1]):
-            self._require(value)
-        return axis
-
-    def _is_whole(self, allowed: Range) -> bool:
-        numbers = (allowed.low, allowed.high, allowed.step or 1)
-        if not all(float(each).is_integer() for each in numbers):
-            return False
-        try:
-            self._try(float(allowed.low))
-        except InputError as error:
-            return "whole number" in error.expected
+def _is_whole(design: DesignFile, key: str, allowed: Range) -> bool:
+    numbers = (allowed.low, allowed.high, allowed.step or 1)
+    if not all(float(each).is_integer() for each in numbers):
         return False
+    try:
+        design.changed({key: float(allowed.low)})
+    except InputError as error:
+        return error.whole
+    return False
 
-    def _require(self, value: Any) -> None:
-        try:
-            self._try(value)
-        except LookupError:
-            raise InputError(
-                "the design file has no such key",
-                where=self._where,
-                expected='a key with its tables in front of it, as "pattern.rows"',
-            ) from None
-        except InputError as error:
-            inner = error.where.removeprefix(f"{self.path}:").strip()
-            error.where = f"{self._where}: {inner}"
-            raise
 
-    def _try(self, value: Any) -> None:
-        changed = with_values(self.tables, {self.key: value})
-        check_design(changed, self.path, files=self.files)
+def _require(design: DesignFile, key: str, value: Any) -> None:
+    try:
+        design.changed({key: value})
+    except LookupError:
+        raise InputError(
+            "the design file has no such key",
+            **_variable(design.path, key),
+            expected='a key with its tables in front of it, as "pattern.rows"',
+        ) from None
+    except InputError as error:
+        raise error.at_key("search.variables", f'[search] variables "{key}":') from None
 
-    @property
-    def _where(self) -> str:
-        return f'{self.path}: [search] variables "{self.key}"'
+
+def _variable(path: Path, key: str) -> dict[str, Any]:
+    """Where the values of a variable stand, as :class:`InputError` takes it."""
+    where = f'[search] variables "{key}"'
+    return {"file": path, "where": where, "keys": ("search.variables",)}
 
 
 def _require_apart(search: Search, path: Path) -> None:
@@ -225,14 +204,14 @@ def _require_apart(search: Search, path: Path) -> None:
         if inside:
             raise InputError(
                 "a variable changes another one",
-                where=f'{path}: [search] variables "{key}"',
+                **_variable(path, key),
                 got=f'"{inside[0]}" beside it',
                 remedy="keep one of them",
             )
         if _is_in(WITHOUT_MEANING, key) or any(_is_in((key,), each) for each in WITHOUT_MEANING):
             raise InputError(
                 "designs cannot be compared by this key",
-                where=f'{path}: [search] variables "{key}"',
+                **_variable(path, key),
                 expected="a key that changes the shell, in the unit that it has",
                 remedy="remove it; of a table of which other keys do, name those",
             )
@@ -244,24 +223,21 @@ def _require_grid(search: Search, space: Space, path: Path) -> None:
     if space.continuous:
         raise InputError(
             "a grid needs steps",
-            where=f'{path}: [search] variables "{space.continuous[0]}"',
+            **_variable(path, space.continuous[0]),
             remedy="add step to the range, or give a list of values",
         )
     if space.count > search.evaluations:
         raise InputError(
             "the grid has more designs than may be made",
-            where=f"{path}: [search] evaluations",
+            file=path,
+            keys=("search.evaluations",),
             got=f"{search.evaluations}, for {space.count:.0f} designs",
             remedy=f"evaluations = {space.count:.0f}, larger steps, or another method",
         )
 
 
 def files_named(tables: Any, directory: Path) -> dict[str, str]:
-    """The files that tables name, by key; what else is called as a file is, is none.
-
-    tables: Those of a design file.
-    directory: Where the files are found.
-    """
+    """The files that tables name, by key; only those that there are."""
     names = {key: value_at(tables, key) for key in FILE_KEYS}
     return {
         key: name

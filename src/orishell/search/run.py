@@ -11,7 +11,6 @@ from orishell.conventions.errors import DesignError, InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.design_file.tables import Values
-from orishell.search.crew import Crew
 from orishell.search.evaluate import (
     LACKING,
     Job,
@@ -20,7 +19,6 @@ from orishell.search.evaluate import (
     died,
     evaluate,
     job_of,
-    nearest,
     reasons,
     said_of,
     violation,
@@ -28,6 +26,7 @@ from orishell.search.evaluate import (
 from orishell.search.front import Front, chooser, front_of
 from orishell.search.journal import Journal
 from orishell.search.problem import Problem
+from orishell.search.worker_pool import WorkerPool
 
 SEARCHING = "searching"
 COMMONEST = 3
@@ -35,37 +34,33 @@ COMMONEST = 3
 
 
 @record
-class Found:
+class SearchResult:
     """What a search found."""
 
     # all designs that were made, in the order in which they were chosen
     outcomes: tuple[Outcome, ...]
     front: Front  # those that no other beats
-    begun_with: Outcome  # the design as its file has it
+    baseline: Outcome  # the design as its file has it
     whole: bool  # whether the search came to its end
 
 
 def search_designs(
     problem: Problem,
-    crew: Crew,
+    pool: WorkerPool,
     journal: Journal,
     progress: Progress = no_progress,
     *,
     stop: threading.Event | None = None,
-    seen: Callable[[Outcome], None] | None = None,
+    seen: Callable[[Outcome], None] = lambda _: None,
     files: bool = True,
     require: Require | None = None,
-) -> Found:
+) -> SearchResult:
     """Search the variants of a design for those that no other beats.
 
-    The result depends on the problem only: not on the crew, nor on what the journal has already.
+    The result depends on the problem only: not on the pool, nor on what the journal has already.
 
     Parameters
     ----------
-    problem
-        The design, its variants and what is to be as small as can be.
-    crew
-        Who makes the variants.
     journal
         What was made before; what is made is added to it.
     stop
@@ -86,25 +81,24 @@ def search_designs(
     """
     job = job_of(problem, files=files, require=require)
     stop = stop or threading.Event()
-    return _Run(problem, crew, journal, progress, stop, seen, job).found()
+    return _Run(problem, pool, journal, progress, stop, seen, job).found()
 
 
 @dataclass(slots=True)
 class _Run:
     problem: Problem
-    crew: Crew
+    pool: WorkerPool
     journal: Journal
     progress: Progress
     stop: threading.Event
-    seen: Callable[[Outcome], None] | None
+    seen: Callable[[Outcome], None]
     job: Job
 
-    def found(self) -> Found:
+    def found(self) -> SearchResult:
         chosen = chooser(self.problem)
         batch = next(chosen, None)
-        begun_with = self._begun_with(batch or [])
-        if self.seen:
-            self.seen(begun_with)
+        baseline = self._baseline(batch or [])
+        self.seen(baseline)
         outcomes: list[Outcome] = []
         whole = False
         while batch is not None:
@@ -124,10 +118,10 @@ class _Run:
             outcomes += [each for each in known if each is not None]
         front = front_of(self.problem, outcomes)
         if front is None:
-            raise _nothing(self.problem, outcomes or [begun_with], whole=whole)
-        return Found(tuple(outcomes), front, begun_with, whole)
+            raise _nothing(self.problem, outcomes or [baseline], whole=whole)
+        return SearchResult(tuple(outcomes), front, baseline, whole)
 
-    def _begun_with(self, batch: Sequence[Values]) -> Outcome:
+    def _baseline(self, batch: Sequence[Values]) -> Outcome:
         """The design as its file has it; raises InputError if a figure is not in the reports."""
         known = self.journal.find({})
         if known is not None:
@@ -136,7 +130,8 @@ class _Run:
         if outcome.reason == LACKING and self._first(batch[0]).reason:  # nor does a variant say it
             raise InputError(
                 outcome.said,
-                where=f"{self.problem.path}: [search]",
+                file=self.problem.path,
+                keys=("search",),
                 remedy="ask for other figures, or give what these need: mass an areal_density or "
                 "densities, deflection and forces a table [structure], deviation a [target]",
             )
@@ -145,7 +140,7 @@ class _Run:
 
     def _first(self, values: Values) -> Outcome:
         """A variant by itself, before all others."""
-        for _, done in self.crew.work(partial(evaluate, self.job), [values], self.stop):
+        for _, done in self.pool.work(partial(evaluate, self.job), [values], self.stop):
             found: Outcome = died(values) if done is None else done[0]
             return found
         raise DesignError("the search was stopped before the first design was made")
@@ -154,18 +149,16 @@ class _Run:
         """What becomes of variants, in their order; None if it was to stop before all were made."""
         left = [each for each in variants if self.journal.find(each) is None]
         self._tell(before, len(variants) - len(left))
-        if self.seen:
-            for known in filter(None, map(self.journal.find, variants)):
-                self.seen(known)
+        for known in filter(None, map(self.journal.find, variants)):
+            self.seen(known)
         count = len(variants) - len(left)
-        for chunk, done in self.crew.work(partial(evaluate, self.job), left, self.stop):
+        for chunk, done in self.pool.work(partial(evaluate, self.job), left, self.stop):
             outcomes = [died(values) for values in chunk] if done is None else done
             self.journal.add(outcomes)
             count += len(outcomes)
             self._tell(before, count)
-            if self.seen:
-                for each in outcomes:
-                    self.seen(each)
+            for each in outcomes:
+                self.seen(each)
         found = [self.journal.find(each) for each in variants]
         made = [each for each in found if each is not None]
         return made if len(made) == len(variants) else None
@@ -179,7 +172,7 @@ def _nothing(problem: Problem, outcomes: list[Outcome], *, whole: bool) -> Desig
     """That no design keeps all limits: the commonest reasons, and the nearest design."""
     counted = reasons(problem, outcomes)[:COMMONEST]
     common = "; ".join(f"{count} of {len(outcomes)}: {reason}" for reason, count in counted)
-    near = nearest(problem, outcomes)
+    near = min(outcomes, key=lambda each: violation(problem, each))
     values = ", ".join(f"{key} = {value}" for key, value in near.values.items())
     stopped = "" if whole else ", before the search was stopped; the same command goes on"
     return DesignError(

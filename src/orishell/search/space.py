@@ -131,11 +131,7 @@ class Space:
 
 
 def stepped(range_: Range, *, whole: bool) -> Interval | Choices:
-    """What a key may be whose values are a range.
-
-    range_: The range.
-    whole: Whether only whole numbers fit.
-    """
+    """The values of a range; ``whole`` where only whole numbers fit."""
     step = 1.0 if whole and range_.step is None else range_.step
     if step is None:
         return Interval(float(range_.low), float(range_.high))

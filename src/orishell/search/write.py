@@ -19,20 +19,18 @@ from orishell.design_file.tables import Values, with_values
 from orishell.io.formats.tables import write_csv
 from orishell.io.output import OutputDirectory
 from orishell.plot.tradeoff import plot_front
-from orishell.search.crew import Crew
 from orishell.search.evaluate import Outcome
 from orishell.search.front import Front, beaten, scores
 from orishell.search.page import require_page, write_page
 from orishell.search.problem import Problem, files_named
-from orishell.search.run import Found
+from orishell.search.run import SearchResult
+from orishell.search.worker_pool import WorkerPool
 
 
 def variant_text(problem: Problem, values: Values, directory: Path) -> str:
     """The design file of a variant, without the table [search].
 
-    problem: The design.
-    values: What keys of the variant have.
-    directory: Where the file will be: from there it names the files of curves.
+    In ``directory``, where it will be, it names the files of curves as seen from there.
     """
     import tomlkit
 
@@ -74,10 +72,7 @@ MANIFEST = ".orishell-search.json"
 
 
 def require_installed() -> None:
-    """Refuse to begin what would end for want of a library or of the page.
-
-    Raises InputError if a library is not installed, or the page has not been built.
-    """
+    """Refuse to begin what would end for want of a library or of the page."""
     missing = [name for name in ("pymoo", "tomlkit") if find_spec(name) is None]
     if missing:
         raise InputError(
@@ -90,11 +85,7 @@ def require_installed() -> None:
 def require_apart(problem: Problem, directory: Path) -> None:
     """Refuse to search where files that are not of a search would be written over.
 
-    problem: The design.
-    directory: Where files are to be written.
-
-    Raises InputError if the design or its curves, or a file that no earlier search left as it is,
-    is in the directory and is called as a file of a search is.
+    They are the design, its curves, and what no earlier search left as it is.
     """
     own = OutputDirectory(directory, MANIFEST).of_earlier_run()
     files = {path.resolve() for path in (problem.path, *problem.files())}
@@ -109,23 +100,16 @@ def require_apart(problem: Problem, directory: Path) -> None:
 
 def write_found(
     problem: Problem,
-    found: Found,
+    found: SearchResult,
     directory: Path,
-    crew: Crew,
+    pool: WorkerPool,
     progress: Progress = no_progress,
     *,
     stop: threading.Event | None = None,
 ) -> list[Path]:
     """Write ``front.csv``, the design files of its members, ``front.png`` and ``front.html``.
 
-    problem: What was searched.
-    found: What was found.
-    directory: Where to; made if needed. Files of an earlier run that this one does not write are
-        removed, unless somebody changed them; all others stay.
-    crew: Who makes the shells of the page.
-    stop: Set where the page is to be written with what it has.
-
-    Raises InputError if the directory cannot be written to, or the page has not been built.
+    Files of an earlier run that this one does not write are removed, unless somebody changed them.
     """
     with OutputDirectory(directory, MANIFEST).replacing() as draft:
         _write_table(draft / "front.csv", problem, found.front)
@@ -135,7 +119,7 @@ def write_found(
                 text, encoding="utf-8", newline="\n"
             )
         draw_front(draft / "front.png", problem, found)
-        write_page(draft / "front.html", problem, found, crew, progress, stop=stop)
+        write_page(draft / "front.html", problem, found, pool, progress, stop=stop)
         names = sorted(file.name for file in draft.iterdir())
     return [directory / name for name in names]
 
@@ -159,24 +143,19 @@ def _cell(value: Any) -> Any:
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
-def draw_front(path: Path, problem: Problem, found: Found) -> None:
-    """Write the picture of the front: each pair of objectives.
-
-    path: The PNG file.
-    problem: What was searched.
-    found: What was found.
-    """
+def draw_front(path: Path, problem: Problem, found: SearchResult) -> None:
+    """Write the picture of the front: each pair of objectives."""
 
     def points(outcomes: list[Outcome]) -> np.ndarray:
         rows = [scores(problem, each) for each in outcomes]
         return np.array(rows, np.float64).reshape(-1, len(problem.objectives))
 
-    begun_with = [found.begun_with] if found.begun_with.figures else []
+    baseline = [found.baseline] if found.baseline.figures else []
     plot_front(
         path,
         points([*found.front.members]),
         points(beaten(problem, found.outcomes, found.front)),
-        points(begun_with),
+        points(baseline),
         knee=found.front.knee,
         labels=[each.label(problem.unit) for each in problem.objectives],
     )

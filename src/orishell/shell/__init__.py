@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 from orishell.conventions.imports import import_on_demand
 
 if TYPE_CHECKING:
+    from orishell.shell.analyse import analyse_structure
     from orishell.shell.export import convert_fold, write_format, write_shell, write_structure
     from orishell.shell.make import Shell, design_shell, make_shell
     from orishell.shell.report import Report
-    from orishell.shell.structure import analyse_structure
 
 __all__ = [
     "Report",
@@ -28,6 +28,6 @@ __getattr__, __dir__ = import_on_demand(
         "orishell.shell.export": ("convert_fold", "write_format", "write_shell", "write_structure"),
         "orishell.shell.make": ("Shell", "design_shell", "make_shell"),
         "orishell.shell.report": ("Report",),
-        "orishell.shell.structure": ("analyse_structure",),
+        "orishell.shell.analyse": ("analyse_structure",),
     },
 )

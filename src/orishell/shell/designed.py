@@ -58,10 +58,8 @@ def ended(
 ) -> tuple[Design, Lock]:
     """A file's design as it can be folded, and how its motion ends: see :func:`end_motion`.
 
-    design: What :func:`designed` made of it.
-    allow_clash: Return the design even if panels meet before its target state.
-
-    Raises ClashError if panels of the flat sheet touch, or panels meet before the target state.
+    Raises ClashError if panels of the flat sheet touch, or, unless that is allowed, panels meet
+    before the target state.
     """
 
     def narrower(width: float) -> Design:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 
 from orishell.conventions.arguments import checked, path_of
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.quantities import Unit
+from orishell.conventions.record import as_table
 from orishell.document import Document
 from orishell.document.from_design import states_of
 from orishell.io import OutputDirectory, document_of_fold, read_fold
@@ -98,15 +99,16 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
         If the shell was not analysed, or the directory cannot be written to.
     """
     _require_shell(shell)
-    if shell.report.structure is None:
+    if shell.analysis is None:
         raise InputError(
             "the shell was not analysed",
-            where=f"{shell.file.path}: [structure]",
+            file=shell.file.path,
+            keys=("structure",),
             remedy="add the table [structure]",
         )
     directory = path_of(directory, "write_structure: directory")
     with OutputDirectory(directory).adding() as draft:
-        text = json.dumps(asdict(shell.report.structure), indent=2, allow_nan=False)
+        text = json.dumps(as_table(shell.analysis), indent=2, allow_nan=False)
         (draft / "structure.json").write_text(text + "\n")
         _write_structure(shell, draft)
         names = sorted(file.name for file in draft.iterdir())
@@ -115,8 +117,8 @@ def write_structure(shell: Shell, directory: str | Path) -> list[Path]:
 
 def _write_structure(shell: Shell, draft: Path) -> None:
     """Write ``structure.html`` and ``structure.png``, where a shell was analysed."""
-    if shell.report.structure is not None and shell.analysis is not None:
-        write_structure_files(draft, shell.document, shell.report.structure, shell.analysis)
+    if shell.analysis is not None:
+        write_structure_files(draft, shell.document, shell.analysis)
 
 
 def write_format(

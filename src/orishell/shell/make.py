@@ -70,8 +70,11 @@ class Shell:
     document: Document  # what its files are written from
     report: Report  # what ``report.json`` says
     seconds: dict[str, float]  # time spent by step; printed, but not part of any file
-    # what was found of it as a structure; None if it was not analysed
-    analysis: Analysis | None = None
+
+    @property
+    def analysis(self) -> Analysis | None:
+        """What was found of it as a structure; None if it was not analysed."""
+        return self.report.structure
 
     def __repr__(self) -> str:
         file = self.file
@@ -141,7 +144,7 @@ def _made(
     try:
         return _step_by_step(file, progress, clash, skip)
     except InputError as error:
-        raise error.located(f"{file.path}:") from None
+        raise error.in_file(file.path) from None
 
 
 def _step_by_step(
@@ -186,11 +189,10 @@ def _step_by_step(
     )
     document = _document(file, design, lock, motion)
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
-    structure = analysis = None
+    analysis = None
     if "structure" not in skip and file.structure is not None:
-        found = load_shell(design, lock, site, file.structure, progress)
-        analysis, structure = found.analysis, found.report
-        document = replace(document, loaded=found.drawn)
+        analysis = load_shell(design, lock, site, file.structure, progress)
+        document = replace(document, loaded=analysis.loaded())
         clock.lap("structure")
     unknown = {
         "whether panels stay rigid": residuals is None,
@@ -198,7 +200,7 @@ def _step_by_step(
         "how clipped flaps are brought to their place": design.clipped is not None,
         "distance from the surface": deviation is not None and deviation.surface is None,
         "the layout on the stock": quantities.stock is None,
-        "the structure": structure is None and file.structure is not None,
+        "the structure": analysis is None and file.structure is not None,
     }
     width, height, _ = extents(motion.flat.positions)
     report = Report(
@@ -207,16 +209,14 @@ def _step_by_step(
         rows=file.pattern.rows,
         columns=file.pattern.columns,
         parameters=design.parameters,
-        chosen=None
-        if choice is None or file.tolerance is None
-        else describe_choice(choice, file.tolerance),
+        chosen=None if choice is None else describe_choice(choice),
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,
             *lock.warnings,
             *warn_of_building(design, lock, feet, file.unit, file.workshop),
             *warn_of_deployment(file, design, lock, deployment, mended="remedies" not in skip),
-            *(() if structure is None else structure.warnings),
+            *(() if analysis is None else analysis.warnings),
         ),
         residuals=residuals,
         assignment=describe_assignment(design, assignment),
@@ -228,7 +228,7 @@ def _step_by_step(
         deployed=BoxReport(*extents(motion.target.positions)),
         deployment=deployment,
         panel=describe_panels(design, lock),
-        structure=structure,
+        structure=analysis,
         quantities=quantities,
     )
     report = replace(report, verdict=find_verdict(report))
@@ -244,7 +244,6 @@ def _step_by_step(
         document=document,
         report=report,
         seconds=clock.seconds,
-        analysis=analysis,
     )
 
 
@@ -252,8 +251,7 @@ def _sized(file: DesignFile, progress: Progress) -> tuple[DesignFile, Choice | N
     """The file with rows and columns, and what they were chosen from if it has a tolerance."""
     if file.tolerance is None:
         return file, None
-    pattern, choice = meet_tolerance(file, file.tolerance, progress)
-    return file.sized(pattern), choice
+    return meet_tolerance(file, file.tolerance, progress)
 
 
 def _ended(

@@ -89,12 +89,12 @@ def draw_pictures(
     )
     if deviation is not None:
         _plot_deviation(directory / "deviation.png", design, deviation, file.unit)
-    if choice is not None and file.tolerance is not None:
+    if choice is not None:
         plot_tradeoff(
             directory / "tradeoff.png",
             [_point(trial) for trial in choice.tradeoff],
             _point(choice.trial),
-            file.tolerance.surface,
+            choice.tolerance.surface,
             file.unit,
         )
     weight = weight_of(deployment, lock)

@@ -57,13 +57,13 @@ Make = Callable[[DesignFile, Progress], object]
 def with_remedies(
     file: DesignFile, refusal: DesignError, make: Make, progress: Progress = no_progress
 ) -> DesignError:
-    """Return the refusal with changes that were tried and work, or with why none does.
-
-    file: The refused design.
-    make: Makes the shell of a changed file.
-    """
-    search = _Search(file, make, progress)
-    refusal.remedies = search.run(refusal)
+    """Return the refusal with changes that were tried and work, or with why none does."""
+    search = _RemedySearch(file, make, progress)
+    try:
+        search.run(refusal)
+    except _OutOfTimeError:
+        search.ended = True
+    refusal.remedies = tuple(search.found.values())
     if not refusal.remedies:
         refusal.limit = search.limit
     return refusal
@@ -74,7 +74,7 @@ class _OutOfTimeError(Exception):
 
 
 @dataclass(slots=True)
-class _Search:
+class _RemedySearch:
     file: DesignFile
     make: Make
     progress: Progress
@@ -96,14 +96,7 @@ class _Search:
             why = f"with {remedy}, {reason.condition}{place}"
         return f"{why} (looking ended after {SECONDS:g} s of work)" if self.ended else why
 
-    def run(self, refusal: DesignError) -> tuple[Remedy, ...]:
-        try:
-            self._run(refusal)
-        except _OutOfTimeError:
-            self.ended = True
-        return tuple(self.found.values())
-
-    def _run(self, refusal: DesignError) -> None:
+    def run(self, refusal: DesignError) -> None:
         self._watch()
         if isinstance(refusal, ClashError):
             self._look(Remedy({}), chain(refusal.candidates, self._apart(refusal)), 1)

@@ -16,13 +16,12 @@ from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
 from orishell.deviation.report import DeviationReport
-from orishell.families.pattern import Tolerance
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.row import Row
 from orishell.shell.size_trials import Choice, Trial
-from orishell.structure.report import StructureReport
+from orishell.structure.results import Analysis
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
 
@@ -107,7 +106,7 @@ class Report:
     deployed: BoxReport
     deployment: DeploymentReport  # how it is deployed and held, and how small it packs
     panel: PanelReport | None  # panels as they are built; None if they have no thickness
-    structure: StructureReport | None  # the shell as a structure; None if it was not analysed
+    structure: Analysis | None  # the shell as a structure; None if it was not analysed
     quantities: Quantities  # bill of quantities
     verdict: tuple[Row, ...] = ()  # the findings, worst first
 
@@ -137,9 +136,9 @@ def describe_assignment(design: Design, check: AssignmentCheck | None) -> Assign
     )
 
 
-def describe_choice(choice: Choice, tolerance: Tolerance) -> ChosenReport:
+def describe_choice(choice: Choice) -> ChosenReport:
     """What rows and columns were chosen from."""
-    trial = choice.trial
+    trial, tolerance = choice.trial, choice.tolerance
     return ChosenReport(
         tolerance=tolerance.surface,
         panel_min=tolerance.panel_min,

@@ -70,18 +70,13 @@ def size_ladder(most: int) -> tuple[list[int], list[int]]:
 
 @dataclass(slots=True, eq=False)
 class SizeSearch(Generic[V]):
-    """Looks for a sheet that does, then for all with fewer panels that may.
-
-    trials: Makes the sheets.
-    known: What was found out of numbers of rows and columns with all variants.
-    impossible: Numbers of rows of which no sheet could be made.
-    least: The smallest factor by which a sheet of the ladders is off.
-    """
+    """Looks for a sheet that does, then for all with fewer panels that may."""
 
     trials: Trials[V]
+    # what is known of numbers of rows and columns with all variants
     known: dict[tuple[int, int], Tried[V]] = field(default_factory=dict)
-    impossible: list[int] = field(default_factory=list)
-    least: float = math.inf
+    impossible: list[int] = field(default_factory=list)  # numbers of rows without any sheet
+    least: float = math.inf  # smallest factor by which a sheet of the ladders is off
 
     def run(self) -> tuple[V, Choice]:
         """Choose a variant and a size."""
@@ -108,7 +103,7 @@ class SizeSearch(Generic[V]):
             trials.careful = True
         trials.progress(1.0, CHOOSING)
         fitting = [trial if each is quick else each for _, each in trials.made if trials.fits(each)]
-        return variant, Choice(trial, unbeaten(fitting), len(trials.made))
+        return variant, Choice(trial, unbeaten(fitting), len(trials.made), trials.tolerance)
 
     @property
     def below(self) -> int:

@@ -6,27 +6,12 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from typing import Generic, Self, TypeVar
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress
 from orishell.conventions.record import record
 from orishell.families.pattern import Tolerance, Variants
-
-
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """Distance of a design from its surface, and its shortest and longest edge (length)."""
-
-    error: float  # largest distance from the surface (length)
-    # shortest and longest edge of a panel in the flat sheet (length)
-    shortest: float
-    longest: float
-
-    def at(self, rows: int, columns: int) -> Trial:
-        """That it was measured of a sheet of so many inner vertices."""
-        panels = (rows + 1) * (columns - 1)
-        return Trial(rows, columns, panels, self.error, self.shortest, self.longest)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,9 +23,14 @@ class Trial:
     columns: int
     panels: int  # number of panels, flaps left out
     error: float  # distance between shell and target surface, largest both ways (length)
-    # edges of its panels (length)
+    # edges of its panels in the flat sheet (length)
     shortest: float
     longest: float
+
+    @classmethod
+    def of(cls, rows: int, columns: int, error: float, shortest: float, longest: float) -> Self:
+        """A design with so many inner vertices."""
+        return cls(rows, columns, (rows + 1) * (columns - 1), error, shortest, longest)
 
 
 @record
@@ -51,13 +41,17 @@ class Choice:
     # of all trials those that no other beats in both error and number of panels, by panels
     tradeoff: tuple[Trial, ...]
     tried: int  # number of designs measured
+    tolerance: Tolerance  # what is met
 
 
-def unbeaten(trials: Iterable[Trial]) -> tuple[Trial, ...]:
-    """Trials that no other beats in both error and number of panels, by panels."""
+def unbeaten(trials: Iterable[Trial], gain: float = 1.0) -> tuple[Trial, ...]:
+    """Trials that no other beats in both error and number of panels, by panels.
+
+    The error of one with more panels must be below a share ``gain`` of that of the one before.
+    """
     kept: list[Trial] = []
     for trial in sorted(trials, key=lambda each: (each.panels, each.error)):
-        if not kept or trial.error < kept[-1].error:
+        if not kept or trial.error < gain * kept[-1].error:
             kept.append(trial)
     return tuple(kept)
 
@@ -82,71 +76,48 @@ V = TypeVar("V")
 
 @record
 class Sizes(Generic[V]):
-    """The sheets that a tolerance is to be met with: variants with numbers of rows and columns.
+    """The sheets that a tolerance is to be met with: variants with numbers of rows and columns."""
 
-    variants: The variants for a number of rows.
-    distance_from_f: A distance at which column 1 of a variant is from f at least.
-    distance_from_g: A distance at which the middle row of so many columns is from g at least.
-    measure: Makes a variant with so many columns, and measures it, carefully or quickly.
-    oversize: How much larger than the boards the largest panel of it is: 1 or less if all fit.
-    most, step: The largest number of rows and of columns; the step from one number of rows to the
-        next.
-    ripple, orderly: By which factor a shell may be farther from its surface than one with fewer
-        columns; whether that holds for rows as well, and no shell is nearer whose column 1 is
-        farther from f.
-    """
-
-    variants: Callable[[int], Variants[V]]
-    distance_from_f: Callable[[V], float]
-    distance_from_g: Callable[[int], float]
-    measure: Callable[[V, int, bool], Measured]
+    variants: Callable[[int], Variants[V]]  # for a number of rows
+    distance_from_f: Callable[[V], float]  # of column 1, at least
+    distance_from_g: Callable[[int], float]  # of the middle row of so many columns, at least
+    measure: Callable[[V, int, bool], Trial]  # with so many columns, carefully or quickly
+    # how much larger than the boards the largest panel is: 1 or less if all fit
     oversize: Callable[[V, int], float] = lambda _variant, _columns: 0.0
-    most: int = MOST
-    step: int = 2
+    most: int = MOST  # rows and columns
+    step: int = 2  # from one number of rows to the next
+    # by which factor a shell may be farther from its surface than one with fewer columns
     ripple: float = 1.15
+    # whether that holds for rows as well, and none is nearer whose column 1 is farther from f
     orderly: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class Tried(Generic[V]):
-    """What was found out of a size: how far it is off with its best variant, as factors.
+    """What was found out of a size: how far it is off with its best variant, as factors."""
 
-    ``off`` is that of its distance from the surface and of edges or panels that are too long,
-    which more columns may mend, infinite where all variants are refused; ``small`` that of edges
-    that are too short. ``variant`` is one that does.
-    """
-
+    # of its distance from the surface and of edges or panels that are too long, which more columns
+    # may mend; infinite where all variants are refused
     off: float
-    small: float
-    variant: V | None = None
+    small: float  # of edges that are too short
+    variant: V | None = None  # one that does
 
 
 @dataclass(slots=True, eq=False)
 class Trials(Generic[V]):
-    """Makes sheets of one size after another.
-
-    sizes, tolerance, progress: What there is to choose from, what is to be met, and who is told.
-    made: All that could be made.
-    large: Those whose panels do not fit the boards.
-    found: Those that meet the tolerance.
-    refusal: Why the first was refused, if any was.
-    bounded: Whether sheets that f or g rule out are left out.
-    careful: Whether those that do are measured carefully at once.
-    reached: Numbers of columns, and whether g allows them.
-    refused, possible: How often each variant was refused, by its place among all; those that were
-        made.
-    """
+    """Makes sheets of one size after another."""
 
     sizes: Sizes[V]
     tolerance: Tolerance
     progress: Progress
     made: list[tuple[V, Trial]] = field(default_factory=list)
-    large: list[Trial] = field(default_factory=list)
-    found: list[tuple[V, Trial]] = field(default_factory=list)
-    refusal: DesignError | None = None
-    bounded: bool = True
-    careful: bool = False
-    reached: dict[int, bool] = field(default_factory=dict)
+    large: list[Trial] = field(default_factory=list)  # those whose panels do not fit the boards
+    found: list[tuple[V, Trial]] = field(default_factory=list)  # those that meet the tolerance
+    refusal: DesignError | None = None  # the first
+    bounded: bool = True  # whether sheets that f or g rule out are left out
+    careful: bool = False  # whether those that do are measured carefully at once
+    reached: dict[int, bool] = field(default_factory=dict)  # whether g allows so many columns
+    # how often each variant was refused, by its place among all; those that were made
     refused: Counter[int] = field(default_factory=Counter)
     possible: set[int] = field(default_factory=set)
 
@@ -183,7 +154,7 @@ class Trials(Generic[V]):
                     continue
                 if self.sizes.orderly and least > too_far:
                     continue
-                trial = self._measured(variant, rows, columns)
+                trial = self._measured(variant, columns)
                 oversize = self.sizes.oversize(variant, columns) if self.does(trial) else 0.0
             except DesignError as error:
                 self.refusal = self.refusal or error
@@ -206,7 +177,7 @@ class Trials(Generic[V]):
 
     def carefully(self, variant: V, quick: Trial) -> Trial:
         """The same sheet with its error as the report has it."""
-        return self.sizes.measure(variant, quick.columns, True).at(quick.rows, quick.columns)
+        return self.sizes.measure(variant, quick.columns, True)
 
     def does(self, trial: Trial) -> bool:
         """Whether it meets the tolerance, boards aside."""
@@ -214,13 +185,12 @@ class Trials(Generic[V]):
 
     def fits(self, trial: Trial) -> bool:
         """Whether its edges have the lengths asked for."""
-        limits = self.tolerance
-        return limits.panel_min <= trial.shortest and trial.longest <= limits.panel_max
+        return self.tolerance.allows(trial.shortest, trial.longest)
 
-    def _measured(self, variant: V, rows: int, columns: int) -> Trial:
+    def _measured(self, variant: V, columns: int) -> Trial:
         """A quick measure of a design, and a careful one if quick ones were too kind before."""
         self.progress(0.95 * (1 - math.exp(-len(self.made) / USUAL)), CHOOSING)
-        trial = self.sizes.measure(variant, columns, False).at(rows, columns)
+        trial = self.sizes.measure(variant, columns, False)
         if self.careful and self.does(trial):
             trial = self.carefully(variant, trial)
         self.made.append((variant, trial))

@@ -10,9 +10,8 @@ import numpy as np
 
 from orishell.conventions.errors import DesignError
 from orishell.conventions.progress import Progress, no_progress
-from orishell.conventions.record import record
 from orishell.design import Design
-from orishell.design_file import DesignFile, require_memory
+from orishell.design_file import DesignFile
 from orishell.deviation import SAMPLES as CAREFUL
 from orishell.deviation import find_excess, measure_deviation
 from orishell.document import Document
@@ -22,7 +21,7 @@ from orishell.families.pattern import Tolerance, Variants
 from orishell.motion.quads import lengths
 from orishell.shell.designed import designed
 from orishell.shell.size_search import choose
-from orishell.shell.size_trials import Choice, Measured, Sizes
+from orishell.shell.size_trials import Choice, Sizes, Trial
 from orishell.workshop.fitting import SLACK, OversizeError
 from orishell.workshop.layout import find_oversize, require_stock, usable_stock
 
@@ -35,17 +34,15 @@ NOTHING_ALLOWED = Tolerance.model_construct(surface=0.0)
 
 def meet_tolerance(
     file: DesignFile, tolerance: Tolerance, progress: Progress = no_progress
-) -> tuple[FamilyPattern, Choice]:
-    """Choose rows, columns and what else a design file leaves open.
-
-    Returns tuple: The pattern, and what it was chosen from.
+) -> tuple[DesignFile, Choice]:
+    """The file with rows, columns and what else it leaves open, and what they were chosen from.
 
     Raises DesignError if no pattern meets the tolerance; says what can be met.
     Raises InputError if the pattern would be too large for its frames.
     """
-    sheets = _Sheets(file, tolerance)
+    limits = _limits(file, tolerance)
     try:
-        pattern, choice = choose(sheets.sizes(), sheets.limits(), progress)
+        pattern, choice = choose(_sizes(file, limits), limits, progress)
     except DesignError as refusal:
         if file.workshop.stock is not None:
             return _with_any_stock(file, tolerance, progress)
@@ -54,82 +51,74 @@ def meet_tolerance(
         )
         raise
     pattern = pattern.sized(choice.trial.rows, choice.trial.columns)
-    require_memory(file.path, pattern, file.frames)
-    return pattern, choice
+    table = pattern.model_dump(exclude_unset=True)
+    sized = file.changed({"tolerance": None, "pattern": table})
+    return sized, replace(choice, tolerance=tolerance)
 
 
 def _with_any_stock(
     file: DesignFile, tolerance: Tolerance, progress: Progress
-) -> tuple[FamilyPattern, Choice]:
+) -> tuple[DesignFile, Choice]:
     """What meets a tolerance if stock is as large as needed: it is refused for that, or at all."""
-    anywhere = replace(file, workshop=file.workshop.having(stock=None))
-    pattern, choice = meet_tolerance(anywhere, tolerance, progress)
+    anywhere, choice = meet_tolerance(file.changed({"workshop.stock": None}), tolerance, progress)
     try:
-        require_stock(_document(file, pattern), file.workshop)
+        require_stock(_document(file, anywhere.pattern), file.workshop)
     except OversizeError as error:
         error.remedy = (
             "larger stock, or another distance in [tolerance]: no sheet was found that comes "
             f"within {tolerance.surface:g} of the surface and whose panels fit"
         )
         raise
-    return pattern, choice
+    return anywhere.changed({"workshop": file.tables["workshop"]}), choice
 
 
 def _document(file: DesignFile, pattern: FamilyPattern) -> Document:
     return document_of_design(designed(replace(file, pattern=pattern)), file.unit)
 
 
-@record
-class _Sheets:
+def _limits(file: DesignFile, tolerance: Tolerance) -> Tolerance:
+    """The tolerance, and no edge longer than the stock's diagonal."""
+    if file.workshop.stock is None:
+        return tolerance
+    longest = (1 + SLACK) * math.hypot(*usable_stock(file.workshop))
+    return tolerance.having(panel_max=min(tolerance.panel_max, longest))
+
+
+def _sizes(file: DesignFile, limits: Tolerance) -> Sizes[FamilyPattern]:
     """The sheets that a design file leaves to choose from."""
+    own = file.pattern
 
-    file: DesignFile
-    tolerance: Tolerance
+    @cache
+    def in_rows(rows: int) -> Variants[FamilyPattern]:
+        return own.sized(rows, 2).variants(file.f, limits)
 
-    def limits(self) -> Tolerance:
-        """The tolerance, and no edge longer than the stock's diagonal."""
-        workshop = self.file.workshop
-        if workshop.stock is None:
-            return self.tolerance
-        longest = (1 + SLACK) * math.hypot(*usable_stock(workshop))
-        return self.tolerance.having(panel_max=min(self.tolerance.panel_max, longest))
+    def measured(variant: FamilyPattern, columns: int, careful: bool) -> Trial:
+        design = variant.sized(variant.rows, columns).design(file.f, file.g)
+        return measure(design, careful, limits)
 
-    def sizes(self) -> Sizes[FamilyPattern]:
-        """What the search asks of them."""
-        file, pattern = self.file, self.file.pattern
-        limits = self.limits()
+    def distance_from_g(columns: int) -> float:
+        return in_rows(1).telling[0].sized(1, columns).distance_from_g(file.g)
 
-        @cache
-        def in_rows(rows: int) -> Variants[FamilyPattern]:
-            return pattern.sized(rows, 2).variants(file.f, limits)
-
-        def measured(variant: FamilyPattern, columns: int, careful: bool) -> Measured:
-            return measure(
-                variant.sized(variant.rows, columns).design(file.f, file.g), careful, limits
-            )
-
-        return Sizes(
-            variants=in_rows,
-            distance_from_f=lambda variant: variant.distance_from_f(file.f),
-            distance_from_g=lambda columns: (
-                in_rows(1).telling[0].sized(1, columns).distance_from_g(file.g)
-            ),
-            measure=measured,
-            oversize=lambda variant, columns: self._oversize(variant.sized(variant.rows, columns)),
-            most=pattern.most,
-            step=pattern.row_step,
-            ripple=pattern.ripple,
-            orderly=pattern.orderly,
-        )
-
-    def _oversize(self, pattern: FamilyPattern) -> float:
-        """How much larger the largest panel is than the stock without its margins."""
-        if self.file.workshop.stock is None:
+    def oversize(variant: FamilyPattern, columns: int) -> float:
+        if file.workshop.stock is None:
             return 0.0
-        return find_oversize(_document(self.file, pattern), self.file.workshop)
+        document = _document(file, variant.sized(variant.rows, columns))
+        return find_oversize(document, file.workshop)
+
+    return Sizes(
+        variants=in_rows,
+        distance_from_f=lambda variant: variant.distance_from_f(file.f),
+        distance_from_g=distance_from_g,
+        measure=measured,
+        oversize=oversize,
+        most=own.most,
+        step=own.row_step,
+        ripple=own.ripple,
+        orderly=own.orderly,
+    )
 
 
-def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Measured:
+def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWED) -> Trial:
     """Distance of a design from its surface, and the edges of its panels, flaps left out."""
     mechanism = design.mechanism
     flat = mechanism.positions(0.0)[:, mechanism.inner_columns]
@@ -139,6 +128,6 @@ def measure(design: Design, careful: bool, tolerance: Tolerance = NOTHING_ALLOWE
     if careful:
         error = measure_deviation(design, samples=CAREFUL).max
     else:
-        fits = tolerance.panel_min <= shortest and longest <= tolerance.panel_max
+        fits = tolerance.allows(shortest, longest)
         error = find_excess(design, tolerance.surface if fits else 0.0, samples=QUICK)
-    return Measured(error, shortest, longest)
+    return Trial.of(len(flat) - 2, flat.shape[1], error, shortest, longest)

@@ -39,41 +39,39 @@ class Tradeoff:
     settled: dict[str, Any]
 
 
-def find_tradeoff(file: DesignFile, progress: Progress = no_progress) -> Tradeoff:
+def find_tradeoff(
+    file: DesignFile, progress: Progress = no_progress, *, size: tuple[int, int] | None = None
+) -> Tradeoff:
     """Design sheets of many sizes, and measure how near they come to the surface.
 
     The sizes are those of the search that meets a tolerance, each number of rows with each number
-    of columns, and the pattern's own.
-
-    file: The design; of its tolerance only the limits of edges count.
+    of columns, and ``size``, which is the pattern's own if it is not given. Of the file's tolerance
+    only the limits of edges count.
 
     Raises DesignError if the family refuses all sizes, or no sheet has edges as long as they may
     be.
     """
     limits = file.tolerance or Tolerance.model_construct(surface=math.inf)
     free = limits.having(surface=math.inf)
-    pattern = file.pattern.variants(file.f, free).telling[0]
+    own = file.pattern if size is None else file.pattern.sized(*size)
+    pattern = own.variants(file.f, free).telling[0]
     left_open = pattern.model_fields_set - file.pattern.model_fields_set
     settled = {key: getattr(pattern, key) for key in sorted(left_open)}
 
     def trial(size: tuple[int, int], *, careful: bool) -> Trial:
-        return measure(pattern.sized(*size).design(file.f, file.g), careful).at(*size)
+        return measure(pattern.sized(*size).design(file.f, file.g), careful)
 
     sizes = _sizes(pattern.most, (pattern.rows, pattern.columns))
     tried: list[Trial] = []
     refusal: OrishellError | None = None
-    for size in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
+    for each in followed(sizes, len(sizes), stretch(progress, 0.0, TRIED), TRYING):
         try:
-            tried.append(trial(size, careful=False))
+            tried.append(trial(each, careful=False))
         except OrishellError as error:  # lists of lengths fit their own size only
             refusal = refusal or error
     if refusal is not None and not tried:
         raise refusal
-    fitting = [
-        trial
-        for trial in tried
-        if limits.panel_min <= trial.shortest and trial.longest <= limits.panel_max
-    ]
+    fitting = [each for each in tried if limits.allows(each.shortest, each.longest)]
     if not fitting:
         raise _no_such_edges(tried, limits)
     quick = unbeaten(fitting)
@@ -82,17 +80,7 @@ def find_tradeoff(file: DesignFile, progress: Progress = no_progress) -> Tradeof
         for each in followed(quick, len(quick), stretch(progress, TRIED, 1.0), MEASURING)
     ]
     tried.sort(key=lambda trial: (trial.panels, trial.error))
-    best = _told_apart(unbeaten(careful))
-    return Tradeoff(tuple(tried), best, len(sizes) - len(tried), settled)
-
-
-def _told_apart(best: tuple[Trial, ...]) -> tuple[Trial, ...]:
-    """The best without those whose panels gain next to nothing."""
-    kept: list[Trial] = []
-    for trial in best:
-        if not kept or trial.error < GAIN * kept[-1].error:
-            kept.append(trial)
-    return tuple(kept)
+    return Tradeoff(tuple(tried), unbeaten(careful, GAIN), len(sizes) - len(tried), settled)
 
 
 def _sizes(most: int, now: tuple[int, int]) -> list[tuple[int, int]]:

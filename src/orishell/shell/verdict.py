@@ -11,9 +11,8 @@ from orishell.deviation.report import DeviationReport
 from orishell.locking import Contact
 from orishell.shell.report import Report
 from orishell.shell.row import Row, Sign
-from orishell.structure.build_warnings import LARGE, LEAST_BUCKLING, name_of
-from orishell.structure.case_report import GOVERNING
-from orishell.structure.report import StructureReport
+from orishell.structure.equilibrium import GOVERNING, LARGE, LEAST_BUCKLING
+from orishell.structure.results import Analysis, creases_in_words
 
 ORDER: tuple[Sign, ...] = ("fails", "warns", "holds", "says")
 COLLAPSED = 0.25
@@ -50,31 +49,29 @@ def find_verdict(report: Report) -> tuple[Row, ...]:
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
 
-def _carries(structure: StructureReport | None, unit: str) -> Iterator[Row]:
+def _carries(structure: Analysis | None, unit: str) -> Iterator[Row]:
     """Whether the shell carries its load cases: what moves, breaks, buckles, or sinks."""
     if structure is None:
         return
     moving = [case for case in structure.cases if case.moves is not None]
     if moving:
-        first = name_of(moving[0], structure.cases)
+        first = structure.name_of(moving[0])
         yield Row("fails", "carries", f"no: under {first} it {moving[0].moves}")
         return
-    standing = [(case.stands, case) for case in structure.cases if case.stands is not None]
+    standing = structure.standing
     found, case = max(standing, key=lambda each: each[0].displacement.share)
     most = found.displacement
     row, column = most.panel
     moved = (
         f"moves by {plain(most.size, 2)} {unit}, {plain(100 * most.share, 2)} % of its height, "
-        f"near panel {row}, {column} under {name_of(case, structure.cases)}"
+        f"near panel {row}, {column} under {structure.name_of(case)}"
     )
     governs = structure.governs
     share = 0.0 if governs is None else governs.utilisation
     if governs is None:
         borne = "what its panels, creases and ties bear is not known"
     else:
-        stiff = governs.creases
-        creases = f"{stiff} creases" if isinstance(stiff, str) else f"creases of {stiff:g} N"
-        where = f"{governs.case}, {creases}"
+        where = f"{governs.case}, {creases_in_words(governs.creases)}"
         if governs.part == "buckling":
             borne = f"it buckles under {plain(1 / share, 3)} times the loads of {where}"
         else:

@@ -2,3 +2,51 @@
 
 Derived in docs/theory/structure.md.
 """
+
+from typing import TYPE_CHECKING
+
+from orishell.conventions.imports import import_on_demand
+
+if TYPE_CHECKING:
+    from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.results import Analysis, CaseResult, FreeMotion
+    from orishell.structure.settings import (
+        LoadCase,
+        PointLoad,
+        Snow,
+        Structure,
+        Support,
+        Wind,
+        Zone,
+    )
+
+__all__ = [
+    "Analysis",
+    "CaseResult",
+    "Equilibrium",
+    "FreeMotion",
+    "LoadCase",
+    "PointLoad",
+    "Snow",
+    "Structure",
+    "Support",
+    "Wind",
+    "Zone",
+]
+
+__getattr__, __dir__ = import_on_demand(
+    __name__,
+    {
+        "orishell.structure.equilibrium": ("Equilibrium",),
+        "orishell.structure.results": ("Analysis", "CaseResult", "FreeMotion"),
+        "orishell.structure.settings": (
+            "LoadCase",
+            "PointLoad",
+            "Snow",
+            "Structure",
+            "Support",
+            "Wind",
+            "Zone",
+        ),
+    },
+)

@@ -21,9 +21,9 @@ import numpy as np
 from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans
-from orishell.structure.held import GIVE, Held
+from orishell.structure.factorised import GIVE, Factorised
 from orishell.structure.model import Model
-from orishell.structure.results import FreeMotion, Hold
+from orishell.structure.results import FreeMotion, Remedy
 from orishell.structure.settings import Support
 
 DRIVEN = 1e-6
@@ -49,34 +49,27 @@ class Response:
 
     moves: Array | None  # the motion (n,) that they drive and nothing resists; None if it stands
     displacements: Array  # of free freedoms (n,); not numbers where it moves
-    acting: Booleans  # which rows of :class:`~orishell.structure.held.Held` act (M,)
+    active: Booleans  # which rows of :class:`~orishell.structure.factorised.Factorised` act (M,)
     forces: Array  # their forces (M,)
     taken: Array  # what panels and hinges take (D,) of all freedoms; not numbers where it moves
     motions: Array  # what nothing resists, and the loads do not drive (n, k)
 
 
-def respond(held: Held, loads: Array) -> Response:
+def respond(structure: Factorised, loads: Array) -> Response:
     """What loads do to a structure.
 
-    Parameters
-    ----------
-    loads
-        Loads (n,) on its free freedoms.
-
-    Raises
-    ------
-    VerificationError
-        If no set of acting conditions is found: a fault of the program.
+    loads: Loads (n,) on its free freedoms.
+    Raises VerificationError: If no set of active conditions is found: a fault of the program.
     """
-    moves = _moving(held, loads)
+    moves = _moving(structure, loads)
     if moves is not None:
-        count, freedoms = held.every_row.shape
+        count, freedoms = structure.every_row.shape
         still, nothing, taken = (np.full(each, np.nan) for each in (len(loads), count, freedoms))
         return Response(moves, still, np.zeros(count, dtype=bool), nothing, taken, moves[:, None])
-    if not len(held.conditions):
-        return _exact(held, loads, np.zeros(len(held.rows), dtype=bool))[0]
+    if not len(structure.conditions):
+        return _exact(structure, loads, np.zeros(len(structure.rows), dtype=bool))[0]
     for softer in SOFTER:
-        found, right = _exact(held, loads, _who_presses(held, loads, softer))
+        found, right = _exact(structure, loads, _who_presses(structure, loads, softer))
         if right:
             return found
     raise VerificationError(
@@ -84,7 +77,7 @@ def respond(held: Held, loads: Array) -> Response:
     )
 
 
-def _moving(held: Held, loads: Array) -> Array | None:
+def _moving(structure: Factorised, loads: Array) -> Array | None:
     """The motion (n,) that loads drive whatever the conditions bear; None if there is none.
 
     Of all that conditions can bear, what comes nearest to balance along the motions that panels and
@@ -92,20 +85,20 @@ def _moving(held: Held, loads: Array) -> Array | None:
     """
     from scipy.optimize import nnls
 
-    motions = held.motions(np.zeros(len(held.rows), dtype=bool))
+    motions = structure.motions(np.zeros(len(structure.rows), dtype=bool))
     if not motions.shape[1]:
         return None
-    count, ways = len(held.conditions), _polygon()
-    rough, by_row = held.conditions.rough, held.rows @ motions
+    count, ways = len(structure.conditions), _polygon()
+    rough, by_row = structure.conditions.rough, structure.rows @ motions
     smooth = np.setdiff1d(np.arange(count), rough)
     # A foot's forces: what presses, and friction to a corner of its polygon.
     slides = by_row[count : count + 2 * len(rough)].reshape(-1, 2, motions.shape[1])
-    friction = held.conditions.friction[rough][:, None, None]
+    friction = structure.conditions.friction[rough][:, None, None]
     cones = by_row[rough][:, None] + friction * np.einsum("wk,gwm->gkm", ways, slides)
     bearing = np.concatenate([by_row[smooth], cones.reshape(-1, motions.shape[1])])
     drive = motions.T @ loads
     # Rounding of the motions lets forces balance what they cannot, if they are huge.
-    largest = np.linalg.norm(motions[held.free < 3 * held.nodes], axis=1).max()
+    largest = np.linalg.norm(motions[structure.free < 3 * structure.nodes], axis=1).max()
     bound = HUGE * largest * np.eye(len(bearing))
     aim = np.concatenate([drive, np.zeros(len(bearing))])
     borne = nnls(np.concatenate([bearing.T, bound]), aim)[0] if len(bearing) else np.zeros(0)
@@ -115,7 +108,7 @@ def _moving(held: Held, loads: Array) -> Array | None:
     return np.asarray(motions @ missing)
 
 
-def _who_presses(held: Held, loads: Array, softer: float) -> Booleans:
+def _who_presses(structure: Factorised, loads: Array, softer: float) -> Booleans:
     """Who acts (M,): by the forces l of least energy.
 
     Loads alone open the gaps W g_f, of which forces take the flexibility A off: l makes
@@ -127,27 +120,27 @@ def _who_presses(held: Held, loads: Array, softer: float) -> Booleans:
     """
     from scipy.optimize import nnls
 
-    count, total, root = len(held.conditions), len(held.rows), np.sqrt(held.springs)
-    a, v = np.linalg.eigh(root[:, None] * held.flexibility * root)
+    count, total, root = len(structure.conditions), len(structure.rows), np.sqrt(structure.springs)
+    a, v = np.linalg.eigh(root[:, None] * structure.flexibility * root)
     a, v = a[a > NO_GIVE], v[:, a > NO_GIVE]
     h = np.maximum(1 - a, 0.0) + softer
-    y = v.T @ (root * (held.rows @ held.spring_solve(loads)))
+    y = v.T @ (root * (structure.rows @ structure.spring_solve(loads)))
     give = np.full(total, GIVE)
-    soft = np.flatnonzero(held.conditions.compliance)
-    give[soft] = held.conditions.compliance[soft] * held.springs[soft]
+    soft = np.flatnonzero(structure.conditions.compliance)
+    give[soft] = structure.conditions.compliance[soft] * structure.springs[soft]
     matrix = np.concatenate([np.sqrt(a / h)[:, None] * v.T, np.diag(np.sqrt(give))])
     aim = np.concatenate([y / np.sqrt(a * h), np.zeros(total)])
     aim /= np.abs(aim).max() or 1.0
-    acting = np.arange(total) < count + len(held.sliding)
+    active = np.arange(total) < count + len(structure.sliding)
     while True:
-        rubs = np.flatnonzero(acting[count:]) + count
+        rubs = np.flatnonzero(active[count:]) + count
         columns = np.concatenate([matrix[:, :count], matrix[:, rubs], -matrix[:, rubs]], axis=1)
         force = nnls(columns, aim, maxiter=EXCHANGES * columns.shape[1])[0]
-        acting[:count] = force[:count] > TOLERANCE * force.max()
-        lifted = ~acting[held.sliding] & acting[count : count + len(held.sliding)]
+        active[:count] = force[:count] > TOLERANCE * force.max()
+        lifted = ~active[structure.sliding] & active[count : count + len(structure.sliding)]
         if not lifted.any():
-            return acting
-        acting[count : count + len(held.sliding)] &= ~lifted
+            return active
+        active[count : count + len(structure.sliding)] &= ~lifted
 
 
 def _polygon() -> Array:
@@ -156,19 +149,19 @@ def _polygon() -> Array:
     return np.stack([np.cos(turn), np.sin(turn)])
 
 
-def _exact(held: Held, loads: Array, acting: Booleans) -> tuple[Response, bool]:
+def _exact(structure: Factorised, loads: Array, active: Booleans) -> tuple[Response, bool]:
     """The response while some rows act (M,), and whether it is right."""
-    count = len(held.conditions)
-    motions = held.motions(acting)
-    found, gaps, forces, taken = held.respond(loads, acting)
+    count = len(structure.conditions)
+    motions = structure.motions(active)
+    found, gaps, forces, taken = structure.respond(loads, active)
     found -= motions @ (motions.T @ found)
-    unbalanced = np.linalg.norm(motions.T @ loads - (held.rows @ motions).T @ forces)
+    unbalanced = np.linalg.norm(motions.T @ loads - (structure.rows @ motions).T @ forces)
     total = float(np.abs(loads).sum())
-    least, open_ = TOLERANCE * total, TOLERANCE * float(np.abs(held.rows @ found).max())
-    one_sided = np.arange(len(held.rows)) < count
-    wrong = one_sided & ((acting & (forces < -least)) | (~acting & (gaps > open_)))
+    least, open_ = TOLERANCE * total, TOLERANCE * float(np.abs(structure.rows @ found).max())
+    one_sided = np.arange(len(structure.rows)) < count
+    wrong = one_sided & ((active & (forces < -least)) | (~active & (gaps > open_)))
     right = bool(unbalanced <= BALANCED * total and not wrong.any())
-    return Response(None, found, acting, forces, taken, motions), right
+    return Response(None, found, active, forces, taken, motions), right
 
 
 STEP = 1e-5
@@ -177,22 +170,18 @@ SHARE = 0.1
 """A motion that takes this share of its vertices' displacements from folding is a folding one."""
 
 
-def describe_motion(model: Model, shape: Array, forces: Array, *, soft: bool = False) -> FreeMotion:
+def describe_motion(
+    model: Model, stiffness: float, shape: Array, forces: Array, *, soft: bool = False
+) -> FreeMotion:
     """Say of a free motion what it is, and what would hold the shell: that has been tried.
 
-    Parameters
-    ----------
-    shape
-        Displacements (N, 3) of nodes.
-    forces
-        Forces (N, 3) on them.
-    soft
-        Whether something resists it, but too little.
+    stiffness: Of creases (force per radian).
+    shape: Displacements (N, 3) of nodes.
+    forces: Forces (N, 3) on them.
+    soft: Whether something resists it, but too little.
 
-    Raises
-    ------
-    VerificationError
-        If no set of ties, flaps and feet fits the loads: a fault of the program.
+    Raises VerificationError: If no set of ties, flaps and feet fits the loads: a fault of the
+    program.
     """
     drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
     near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))
@@ -207,26 +196,28 @@ def describe_motion(model: Model, shape: Array, forces: Array, *, soft: bool = F
     found = shape[: len(points)].reshape(-1)
     part = float(folding @ found)
     folds = abs(part) > SHARE * float(np.linalg.norm(found))
-    holds = _holds(model, forces)
+    holds = tuple(
+        name
+        for name, other in _remedies(model, stiffness).items()
+        if stands(other, respond(other, other.free_loads(forces)), model.size)
+    )
     return FreeMotion(shape, folds, part < 0 if folds else None, holds, soft)
 
 
-def _holds(model: Model, forces: Array) -> tuple[Hold, ...]:
-    """What would hold a shell of those things that it lacks."""
-    structure, frame = model.structure, model.frame
-    pinned = tuple(Support(at=each.at, kind="pinned") for each in structure.supports)
-    tried: dict[Hold, Model] = {
-        "pinned": replace(model, structure=structure.having(supports=pinned))
-    }
+def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:
+    """The shell with those things that it lacks and that may hold it."""
+    asked, frame = model.structure, model.frame
+    pinned = tuple(Support(at=each.at, kind="pinned") for each in asked.supports)
+    tried: dict[Remedy, Model] = {"pinned": replace(model, structure=asked.having(supports=pinned))}
     if frame.feet is not None and not frame.ties:
         inner = model.sheet.inner_columns
         columns = np.arange(model.grid.columns)[inner] + model.before
         first, last = frame.feet
         ties = tuple(((first, column), (last, column)) for column in columns.tolist())
         tried = {"ties": replace(model, frame=replace(frame, ties=ties)), **tried}
-    return tuple(name for name, other in tried.items() if _stands(other, forces))
+    return {name: other.factorised(stiffness) for name, other in tried.items()}
 
 
-def _stands(model: Model, forces: Array) -> bool:
-    response = respond(model.held, model.free_loads(forces))
-    return response.moves is None and model.furthest(response.displacements) <= model.size
+def stands(structure: Factorised, response: Response, size: float) -> bool:
+    """Whether no motion is free, and no displacement beyond the shell's size (length)."""
+    return response.moves is None and structure.furthest(response.displacements) <= size

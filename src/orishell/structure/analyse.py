@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.errors import InputError, VerificationError
 from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.numerics.arrays import Array
-from orishell.structure.active_set import Response, describe_motion, respond
+from orishell.structure.active_set import Response, describe_motion, respond, stands
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.factorised import Factorised
 from orishell.structure.hinges import crease_moments
-from orishell.structure.loads import case_forces
-from orishell.structure.model import Frame, Model, models
-from orishell.structure.results import Analysis, Balance, CaseResult
-from orishell.structure.settings import LoadCase, Structure
+from orishell.structure.loads import Load, case_loads, sum_forces, vector
+from orishell.structure.model import Frame, Model
+from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.settings import Structure
 from orishell.structure.stability import (
     Inverse,
     find_buckling,
@@ -38,201 +42,158 @@ def analyse(
 ) -> Analysis:
     """Analyse a shell at its target.
 
-    Parameters
-    ----------
-    structure
-        What holds and loads it.
-    frame
-        What else belongs to it.
-
-    Raises
-    ------
-    InputError
-        If supports or loads do not fit the sheet, or its own weight is asked for and not known.
-    VerificationError
-        If loads and reactions do not balance: a fault of the program.
+    structure: What holds and loads it.
+    frame: What else belongs to it.
+    Raises InputError: If supports or loads do not fit the sheet, or its own weight is asked for and
+    not known.
+    Raises VerificationError: If loads and reactions do not balance: a fault of the program.
     """
-    _require_mass(structure, frame)
-    cells = structure.cells
-    coarse = _displaced(design, structure, frame, cells // 2 or 2)  # 1 cannot be halved
-    while True:
-        halves = [stretch(progress, 0.0, 0.5), stretch(progress, 0.5, 1.0)]
-        if structure.refine and 2 * cells <= FINEST:
-            halves[0](0.0, f"with {cells} x {cells} cells to a panel")
-            fine = _displaced(design, structure, frame, cells)
-            if _change(coarse, fine) > structure.refine:
-                coarse, cells = fine, 2 * cells
-                continue
-        found = _analysed(design, structure, frame, cells, halves[1])
-        fine = np.array([_largest(case.displacements) for case in found.cases])
-        return replace(found, change=_change(coarse, fine))
-
-
-def _displaced(design: Design, structure: Structure, frame: Frame, cells: int) -> Array:
-    """The largest displacement of every case, not a number where it moves."""
-    found = []
-    for model in models(design, structure, frame, cells):
-        for case in structure.analysed:
-            forces = case_forces(model.exposure, case, structure.cases)
-            response = respond(model.held, model.free_loads(forces))
-            found.append(model.furthest(response.displacements))
-    return np.array(found)
-
-
-def _largest(displacements: Array) -> float:
-    return float(np.linalg.norm(displacements, axis=1).max())
-
-
-def _change(coarse: Array, fine: Array) -> float:
-    """The largest relative change of the cases that stand."""
-    change = np.abs(fine - coarse) / np.where(fine, fine, 1.0)
-    return float(np.max(change, where=np.isfinite(change), initial=0.0))
-
-
-def _require_mass(structure: Structure, frame: Frame) -> None:
     if frame.areal_mass == 0 and any(case.self_weight for case in structure.cases):
         raise InputError(
             "own weight is a load, and what panels weigh is not known",
             where="[[load_case]] self_weight",
+            keys=("load_case",),
             remedy="give density in [panel], or areal_density in [workshop]",
         )
-
-
-def _analysed(
-    design: Design, structure: Structure, frame: Frame, cells: int, progress: Progress
-) -> Analysis:
-    every = models(design, structure, frame, cells)
-    cases = [(model, case) for model in every for case in structure.analysed]
+    cells = structure.cells
+    coarse = _sizes(_solve(Model(design, structure, frame, cells // 2 or 2)))  # 1 is not halved
+    while True:
+        progress(0.0, f"with {cells} x {cells} cells to a panel")
+        model = Model(design, structure, frame, cells)
+        solved = _solve(model)
+        fine = _sizes(solved)
+        moved = np.abs(fine - coarse) / np.where(fine, fine, 1.0)
+        change = float(np.max(moved, where=np.isfinite(moved), initial=0.0))
+        if not structure.refine or change <= structure.refine or 2 * cells > FINEST:
+            break
+        coarse, cells = fine, 2 * cells
+    model = replace(model, change=change)
+    rest = stretch(progress, 0.5, 1.0)
     results = []
-    for number, (model, case) in enumerate(cases):
-        share = stretch(progress, number / len(cases), (number + 1) / len(cases))
-        share(0.0, f"loading {case.name}")
-        results.append(_loaded(model, case))
-    model = every[0]
-    return Analysis(
-        grid=model.grid,
-        before=model.before,
-        mesh=model.mesh,
-        section=model.section,
-        supported=tuple(_vertex(model, node) for node in model.supports.vertices()),
-        ties=frame.ties,
-        flaps=tuple(
-            ((a, b + model.before), (c, d + model.before)) for (a, b), (c, d) in model.flaps()
-        ),
-        mass=float(model.mass().sum()),
-        cases=tuple(results),
-        exposure=model.exposure,
-        held=model.supports.as_if_pinned(),
-        change=0.0,
+    for number, each in enumerate(solved):
+        rest(number / len(solved), f"loading {each.name}")
+        results.append(_result(model, each))
+    return Analysis(model, tuple(results))
+
+
+@record
+class _Solved:
+    """How the structure responds to a load case with one stiffness of creases."""
+
+    name: str
+    stiffness: float
+    structure: Factorised
+    loads: tuple[Load, ...]
+    forces: Array
+    response: Response
+    stands: bool
+
+
+def _solve(model: Model) -> Sequence[_Solved]:
+    """All load cases, with the least stiffness of creases first."""
+    found, asked = [], model.structure
+    for stiffness in dict.fromkeys(asked.crease_stiffness):
+        structure = model.factorised(stiffness)
+        for case in asked.analysed:
+            loads = case_loads(model.exposure, case, asked.cases)
+            forces = sum_forces(model.exposure, loads)
+            response = respond(structure, structure.free_loads(forces))
+            held = stands(structure, response, model.size)
+            found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
+    return found
+
+
+def _sizes(solved: Sequence[_Solved]) -> Array:
+    """The largest displacement of every case, not a number where it does not stand."""
+    return np.array(
+        [
+            each.structure.furthest(each.response.displacements) if each.stands else np.nan
+            for each in solved
+        ]
     )
 
 
-def _vertex(model: Model, node: int) -> tuple[int, int]:
-    row, column = divmod(int(node), model.grid.columns)
-    return row, column + model.before
+def _result(model: Model, solved: _Solved) -> CaseResult:
+    forces, response = solved.forces, solved.response
+    motion = None
+    if not solved.stands:
+        moves = response.displacements if response.moves is None else response.moves
+        shape, soft = _unit(solved.structure, moves), response.moves is None
+        motion = describe_motion(model, solved.stiffness, shape, forces, soft=soft)
+    return CaseResult(
+        name=solved.name,
+        stiffness=solved.stiffness,
+        loads=solved.loads,
+        forces=forces,
+        motion=motion,
+        stands=_equilibrium(model, solved) if solved.stands else None,
+    )
 
 
-def _loaded(model: Model, case: LoadCase) -> CaseResult:
-    """One case with one stiffness of creases."""
-    mesh, held = model.mesh, model.held
-    forces = case_forces(model.exposure, case, model.structure.cases)
-    response = respond(held, model.free_loads(forces))
-    if response.moves is not None:
-        return _moving(model, case, forces, response.moves)
-    if model.furthest(response.displacements) > model.size:
-        return _moving(model, case, forces, response.displacements, soft=True)
-    moved = model.moved(response.displacements)
-    residual = response.taken + held.pulls(response.forces)
-    residual[: forces.size] -= forces.ravel()
-    reactions, balance = _reactions(model, forces, residual, response)
-    ties, flaps = len(model.ties()), len(model.flaps())
+def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
+    mesh, structure, response = model.mesh, solved.structure, solved.response
+    moved = structure.moved(response.displacements)
+    support_forces, reaction, residual = _reactions(model, solved)
+    ties = len(model.frame.ties)
+    straight = ties + len(model.flaps)
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.freedoms()])
-    inverse = Inverse.of(held, response.acting, response.motions)
-    straight = ties + flaps
+    inverse = Inverse.of(structure, response.active, response.motions)
     directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
     geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
-        mesh.facets.points, held.conditions.nodes[:straight], directed, mesh.count
+        mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
     )
-    buckling = find_buckling(inverse, geometric[held.free][:, held.free])
-    frequencies, modes = np.zeros(0), np.zeros((0, *forces.shape))
+    free = structure.free
+    buckling = find_buckling(inverse, geometric[free][:, free])
+    frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
     if model.frame.areal_mass:
-        frequencies, found = find_frequencies(inverse, model.inertia()[held.free], FREQUENCIES)
-        modes = np.stack([_unit(model, mode) for mode in found.T])
-    return CaseResult(
-        name=case.name,
-        stiffness=model.stiffness,
-        loads=forces,
-        motion=None,
-        balance=balance,
-        displacements=model.shape(response.displacements),
-        reactions=reactions,
-        friction=held.friction_used(response.forces),
+        frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
+        modes = np.stack([_unit(structure, mode) for mode in found.T])
+    return Equilibrium(
+        model=model,
+        stiffness=solved.stiffness,
+        displacements=structure.shape(response.displacements),
+        support_forces=support_forces,
+        reaction=vector(reaction),
+        residual=residual,
+        friction=structure.friction_used(response.forces),
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else (buckling[0], _unit(model, buckling[1])),
-        frequencies=frequencies,
+        buckling=None if buckling is None else buckling[0],
+        buckling_mode=None if buckling is None else _unit(structure, buckling[1]),
+        frequencies=tuple(frequencies.tolist()),
         modes=modes,
     )
 
 
-def _moving(
-    model: Model, case: LoadCase, forces: Array, moves: Array, *, soft: bool = False
-) -> CaseResult:
-    """A case that nothing balances."""
-    nodes, triangles = len(forces), len(model.mesh.facets.triangles)
-    unknown = np.full(3, np.nan)
-    edges = len(model.grid.edges_vertices())
-    return CaseResult(
-        name=case.name,
-        stiffness=model.stiffness,
-        loads=forces,
-        motion=describe_motion(model, _unit(model, moves), forces, soft=soft),
-        balance=Balance(forces.sum(axis=0), unknown, float("nan")),
-        displacements=np.full((nodes, 3), np.nan),
-        reactions=np.full((len(model.supports.vertices()), 3), np.nan),
-        friction=None,
-        tie_forces=np.full(len(model.ties()), np.nan),
-        flap_forces=np.full(len(model.flaps()), np.nan),
-        crease_moments=np.full(edges, np.nan),
-        stresses=np.full((triangles, 2), np.nan),
-        principal=np.full((triangles, 2), np.nan),
-        buckling=None,
-        frequencies=np.zeros(0),
-        modes=np.zeros((0, nodes, 3)),
-    )
-
-
-def _unit(model: Model, mode: Array) -> Array:
+def _unit(structure: Factorised, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
-    return model.shape(mode) / model.furthest(mode)
+    return structure.shape(mode) / structure.furthest(mode)
 
 
-def _reactions(
-    model: Model, forces: Array, residual: Array, response: Response
-) -> tuple[Array, Balance]:
-    """Forces (S, 3) on supported vertices, and how loads and reactions balance.
-
-    residual: What is missing (D,) at supported freedoms.
-    """
-    mesh, held, points = model.mesh, model.held, model.mesh.facets.points
+def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:
+    """Forces (S, 3) on supported vertices, their sum, and the share of the loads that they miss."""
+    mesh, structure, points = model.mesh, solved.structure, model.mesh.facets.points
+    forces, response = solved.forces, solved.response
+    missing = response.taken + structure.pulls(response.forces)
+    missing[: forces.size] -= forces.ravel()
     supported = model.supports.freedoms(mesh)
     bearing = np.zeros(mesh.count)
-    bearing[supported] = residual[supported]
-    at_nodes = bearing[mesh.translations()] + held.ground_forces(response.forces)
+    bearing[supported] = missing[supported]
+    at_nodes = bearing[mesh.translations()] + structure.ground_forces(response.forces)
     turning = bearing[mesh.rotations().reshape(-1, 3)]
     middle = points.mean(axis=0)
     both = forces + at_nodes
-    missing = both.sum(axis=0)
+    force = float(np.linalg.norm(both.sum(axis=0)))
     moment = np.cross(points - middle, both).sum(axis=0) + turning.sum(axis=0)
+    worst = max(force, float(np.linalg.norm(moment)) / model.size)
     scale = float(np.linalg.norm(forces, axis=1).sum())
-    worst = max(float(np.linalg.norm(missing)), float(np.linalg.norm(moment)) / model.size)
-    balance = Balance(forces.sum(axis=0), at_nodes.sum(axis=0), worst / scale if scale else 0.0)
-    if balance.residual > UNBALANCED:
+    residual = worst / scale if scale else 0.0
+    if residual > UNBALANCED:
         raise VerificationError(
-            f"loads and reactions do not balance, {balance.residual:.2g} of the loads are missing: "
+            f"loads and reactions do not balance, {residual:.2g} of the loads are missing: "
             "this is a fault of the program"
         )
-    return at_nodes[model.supports.vertices()], balance
+    return at_nodes[model.supports.vertices()], at_nodes.sum(axis=0), residual

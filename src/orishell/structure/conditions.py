@@ -43,12 +43,8 @@ class Conditions:
 def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
     """Fill rows of conditions, and return them (m, D).
 
-    Parameters
-    ----------
-    rows
-        Rows (m, D) of the freedoms, as yet 0.
-    nodes, directions
-        Nodes (m, 2) and unit vectors (m, 3), as of :class:`Conditions`.
+    rows: Rows (m, D) of the freedoms, as yet 0.
+    nodes, directions: Nodes (m, 2) and unit vectors (m, 3), as of :class:`Conditions`.
     """
     number = np.arange(len(nodes))[:, None]
     apart = (nodes[:, 0] != nodes[:, 1])[:, None]
@@ -61,16 +57,10 @@ def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
 def between(points: Array, pairs: Integers, stiffness: Array, *, approach: bool) -> Conditions:
     """Conditions on the distances of pairs of nodes.
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3).
-    pairs
-        Their pairs (m, 2).
-    stiffness
-        Force by strain (m,); infinite for none (N).
-    approach
-        Whether they are kept from approaching; from parting otherwise.
+    points: Nodes (N, 3).
+    pairs: Their pairs (m, 2).
+    stiffness: Force by strain (m,); infinite for none (N).
+    approach: Whether they are kept from approaching; from parting otherwise.
     """
     apart = points[pairs[:, 1]] - points[pairs[:, 0]]
     length = np.linalg.norm(apart, axis=1)
@@ -83,12 +73,8 @@ def between(points: Array, pairs: Integers, stiffness: Array, *, approach: bool)
 def on_ground(nodes: Integers, friction: Array) -> Conditions:
     """Conditions that keep feet from sinking.
 
-    Parameters
-    ----------
-    nodes
-        Nodes (m,) on the ground.
-    friction
-        Its coefficient of friction (m,) under each.
+    nodes: Nodes (m,) on the ground.
+    friction: Its coefficient of friction (m,) under each.
     """
     down = np.tile([0.0, 0.0, -1.0], (len(nodes), 1))
     pairs = np.stack([nodes, nodes], axis=1)
@@ -98,10 +84,7 @@ def on_ground(nodes: Integers, friction: Array) -> Conditions:
 def joined(parts: list[Conditions]) -> Conditions:
     """All conditions one after the other.
 
-    Parameters
-    ----------
-    parts
-        Those of ties, of flaps, of the ground.
+    parts: Those of ties, of flaps, of the ground.
     """
     names = ("nodes", "directions", "compliance", "friction", "grounded")
     return Conditions(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))

@@ -39,10 +39,7 @@ class Elements:
     def forces(self, moved: Array) -> Array:
         """Forces (T, k) that move them.
 
-        Parameters
-        ----------
-        moved
-            Displacements and rotations (D,).
+        moved: Displacements and rotations (D,).
         """
         width = 3 if self.arms is None else 6
         own = moved[self.freedoms].reshape(len(self.freedoms), -1, width)
@@ -65,14 +62,9 @@ class Elements:
 def assemble(elements: Array, freedoms: Integers, count: int) -> csr_array:
     """The matrix (D, D) of elements.
 
-    Parameters
-    ----------
-    elements
-        Their matrices (T, k, k).
-    freedoms
-        Their freedoms (T, k).
-    count
-        Number of all freedoms D.
+    elements: Their matrices (T, k, k).
+    freedoms: Their freedoms (T, k).
+    count: Number of all freedoms D.
     """
     from scipy.sparse import coo_array
 

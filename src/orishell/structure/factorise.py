@@ -11,7 +11,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.conditions import Conditions, put_rows
 from orishell.structure.elements import Elements
-from orishell.structure.held import Held
+from orishell.structure.factorised import Factorised
 from orishell.structure.sheet import SheetMesh
 
 LOOSE, LOOSEST = 3e-14, 3
@@ -23,46 +23,32 @@ SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
 
 
-def hold(
+def factorise(
     elements: Sequence[Elements],
     mesh: SheetMesh,
     supported: Integers,
     conditions: Conditions,
     grid: Grid,
-) -> Held:
+) -> Factorised:
     """Factorise a structure.
 
-    Parameters
-    ----------
-    elements
-        Panels and hinges.
-    mesh
-        Its mesh.
-    supported
-        Freedoms (H,) that are supported.
-    conditions
-        The one-sided conditions.
-    grid
-        The grid of the sheet. Springs at its corners hold what nothing else does while the matrix
-        is factorised; at all its vertices, where that is not enough because some creases do not
-        fold and let their panels swing.
-
-    Raises
-    ------
-    DesignError
-        If it swings in so many ways.
+    supported: Freedoms (H,) that are supported.
+    grid: The grid of the sheet. Springs at its corners hold what nothing else does while the matrix
+    is factorised; at all its vertices, where that is not enough because some creases do not fold
+    and let their panels swing.
+    Raises DesignError: If it swings in so many ways.
     """
     vertices = grid.vertices()
-    held = _sprung(elements, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
-    if held is None and vertices.size <= SWINGING:
-        held = _sprung(elements, mesh, supported, conditions, vertices)
-    if held is None:
+    found = _sprung(elements, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
+    if found is None and vertices.size <= SWINGING:
+        found = _sprung(elements, mesh, supported, conditions, vertices)
+    if found is None:
         raise DesignError(
             "the shell is a mechanism of many ways to move: creases that do not fold at the target "
             "let its panels swing about the others",
             keys=("structure.crease_stiffness",),
         )
-    return held
+    return found
 
 
 def _sprung(
@@ -71,7 +57,7 @@ def _sprung(
     supported: Integers,
     conditions: Conditions,
     vertices: Integers,
-) -> Held | None:
+) -> Factorised | None:
     """The structure with springs at some vertices; None if it is singular all the same."""
     from scipy.sparse import csr_array
     from scipy.sparse.linalg import splu
@@ -103,7 +89,7 @@ def _sprung(
     spread = factors.solve(np.ascontiguousarray(rows.T))
     spread += factors.solve(rows.T - sprung @ spread)
     flexibility = rows @ spread
-    return Held(
+    return Factorised(
         tuple(elements),
         free,
         conditions,

@@ -30,13 +30,9 @@ def rigid_stiffness(mesh: SheetMesh, section: Section) -> float:
 def hinge_elements(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> Elements:
     """Springs about all creases.
 
-    Parameters
-    ----------
-    grid
-        The grid of the sheet.
-    stiffness
-        Moment per length of crease and per angle, of every edge (E,) or of all; border edges have
-        no spring (force per radian).
+    grid: The grid of the sheet.
+    stiffness: Moment per length of crease and per angle, of every edge (E,) or of all; border edges
+    have no spring (force per radian).
     """
     edge, first, second, nodes = beside_creases(mesh, grid)
     rotations = mesh.rotations().reshape(-1, 3)
@@ -73,10 +69,7 @@ def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Int
 def crease_moments(mesh: SheetMesh, grid: Grid, section: Section, moved: Array) -> Array:
     """Largest moment per length (E,) about every edge, between its ends; 0 at the border.
 
-    Parameters
-    ----------
-    moved
-        Displacements and rotations (D,).
+    moved: Displacements and rotations (D,).
     """
     forces = mesh.elements(section).forces(moved)
     moments = np.zeros((mesh.nodes.size, 3))

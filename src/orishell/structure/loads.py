@@ -1,22 +1,200 @@
-"""Loads of a case as forces on the nodes of the mesh; wind by speed, terrain and height.
+"""Loads of a case as forces on the nodes of the mesh, and where each comes from.
 
-The load on a triangle goes to its corners in equal shares, so that nothing of it is lost.
+The load on a triangle goes to its corners in equal shares, so that nothing of it is lost. A new
+load is a field of :class:`~orishell.structure.settings.LoadCase`, and a function here of the same
+name.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
 
 import numpy as np
 
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import GRAVITY, conversion
+from orishell.conventions.formatting import in_degrees
+from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.conventions.record import record
-from orishell.numerics.arrays import Array
-from orishell.structure.results import Exposure
-from orishell.structure.settings import LoadCase, PointLoad, Snow, Terrain, Wind
+from orishell.motion.grid import Grid
+from orishell.numerics.arrays import Array, Integers
+from orishell.structure.settings import LOADS, LoadCase, PointLoad, Snow, Terrain, Wind
+from orishell.structure.triangle import Facets
+
+if TYPE_CHECKING:
+    LoadKind = str
+else:
+    LoadKind = Literal[LOADS]
+Vector = tuple[float, float, float]
+UP = np.array([0.0, 0.0, 1.0])
+
+
+def vector(values: Array) -> Vector:
+    """Three numbers (3,) as files have them."""
+    x, y, z = values.tolist()
+    return x, y, z
+
+
+@record
+class Exposure:
+    """What is loaded, and how it stands."""
+
+    mesh: Facets  # nodes (N, 3) and triangles (T, 3), all panels' cells one way round
+    panels: Integers  # the panel (T,) of every triangle, as the grid counts it
+    grid: Grid  # the grid of the sheet between its flaps; its vertices are the first nodes
+    # number of columns of folded flaps before its first column, which points are counted with
+    before: int
+    areal_mass: Array  # mass (T,) per area of every triangle (kg per square of the unit)
+    hung: Array  # mass (N,) of flaps that hang on nodes (kg)
+    unit: str  # the design's unit of length
+    ground: float  # height of the ground (length)
+    span: float | None  # from foot to foot; None if it does not stand on two feet (length)
+
+    @property
+    def rise(self) -> float:
+        """Height of its top over the ground (length)."""
+        return float(self.mesh.points[:, 2].max()) - self.ground
+
+    def outer(self) -> Array:
+        """Unit normals (T, 3) of the outer face: that which looks up, all panels together."""
+        normals = self.mesh.axes()[:, 2]
+        up = float(self.mesh.areas() @ normals[:, 2])
+        return -normals if up < 0 else normals
+
+    def on_corners(self, per_area: Array) -> Array:
+        """Loads (T, 3) per area of triangles as forces (N, 3) on nodes."""
+        shared = np.zeros_like(self.mesh.points)
+        each = (self.mesh.areas()[:, None] * per_area)[:, None] / 3
+        np.add.at(shared, self.mesh.triangles, each)
+        return shared
+
+
+@record
+class Load:
+    """What one kind of load adds to a case."""
+
+    WRITTEN = ("case", "factor", "kind", "pressure", "rule", "force")
+
+    case: str  # the case that has it: another one where that is combined
+    factor: float  # by which it is combined
+    kind: LoadKind  # what it is
+    forces: Array  # on nodes (N, 3), times the factor (N)
+    # what it comes from: the pressure, snow on the ground, wind's peak velocity pressure; None for
+    # own weight and forces at points
+    pressure: float | None
+    rule: str  # how it comes from that, in words
+    caution: str  # what an engineer should read of it; empty if nothing
+
+    @property
+    def force(self) -> Vector:
+        """Sum of its forces, times the factor."""
+        return vector(self.forces.sum(axis=0))
+
+
+class Effect(NamedTuple):
+    """What a load does; the fields are those of :class:`Load`."""
+
+    forces: Array
+    pressure: float | None
+    rule: str
+    caution: str = ""
+
+
+EFFECTS: dict[str, Callable[[Exposure, Any], Effect]] = {}
+"""What a load does, by the key of a case that asks for it."""
+KINDS: dict[str, str] = {}
+"""What loads are called, by the same keys."""
+Effects = TypeVar("Effects", bound=Callable[..., Effect])
+
+
+def _called(words: str) -> Callable[[Effects], Effects]:
+    """Register what the load of a function's name does, and what it is called."""
+
+    def register(effect: Effects) -> Effects:
+        EFFECTS[effect.__name__], KINDS[effect.__name__] = effect, words
+        return effect
+
+    return register
+
+
+def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
+    """All loads of a case, also of those among all ``cases`` that it combines.
+
+    Raises InputError: If a vertex or a row of panels is not there, zones of wind leave one out, or
+    snow on a cylinder is asked for where there is no span.
+    """
+    if case.combine:
+        named = {each.name: each for each in cases}
+        return tuple(
+            replace(load, factor=factor, forces=factor * load.forces)
+            for name, factor in case.combine.items()
+            for load in case_loads(exposure, named[name], cases)
+        )
+    try:
+        return tuple(
+            Load(case.name, 1.0, kind, *effect(exposure, asked))
+            for kind, effect in EFFECTS.items()
+            if (asked := getattr(case, kind))
+        )
+    except InputError as error:
+        raise error.at_key("load_case", f'[[load_case]] "{case.name}":') from None
+
+
+def sum_forces(exposure: Exposure, loads: Sequence[Load]) -> Array:
+    """Forces (N, 3) of all loads on the nodes (N)."""
+    return np.asarray(sum((load.forces for load in loads), np.zeros_like(exposure.mesh.points)))
+
+
+@_called("own weight")
+def self_weight(exposure: Exposure, _: bool) -> Effect:
+    """Down on panels, and on the nodes that flaps hang on."""
+    panels = exposure.on_corners(exposure.areal_mass[:, None] * UP)
+    forces = -GRAVITY * (panels + exposure.hung[:, None] * UP)
+    return Effect(forces, None, f"mass of panels times {GRAVITY:g} m/s2")
+
+
+@_called("pressure")
+def pressure(exposure: Exposure, size: float) -> Effect:
+    """Square on the outer face."""
+    forces = exposure.on_corners(-size * exposure.outer())
+    return Effect(forces, size, "square on the outer face")
+
+
+FULL, NONE = np.deg2rad(30), np.deg2rad(60)
+"""Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
+
+
+@_called("snow")
+def snow(exposure: Exposure, asked: Snow) -> Effect:
+    """Down on the plan of panels, EN 1991-1-3.
+
+    Raises InputError: If a cylinder has no span.
+    """
+    level = np.clip(exposure.outer()[:, 2], 0, 1)
+    slope = np.arccos(level)
+    if asked.shape == "slope":
+        share = 0.8 * np.clip((NONE - slope) / (NONE - FULL), 0, 1)
+        rule = "mu_1 by the slope of each panel"
+    else:
+        rise, span = exposure.rise, exposure.span
+        if span is None:
+            raise InputError(
+                "there are no feet, so there is no span",
+                where="snow shape",
+                got='"cylinder"',
+                expected="a shell that stands on the two ends of f",
+                remedy='shape = "slope"',
+            )
+        coefficient = min(0.2 + 10 * rise / span, 2.0)  # mu_3 of 5.3.5
+        share = np.where(slope < NONE, coefficient, 0.0)
+        rule = (
+            f"mu_3 = {plain(coefficient)} by a rise of {plain(rise)} and a span of {plain(span)} "
+            f"{exposure.unit}, to a slope of 60 degrees"
+        )
+    forces = exposure.on_corners(-(asked.ground * share * level)[:, None] * UP)
+    return Effect(forces, asked.ground, f"{rule}, on plan areas (EN 1991-1-3)")
+
 
 TERRAINS: dict[Terrain, tuple[float, float]] = {
     "0": (0.003, 1.0),
@@ -33,14 +211,8 @@ AIR = 1.25
 def gusts(speed: float, terrain: Terrain, height: float) -> tuple[float, float]:
     """Mean wind (m/s) and its turbulence over flat ground, EN 1991-1-4, 4.3 and 4.4.
 
-    Parameters
-    ----------
-    speed
-        Basic wind speed (m/s).
-    terrain
-        The category of the terrain.
-    height
-        Over the ground (metres).
+    speed: Basic wind speed (m/s).
+    height: Over the ground (metres).
     """
     roughness, least = TERRAINS[terrain]
     logarithm = float(np.log(max(height, least) / roughness))
@@ -48,52 +220,46 @@ def gusts(speed: float, terrain: Terrain, height: float) -> tuple[float, float]:
     return float(0.19 * rough * logarithm * speed), 1 / logarithm
 
 
-def peak_pressure(speed: float, terrain: Terrain, height: float) -> float:
-    """Peak velocity pressure over flat ground, EN 1991-1-4, 4.5 (N/m^2).
-
-    Parameters
-    ----------
-    speed
-        Basic wind speed (m/s).
-    terrain
-        The category of the terrain.
-    height
-        Over the ground (metres).
-    """
-    mean, turbulence = gusts(speed, terrain, height)
+def peak_pressure(mean: float, turbulence: float) -> float:
+    """Peak velocity pressure of a mean wind (m/s), EN 1991-1-4, 4.5 (N/m^2)."""
     return (1 + 7 * turbulence) * 0.5 * AIR * mean**2
 
 
-def wind_height(exposure: Exposure, wind: Wind) -> float:
-    """The height over the ground that wind is given for (length)."""
-    return exposure.rise if wind.height is None else wind.height
+@_called("wind")
+def wind(exposure: Exposure, asked: Wind) -> Effect:
+    """Square on panels, EN 1991-1-4.
 
-
-def wind_pressure(exposure: Exposure, wind: Wind) -> float:
-    """Peak velocity pressure at the height that wind is given for (force per area)."""
-    metres = conversion(exposure.unit, "m")
-    height = wind_height(exposure, wind) * metres
-    return peak_pressure(wind.speed, wind.terrain, height) * metres**2
-
-
-def wind_load(exposure: Exposure, wind: Wind) -> Array:
-    """Wind (T, 3) on every triangle (force per area).
-
-    Raises
-    ------
-    InputError
-        If zones leave a row of panels out, or take one twice.
+    Raises InputError: If zones leave a row of panels out, or take one twice.
     """
-    pressure = wind_pressure(exposure, wind) * _coefficients(exposure, wind)
-    return np.asarray(-pressure[:, None] * exposure.outer())
+    metres = conversion(exposure.unit, "m")
+    height = exposure.rise if asked.height is None else asked.height
+    mean, turbulence = gusts(asked.speed, asked.terrain, height * metres)
+    peak = peak_pressure(mean, turbulence) * metres**2
+    kind = "by the angle between each panel and the wind"
+    if asked.is_of_no_code:
+        kind += ", of no code"
+    elif asked.zones:
+        kind = "by rows of panels"
+    rule = (
+        f"{asked.speed:g} m/s towards {in_degrees(asked.direction)} degrees from x, terrain "
+        f"{asked.terrain}, {plain(height)} {exposure.unit} over the ground: mean wind "
+        f"{plain(mean)} m/s, turbulence {plain(turbulence, 3)} (EN 1991-1-4); pressure "
+        f"coefficients {kind}"
+    )
+    sizes = peak * _coefficients(exposure, asked)
+    forces = exposure.on_corners(-sizes[:, None] * exposure.outer())
+    return Effect(forces, peak, rule, OF_NO_CODE if asked.is_of_no_code else "")
 
 
-def _coefficients(exposure: Exposure, wind: Wind) -> Array:
+OF_NO_CODE = "pressure coefficients of wind are of no code: give those of yours"
+
+
+def _coefficients(exposure: Exposure, asked: Wind) -> Array:
     """Pressure coefficients (T,)."""
-    zones = wind.zones
+    zones = asked.zones
     if not zones:
-        angles, sizes = np.array(wind.coefficients, np.float64).T
-        against = -np.array([np.cos(wind.direction), np.sin(wind.direction), 0.0])
+        angles, sizes = np.array(asked.coefficients, np.float64).T
+        against = -np.array([np.cos(asked.direction), np.sin(asked.direction), 0.0])
         facing = np.arccos(np.clip(exposure.outer() @ against, -1, 1))
         return np.asarray(np.interp(facing, np.deg2rad(angles), sizes))
     of_rows = np.full(exposure.grid.rows - 1, np.nan)
@@ -113,121 +279,15 @@ def _coefficients(exposure: Exposure, wind: Wind) -> Array:
     return np.asarray(of_rows[exposure.panels // (exposure.grid.columns - 1)])
 
 
-LoadKind = Literal["self_weight", "pressure", "snow", "wind", "points"]
-"""The keys of a case that are loads."""
-UP = np.array([0.0, 0.0, 1.0])
-FULL, NONE = np.deg2rad(30), np.deg2rad(60)
-"""Up to the first slope all snow lies that lies on a roof, from the second on none (radians)."""
+@_called("forces at points")
+def points(exposure: Exposure, asked: Sequence[PointLoad]) -> Effect:
+    """At single vertices.
 
-
-@record
-class Load:
-    """What one kind of load adds to a case."""
-
-    case: LoadCase  # the case that has it: another one where that is combined
-    factor: float  # by which it is combined
-    kind: LoadKind  # what it is
-    forces: Array  # on nodes (N, 3), times the factor (N)
-
-
-def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
-    """All loads of a case, also of those that it combines.
-
-    Parameters
-    ----------
-    case
-        The case.
-    cases
-        All cases, for those that it combines.
-
-    Raises
-    ------
-    InputError
-        If a vertex or a row of panels is not there, zones of wind leave one out, or snow on a
-        cylinder is asked for where there is no span.
+    Raises InputError: If one of them is not there.
     """
-    if case.combine:
-        named = {each.name: each for each in cases}
-        return tuple(
-            replace(load, factor=factor, forces=factor * load.forces)
-            for name, factor in case.combine.items()
-            for load in case_loads(exposure, named[name], cases)
-        )
-    try:
-        return tuple(Load(case, 1.0, *part) for part in _parts(exposure, case))
-    except InputError as error:
-        raise error.located(f'[[load_case]] "{case.name}":') from None
-
-
-def case_forces(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
-    """Forces (N, 3) on the nodes in one load case (N).
-
-    Parameters
-    ----------
-    case
-        The case.
-    cases
-        All cases, for those that it combines.
-
-    Raises
-    ------
-    InputError
-        As :func:`case_loads` does.
-    """
-    nothing = np.zeros_like(exposure.mesh.points)
-    return np.asarray(sum((load.forces for load in case_loads(exposure, case, cases)), nothing))
-
-
-def cylinder_coefficient(exposure: Exposure) -> float:
-    """The coefficient mu_3 of snow on a cylinder, by rise and span, EN 1991-1-3, 5.3.5.
-
-    Raises
-    ------
-    InputError
-        If there is no span.
-    """
-    if exposure.span is None:
-        raise InputError(
-            "there are no feet, so there is no span",
-            where="snow shape",
-            got='"cylinder"',
-            expected="a shell that stands on the two ends of f",
-            remedy='shape = "slope"',
-        )
-    return min(0.2 + 10 * exposure.rise / exposure.span, 2.0)
-
-
-def _parts(exposure: Exposure, case: LoadCase) -> Iterator[tuple[LoadKind, Array]]:
-    """The loads that a case has itself: their kinds, and forces (N, 3) on the nodes."""
-    if case.self_weight:
-        panels = _on_corners(exposure, exposure.areal_mass[:, None] * UP)
-        yield "self_weight", -GRAVITY * (panels + exposure.hung[:, None] * UP)
-    if case.pressure:
-        yield "pressure", _on_corners(exposure, -case.pressure * exposure.outer())
-    if case.snow is not None:
-        yield "snow", _on_corners(exposure, -_snow(exposure, case.snow)[:, None] * UP)
-    if case.wind is not None:
-        yield "wind", _on_corners(exposure, wind_load(exposure, case.wind))
-    if case.points:
-        yield "points", _at_points(exposure, case.points)
-
-
-def _snow(exposure: Exposure, snow: Snow) -> Array:
-    """Snow (T,) on every triangle (force per its area)."""
-    level = np.clip(exposure.outer()[:, 2], 0, 1)
-    slope = np.arccos(level)
-    if snow.shape == "slope":
-        share = 0.8 * np.clip((NONE - slope) / (NONE - FULL), 0, 1)
-    else:
-        share = np.where(slope < NONE, cylinder_coefficient(exposure), 0.0)
-    return np.asarray(snow.ground * share * level)
-
-
-def _at_points(exposure: Exposure, points: Sequence[PointLoad]) -> Array:
-    """Forces (N, 3) at single vertices."""
     forces = np.zeros_like(exposure.mesh.points)
     grid, first = exposure.grid, exposure.before
-    for number, each in enumerate(points):
+    for number, each in enumerate(asked):
         row, column = each.at
         if not (row < grid.rows and first <= column < first + grid.columns):
             raise InputError(
@@ -238,12 +298,4 @@ def _at_points(exposure: Exposure, points: Sequence[PointLoad]) -> Array:
                 f"a column from {first} to {first + grid.columns - 1}",
             )
         forces[row * grid.columns + column - first] += each.force
-    return forces
-
-
-def _on_corners(exposure: Exposure, per_area: Array) -> Array:
-    """Loads (T, 3) per area of triangles as forces (N, 3) on nodes."""
-    mesh = exposure.mesh
-    shared = np.zeros_like(mesh.points)
-    np.add.at(shared, mesh.triangles, (mesh.areas()[:, None] * per_area)[:, None] / 3)
-    return shared
+    return Effect(forces, None, f"at vertices {', '.join(str(list(each.at)) for each in asked)}")

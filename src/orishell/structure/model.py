@@ -3,32 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
 from orishell.design import Design
+from orishell.locking.result import Panel
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Vertex, VertexPair
 from orishell.motion.quads import area_vectors
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.conditions import Conditions, between, joined, on_ground
-from orishell.structure.factorise import hold
-from orishell.structure.held import Held
+from orishell.structure.factorise import factorise
+from orishell.structure.factorised import Factorised
 from orishell.structure.hinges import hinge_elements, rigid_stiffness
-from orishell.structure.results import Exposure
+from orishell.structure.loads import Exposure
 from orishell.structure.sections import Section, panel_sections
 from orishell.structure.settings import Structure
 from orishell.structure.sheet import SheetMesh, mesh_sheet
 from orishell.structure.supports import Supports, find_supports
 
+Stiffness = float | Literal["free", "rigid"]
+"""Of creases: moment per length and angle (N), 0 and infinite said in words."""
 
-@dataclass(frozen=True, slots=True)
+
+def stiffness_in_words(stiffness: float) -> Stiffness:
+    """A stiffness of creases (force per radian), 0 and infinite in words."""
+    return "free" if not stiffness else "rigid" if np.isinf(stiffness) else stiffness
+
+
+@record
 class Frame:
     """What a design has that is no part of its sheet."""
 
@@ -42,13 +52,78 @@ class Frame:
 
 @record
 class Model:
-    """A design as a structure."""
+    """What is analysed."""
+
+    WRITTEN = (
+        "nodes", "triangles", "freedoms", "change", "mass", "height", "thickness",
+        "structure.modulus", "structure.poisson", "structure.membrane_modulus",
+        "membrane_stiffness", "bending_stiffness", "crease_stiffness", "tie_stiffness",
+        "structure.strength", "structure.crease_strength", "structure.tie_strength",
+        "structure.supports",
+    )  # fmt: skip
 
     design: Design  # the design
     structure: Structure  # what is asked of it
     frame: Frame  # what else it has
     cells: int  # cells along every side of a panel
-    stiffness: float  # of creases (force per radian)
+    # by what share the largest displacement of a case changed when cells were halved for the last
+    # time
+    change: float = 0.0
+
+    @property
+    def nodes(self) -> int:
+        """Nodes of the mesh."""
+        return len(self.mesh.facets.points)
+
+    @property
+    def triangles(self) -> int:
+        """Triangles of the mesh."""
+        return len(self.mesh.facets.triangles)
+
+    @property
+    def freedoms(self) -> int:
+        """Degrees of freedom of the mesh."""
+        return self.mesh.count
+
+    @property
+    def mass(self) -> float:
+        """Of all panels (kg)."""
+        return float(self.node_masses().sum())
+
+    @property
+    def height(self) -> float:
+        """Of the shell between its flaps."""
+        return float(np.ptp(self.mesh.facets.points[:, 2]))
+
+    @property
+    def thickness(self) -> float:
+        """Of panels."""
+        panel = self.design.panel
+        thickness = self.structure.thickness if panel is None else panel.thickness
+        assert thickness is not None
+        return thickness
+
+    @property
+    def membrane_stiffness(self) -> tuple[float, float]:
+        """Of the sections of panels, the least and the largest: force per length by strain."""
+        return _range(self.section.membrane)
+
+    @property
+    def bending_stiffness(self) -> tuple[float, float]:
+        """Of the sections of panels, the least and the largest: moment per length by curvature."""
+        return _range(self.section.bending)
+
+    @property
+    def crease_stiffness(self) -> tuple[Stiffness, Stiffness]:
+        """The least and the largest with which all is analysed."""
+        low, high = self.structure.crease_stiffness
+        return stiffness_in_words(low), stiffness_in_words(high)
+
+    @property
+    def tie_stiffness(self) -> float | None:
+        """Force by strain; None if ties do not stretch."""
+        stiffness = self.structure.tie_stiffness
+        return stiffness if np.isfinite(stiffness) else None
 
     @cached_property
     def flapped(self) -> Mechanism:
@@ -150,29 +225,37 @@ class Model:
         last = self.grid.columns - 1
         return [(panel, 0 if panel == 0 else last) for panel in self.flapped.flap_columns]
 
+    @cached_property
     def flaps(self) -> tuple[VertexPair, ...]:
-        """Vertices that two neighbouring flaps keep apart, rows and columns of this grid."""
+        """Vertices that two neighbouring flaps keep apart: of the folding sheet, as all are."""
         return tuple(
-            ((row - 1, column), (row + 1, column))
+            ((row - 1, column + self.before), (row + 1, column + self.before))
             for _, column in self._flap_columns()
             for row in range(1, self.grid.rows - 1)
         )
 
-    def ties(self) -> tuple[VertexPair, ...]:
-        """Its ties, rows and columns of this grid."""
-        return tuple((self._own(first), self._own(last)) for first, last in self.frame.ties)
+    def nodes_of(self, pairs: Sequence[VertexPair]) -> Integers:
+        """Nodes (m, 2) at pairs of vertices of the folding sheet."""
+        vertices = self.grid.vertices()
+        nodes = [[vertices[row, column - self.before] for row, column in pair] for pair in pairs]
+        return np.array(nodes, np.int64).reshape(-1, 2)
 
-    def _own(self, vertex: Vertex) -> Vertex:
-        return vertex[0], vertex[1] - self.before
+    def panel_at(self, number: int) -> Panel:
+        """Row and column in the folding sheet of a panel of this grid."""
+        row, column = divmod(number, self.grid.columns - 1)
+        return row, column + self.before
+
+    @property
+    def supported(self) -> tuple[Vertex, ...]:
+        """Supported vertices of the folding sheet."""
+        rows, columns = np.divmod(self.supports.vertices(), self.grid.columns)
+        return tuple(zip(rows.tolist(), (columns + self.before).tolist(), strict=True))
 
     @cached_property
     def supports(self) -> Supports:
         """What holds it.
 
-        Raises
-        ------
-        InputError
-            If vertices that are to be held are not there.
+        Raises InputError: If vertices that are to be held are not there.
         """
         inner, feet = self.sheet.inner_columns, self.frame.feet
         return find_supports(self.structure.supports, self.grid, inner, feet, self.before)
@@ -180,12 +263,7 @@ class Model:
     def conditions(self) -> Conditions:
         """Ties, flaps and feet on the ground, one after the other."""
         points = self.mesh.facets.points
-        ties, flaps = (
-            np.array(
-                [[self.grid.vertices()[each] for each in pair] for pair in pairs], np.int64
-            ).reshape(-1, 2)
-            for pairs in (self.ties(), self.flaps())
-        )
+        ties, flaps = self.nodes_of(self.frame.ties), self.nodes_of(self.flaps)
         stretch = np.full(len(ties), self.structure.tie_stiffness)
         return joined(
             [
@@ -195,38 +273,17 @@ class Model:
             ]
         )
 
-    @cached_property
-    def held(self) -> Held:
-        """The structure, factorised."""
+    def factorised(self, stiffness: float) -> Factorised:
+        """The structure with creases of a stiffness (force per radian), factorised."""
         mesh = self.mesh
         elements = [mesh.elements(self.section)]
-        if self.stiffness:
-            springs = min(self.stiffness, rigid_stiffness(mesh, self.section))
+        if stiffness:
+            springs = min(stiffness, rigid_stiffness(mesh, self.section))
             elements.append(hinge_elements(mesh, self.grid, springs))
         supported = self.supports.freedoms(mesh)
-        return hold(elements, mesh, supported, self.conditions(), self.grid)
+        return factorise(elements, mesh, supported, self.conditions(), self.grid)
 
-    def free_loads(self, forces: Array) -> Array:
-        """Loads on free freedoms (n,) of forces on nodes (N, 3)."""
-        loads = np.zeros(self.mesh.count)
-        loads[: forces.size] = forces.ravel()
-        return np.asarray(loads[self.held.free])
-
-    def moved(self, displacements: Array) -> Array:
-        """Displacements and rotations (D,), by displacements of free freedoms (n,)."""
-        moved = np.zeros(self.mesh.count)
-        moved[self.held.free] = displacements
-        return moved
-
-    def shape(self, displacements: Array) -> Array:
-        """Displacements (N, 3) of nodes, by displacements of free freedoms (n,)."""
-        return np.asarray(self.moved(displacements)[self.mesh.translations()])
-
-    def furthest(self, displacements: Array) -> float:
-        """The largest displacement of a node, by displacements of free freedoms (n,)."""
-        return float(np.linalg.norm(self.shape(displacements), axis=1).max())
-
-    def mass(self) -> Array:
+    def node_masses(self) -> Array:
         """Mass (N,) at every node (kg)."""
         exposure = self.exposure
         share = exposure.areal_mass * exposure.mesh.areas() / 3
@@ -238,17 +295,9 @@ class Model:
         """Force by acceleration (D,) of every freedom, the latter in the design's unit."""
         inertia = np.zeros(self.mesh.count)
         translations = self.mesh.translations()
-        inertia[translations] = conversion(self.frame.unit, "m") * self.mass()[:, None]
+        inertia[translations] = conversion(self.frame.unit, "m") * self.node_masses()[:, None]
         return inertia
 
 
-def models(design: Design, structure: Structure, frame: Frame, cells: int) -> Sequence[Model]:
-    """The design with every stiffness of its creases, the least first.
-
-    Parameters
-    ----------
-    cells
-        Cells along every side of a panel.
-    """
-    stiffness = dict.fromkeys(structure.crease_stiffness)
-    return [Model(design, structure, frame, cells, each) for each in stiffness]
+def _range(values: ArrayLike) -> tuple[float, float]:
+    return float(np.min(values)), float(np.max(values))

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import paragraph, table
-from orishell.structure.case_report import Stiffness
-from orishell.structure.report import ModelReport, SupportReport
+from orishell.structure.model import Model, Stiffness
+from orishell.structure.settings import Support
 
 HELD = {
     "pinned": "held in place",
@@ -17,32 +17,25 @@ HELD = {
 }
 
 
-def model_parts(model: ModelReport, said: Quantities) -> Iterator[str]:
-    """The model: materials, sections, creases, ties, supports and the mesh.
-
-    Parameters
-    ----------
-    model
-        What is analysed.
-    said
-        How quantities are written.
-    """
+def model_parts(model: Model, said: Quantities) -> Iterator[str]:
+    """The model: materials, sections, creases, ties, supports and the mesh."""
+    asked = model.structure
     yield table((), _rows(model, said))
     yield paragraph(_sections_in_words(model, said), "soft")
-    yield table(("Supports", "how"), ((_place(each), _held(each)) for each in model.supports))
+    yield table(("Supports", "how"), ((_place(each), _held(each)) for each in asked.supports))
 
 
-def _rows(model: ModelReport, said: Quantities) -> Iterator[tuple[str, str]]:
-    low, high = model.crease_stiffness
+def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
+    asked, (low, high) = model.structure, model.crease_stiffness
     yield "Unit of length", said.unit
     yield "Height between its flaps", said.length(model.height)
     yield "Mass of panels", quantity(model.mass, "kg")
     yield "Thickness of panels, t", said.displacement(model.thickness)
-    yield "Young\u2019s modulus, E", said.stress(model.modulus)
-    yield "Poisson\u2019s ratio, \u03bd", figure(model.poisson)
-    if model.membrane_modulus:
-        yield "Young\u2019s modulus of the membrane", said.stress(model.membrane_modulus)
-    yield "Strength of panels", _known(model.strength, said.stress)
+    yield "Young\u2019s modulus, E", said.stress(asked.modulus)
+    yield "Poisson\u2019s ratio, \u03bd", figure(asked.poisson)
+    if asked.membrane_modulus:
+        yield "Young\u2019s modulus of the membrane", said.stress(asked.membrane_modulus)
+    yield "Strength of panels", _known(asked.strength, said.stress)
     yield (
         "Stiffness of sections in their plane",
         _from_to(model.membrane_stiffness, said.per_length),
@@ -52,10 +45,13 @@ def _rows(model: ModelReport, said: Quantities) -> Iterator[tuple[str, str]]:
     if low != high:
         stiffness += f", and {_stiffness(high)}: all is found for both"
     yield "Creases", stiffness
-    yield "Strength of creases", _known(model.crease_strength, said.moment)
+    yield "Strength of creases", _known(asked.crease_strength, said.moment)
     stretch = model.tie_stiffness
     yield "Ties", "do not stretch" if stretch is None else quantity(stretch, "N by strain")
-    yield "Strength of ties", _known(model.tie_strength, lambda force: quantity(force, "N"))
+    yield (
+        "Strength of ties",
+        _known(asked.tie_strength, lambda force: quantity(force, "N")),
+    )
     yield (
         "Mesh",
         f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} freedoms",
@@ -65,9 +61,10 @@ def _rows(model: ModelReport, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Refinement", refined
 
 
-def _sections_in_words(model: ModelReport, said: Quantities) -> str:
+def _sections_in_words(model: Model, said: Quantities) -> str:
     """How the stiffness of sections comes from thickness and modulus."""
-    plane = model.modulus / (1 - model.poisson**2)
+    asked = model.structure
+    plane = asked.modulus / (1 - asked.poisson**2)
     solid = plane * model.thickness**3 / 12
     least, most = model.bending_stiffness
     text = (
@@ -84,14 +81,14 @@ def _sections_in_words(model: ModelReport, said: Quantities) -> str:
     )
 
 
-def _place(support: SupportReport) -> str:
+def _place(support: Support) -> str:
     if isinstance(support.at, str):
         return {"feet": "feet", "ends": "first and last columns"}[support.at]
     vertices = ", ".join(f"{row},{column}" for row, column in support.at)
     return f"vertices {vertices}"
 
 
-def _held(support: SupportReport) -> str:
+def _held(support: Support) -> str:
     words = HELD[support.kind]
     return f"{words} {figure(support.friction)}" if support.kind == "friction" else words
 

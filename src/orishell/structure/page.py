@@ -6,38 +6,23 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
-from orishell.structure.build_warnings import name_of
-from orishell.structure.case_report import GOVERNING, CaseReport, PairReport, StandingReport, Vector
+from orishell.structure.equilibrium import GOVERNING, Equilibrium, PairForce
+from orishell.structure.loads import KINDS, Vector
 from orishell.structure.model_page import model_parts
-from orishell.structure.report import StructureReport
+from orishell.structure.results import Analysis, CaseResult
 
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
 AXES = ("x (N)", "y (N)", "z (N)")
 NOTHING = "\u2013"
-KINDS = {
-    "self_weight": "own weight",
-    "pressure": "pressure",
-    "snow": "snow",
-    "wind": "wind",
-    "points": "forces at points",
-}
 SHOWN = "The shell under its loads, coloured by displacement."
 
 
-def structure_page(report: StructureReport, *, title: str, unit: str, png: bytes) -> str:
+def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> str:
     """The text of ``structure.html``: model, loads, results and what is not covered.
 
-    Parameters
-    ----------
-    report
-        The shell as a structure.
-    title
-        What the shell is.
-    unit
-        Its unit of length.
-    png
-        The picture of the loaded shell.
+    title: What the shell is.
+    png: The picture of the loaded shell.
     """
     said = Quantities(unit)
     return static_page(
@@ -54,45 +39,38 @@ def structure_page(report: StructureReport, *, title: str, unit: str, png: bytes
             *_loads(report, said),
             heading(2, "Results"),
             *_results(report, said),
-            *(part for case in report.cases for part in _case(case, report.cases, said)),
+            *(part for case in report.cases for part in _case(case, report, said)),
             heading(2, "What is not covered"),
             bullets(report.not_covered),
         ],
     )
 
 
-def _answer(report: StructureReport, said: Quantities) -> Iterator[str]:
+def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
     """What governs, how far the shell moves, and whether it stands at all."""
-    cases = report.cases
-    moving = [case for case in cases if case.moves is not None]
+    moving = [case for case in report.cases if case.moves is not None]
     if moving:
-        names = "; ".join(name_of(case, cases) for case in moving)
+        names = "; ".join(report.name_of(case) for case in moving)
         yield paragraph(f"It does not stand under: {names}.", "lead warning")
-    standing = [(case.stands, case) for case in cases if case.stands is not None]
-    if standing:
-        found, case = max(standing, key=lambda each: each[0].displacement.size)
+    if report.standing:
+        found, case = max(report.standing, key=lambda each: each[0].displacement.size)
         yield paragraph(
             f"The largest displacement is {said.displacement(found.displacement.size)}, "
-            f"under {name_of(case, cases)}.",
+            f"under {report.name_of(case)}.",
             "lead answer",
         )
     governs = report.governs
     if governs is not None:
-        named = next(
-            name_of(case, cases)
-            for case in cases
-            if (case.name, case.creases) == (governs.case, governs.creases)
-        )
         yield paragraph(
-            f"{GOVERNING[governs.part].capitalize()} governs, under {named}: "
+            f"{GOVERNING[governs.part].capitalize()} governs, under {report.name_of(governs)}: "
             f"{_share(governs.utilisation)} of what can be borne.",
             "lead answer",
         )
-    elif standing:
-        yield paragraph("No strengths are given, so nothing is said of what is used.", "lead")
+    elif report.standing:
+        yield paragraph("No strengths are given, so utilisation is not known.", "lead")
 
 
-def _loads(report: StructureReport, said: Quantities) -> Iterator[str]:
+def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
     """What loads each case, and what bears it; loads are the same for all stiffnesses."""
     names = dict.fromkeys(case.name for case in report.cases)
     for name in names:
@@ -109,7 +87,7 @@ def _loads(report: StructureReport, said: Quantities) -> Iterator[str]:
         ]
         totals = [("all loads", "", "", "", *_vector(same[0].load, same[0].load))]
         for case in same:
-            words = name_of(case, report.cases).removeprefix(f"{name}, ")
+            words = report.name_of(case).removeprefix(f"{name}, ")
             which = "" if words == name else f", {words}"
             if case.stands is None:
                 totals.append((f"reactions{which}", "", "none: it moves", "", *3 * [NOTHING]))
@@ -131,11 +109,11 @@ def _loads(report: StructureReport, said: Quantities) -> Iterator[str]:
     )
 
 
-def _results(report: StructureReport, said: Quantities) -> Iterator[str]:
+def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     """All cases beside each other; those of one name, with little and much stiffness, in turn."""
     order = {name: k for k, name in enumerate(dict.fromkeys(each.name for each in report.cases))}
     cases = sorted(report.cases, key=lambda each: order[each.name])
-    rows = [(name_of(case, cases), *_figures(case, said)) for case in cases]
+    rows = [(report.name_of(case), *_figures(case, said)) for case in cases]
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
@@ -145,13 +123,12 @@ def _results(report: StructureReport, said: Quantities) -> Iterator[str]:
     )
 
 
-def _figures(case: CaseReport, said: Quantities) -> Sequence[str]:
+def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
     found = case.stands
     if found is None:
         return ("moves", *7 * [NOTHING])
     used = found.utilisation
-    shares = [used.panels, used.creases, used.ties, used.buckling]
-    known = [share for share in shares if share is not None]
+    known = [share for share in used.shares.values() if share is not None]
     return (
         said.displacement(found.displacement.size),
         _share(found.displacement.share),
@@ -166,11 +143,11 @@ def _figures(case: CaseReport, said: Quantities) -> Sequence[str]:
     )
 
 
-def _case(case: CaseReport, cases: Sequence[CaseReport], said: Quantities) -> Iterator[str]:
-    yield heading(3, name_of(case, cases))
+def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]:
+    yield heading(3, report.name_of(case))
     found = case.stands
     if found is None:
-        yield paragraph(f"The shell {case.moves}. There is nothing more to say of it.", "warning")
+        yield paragraph(f"The shell {case.moves}. Nothing else was found of it.", "warning")
         return
     yield table((), _details(case, found, said))
     reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
@@ -186,9 +163,7 @@ def _case(case: CaseReport, cases: Sequence[CaseReport], said: Quantities) -> It
     yield _pairs("Flaps: the force with which they press on each other", found.flaps, "apart")
 
 
-def _details(
-    case: CaseReport, found: StandingReport, said: Quantities
-) -> Iterator[tuple[str, str]]:
+def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator[tuple[str, str]]:
     """Names and values of what was found."""
     moved, stress, used = found.displacement, found.stress, found.utilisation
     x, y, z = (said.displacement(each) for each in moved.vector)
@@ -215,20 +190,14 @@ def _details(
     yield "Buckling", buckles
     if found.frequencies:
         yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"
-    shares = {
-        "panels": used.panels,
-        "creases": used.creases,
-        "ties": used.ties,
-        "buckling": used.buckling,
-    }
-    words = [f"{name} {_share(share)}" for name, share in shares.items() if share is not None]
-    unknown = [name for name, share in shares.items() if share is None and name != "buckling"]
+    words = [f"{name} {_share(share)}" for name, share in used.shares.items() if share is not None]
+    unknown = [name for name, share in used.shares.items() if share is None and name != "buckling"]
     if unknown:
         words.append(f"of {' and '.join(unknown)} no strength is given")
     yield "Share used", "; ".join(words)
 
 
-def _pairs(caption: str, pairs: Sequence[PairReport], idle: str) -> str:
+def _pairs(caption: str, pairs: Sequence[PairForce], idle: str) -> str:
     """Forces between two vertices; those without any are counted, and called by a word."""
     rows = [
         (f"{_vertex(each.ends[0])} to {_vertex(each.ends[1])}", figure(each.force))

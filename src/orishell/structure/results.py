@@ -2,56 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from functools import cached_property
 from typing import Literal
 
+import numpy as np
+
+from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.motion.grid import Grid, Vertex, VertexPair
-from orishell.numerics.arrays import Array, Integers
-from orishell.structure.sections import Section
-from orishell.structure.sheet import SheetMesh
-from orishell.structure.triangle import Facets
+from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.numerics.arrays import Array
+from orishell.structure.equilibrium import Equilibrium, Limiting
+from orishell.structure.loads import Load, Vector, vector
+from orishell.structure.model import Model, Stiffness, stiffness_in_words
 
-
-@record
-class Exposure:
-    """What is loaded, and how it stands."""
-
-    mesh: Facets  # nodes (N, 3) and triangles (T, 3), all panels' cells one way round
-    panels: Integers  # the panel (T,) of every triangle, as the grid counts it
-    grid: Grid  # the grid of the sheet between its flaps; its vertices are the first nodes
-    # number of columns of folded flaps before its first column, which points are counted with
-    before: int
-    areal_mass: Array  # mass (T,) per area of every triangle (kg per square of the unit)
-    hung: Array  # mass (N,) of flaps that hang on nodes (kg)
-    unit: str  # the design's unit of length
-    ground: float  # height of the ground (length)
-    span: float | None  # from foot to foot; None if it does not stand on two feet (length)
-
-    @property
-    def rise(self) -> float:
-        """Height of its top over the ground (length)."""
-        return float(self.mesh.points[:, 2].max()) - self.ground
-
-    def outer(self) -> Array:
-        """Unit normals (T, 3) of the outer face: that which looks up, all panels together."""
-        normals = self.mesh.axes()[:, 2]
-        up = float(self.mesh.areas() @ normals[:, 2])
-        return -normals if up < 0 else normals
-
-
-@record
-class Balance:
-    """Loads of a case against what bears them."""
-
-    load: Array  # sum of all loads (3,) (N)
-    reaction: Array  # sum of all reactions (3,) (N)
-    # largest of force and moment that are missing, relative to the loads (their forces' sizes, and
-    # those times the size of the shell)
-    residual: float
-
-
-Hold = Literal["ties", "pinned"]
+COARSE = 0.1
+"""Displacements that change by more than this share with cells half as large are not near."""
+NOT_COVERED = (
+    "imperfections of shape and fit, and play of hinges",
+    "large displacements: all is linear, from the shape as it was designed",
+    "buckling of single webs and faces of boards between their webs",
+    "boards that are stiffer or stronger in one direction than in the other",
+    "glue, seams and holes, and what tears at the corners of panels",
+    "creep, fatigue, heat and moisture",
+    "anchors, and the ground under the feet",
+    "wind and snow on flaps: only their weight counts",
+    "wind inside, and gusts that shake the shell",
+    "snow that drifts, or that a corrugation keeps from sliding off steep panels",
+    "the way from the pack to the target",
+)
+Remedy = Literal["ties", "pinned"]
 """What may hold a shell: ties between its feet, or its supports pinned."""
+REMEDIES: dict[Remedy, str] = {"ties": "ties between its feet", "pinned": "pinned supports"}
 
 
 @record
@@ -60,69 +42,168 @@ class FreeMotion:
 
     displacements: Array  # of all nodes (N, 3), the largest is 1, the way that the loads drive it
     folding: bool  # whether it is the shell's own folding motion, not one of the shell as a whole
-    # Whether it opens the shell; it closes it otherwise. None where it is no folding motion.
+    # whether it opens the shell; it closes it otherwise. None where it is no folding motion
     opens: bool | None
-    holds: tuple[Hold, ...] = ()  # what would hold the shell: each was tried with these loads
+    holds: tuple[Remedy, ...] = ()  # what would hold the shell: each was tried with these loads
     # whether something resists it, but so little that it goes beyond the size of the shell
     soft: bool = False
+
+    def in_words(self) -> str:
+        """How a shell moves under its loads, what does not hold it, and what would."""
+        if self.soft:
+            words = "gives way under its loads, by more than its own size: it is far too soft"
+        elif not self.folding:
+            words = "slides or tips as a whole under its loads: its supports do not hold it"
+        elif self.opens:
+            words = "opens under its loads: nothing holds the feet together"
+        else:
+            words = "closes under its loads: nothing holds the feet apart"
+        if self.holds:
+            return f"{words}; {' or '.join(REMEDIES[each] for each in self.holds)} would"
+        if self.soft:
+            return words
+        return f"{words}; neither ties between its feet nor pinned supports would"
 
 
 @record
 class CaseResult:
     """A load case with one stiffness of creases."""
 
+    WRITTEN = ("name", "creases", "loads", "load", "moves", "stands")
+
     name: str  # the case
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
-    loads: Array  # forces on nodes (N, 3) (N)
-    # What nothing resists; None if the shell stands. Where it does not, the rest is not a number or
-    # None.
-    motion: FreeMotion | None
-    balance: Balance  # loads against reactions
-    displacements: Array  # of nodes (N, 3) (length)
-    # forces on supported vertices (S, 3), in the order of ``Analysis.supported`` (N)
-    reactions: Array
-    # the largest share of the friction of rough ground that a foot uses, which sticks as long as it
-    # presses; None where no ground is rough
-    friction: float | None
-    tie_forces: Array  # of ties (K,), 0 where they are slack (N)
-    # with which two neighbouring flaps keep the vertices at their outer corners apart (C,), in the
-    # order of ``Analysis.flaps``; 0 where they part (N)
-    flap_forces: Array
-    crease_moments: Array  # largest moment per length (E,) about every edge, 0 at the border (N)
-    # von Mises' stress (T, 2) of every triangle at its lower and upper face (force per area)
-    stresses: Array
-    # the larger and the smaller principal stress (T, 2) of both faces (force per area)
-    principal: Array
-    # factor of all loads at which the shell buckles, by linear theory; None if it does not, and the
-    # mode (N, 3), the largest displacement is 1
-    buckling: tuple[float, Array] | None
-    # lowest natural frequencies (M,), loaded as it is: ties that are slack are left out, and free
-    # motions, which have none (Hz)
-    frequencies: Array
-    modes: Array  # their modes (M, N, 3), the largest displacement is 1
+    loads: tuple[Load, ...]  # what loads it, kind by kind
+    forces: Array  # on nodes (N, 3), of all loads (N)
+    motion: FreeMotion | None  # what nothing resists; None if the shell stands
+    stands: Equilibrium | None  # how it stands; None if it does not
+
+    @property
+    def creases(self) -> Stiffness:
+        """Their stiffness."""
+        return stiffness_in_words(self.stiffness)
+
+    @property
+    def load(self) -> Vector:
+        """Sum of all loads."""
+        return vector(self.forces.sum(axis=0))
+
+    @property
+    def moves(self) -> str | None:
+        """How it moves, where nothing resists; None if it stands."""
+        return None if self.motion is None else self.motion.in_words()
+
+    def warnings(self) -> Iterator[str]:
+        """What an engineer should read of it."""
+        if self.motion is not None:
+            yield f"the shell {self.moves}"
+        if self.stands is not None:
+            yield from self.stands.warnings()
+
+    def load_warnings(self) -> Iterator[str]:
+        """What an engineer should read of its loads."""
+        if all(load.kind != "self_weight" for load in self.loads):
+            yield "own weight is left out (self_weight = true)"
+        yield from dict.fromkeys(load.caution for load in self.loads if load.caution)
+
+
+@record
+class Governing:
+    """What is nearest to the end of what it bears, of all cases."""
+
+    part: Limiting  # what it is
+    # the load case, and the stiffness of its creases
+    case: str
+    creases: Stiffness
+    utilisation: float  # the share of what it bears
 
 
 @record
 class Analysis:
-    """A shell as a structure, and what was found of it."""
+    """The shell as a structure."""
 
-    grid: Grid  # the grid of the sheet between its flaps
-    # number of columns of folded flaps before its first column: the column of a vertex of the
-    # folding sheet is that of this grid and these
-    before: int
-    # nodes, in the design's frame, and triangles; the vertices of the grid come first
-    mesh: SheetMesh
-    section: Section  # sections of the triangles
-    supported: tuple[Vertex, ...]  # supported vertices, rows and columns of the folding sheet
-    ties: tuple[VertexPair, ...]  # its ties, rows and columns of the folding sheet
-    # what two neighbouring panels of a flap keep apart: vertices of the folding sheet
-    flaps: tuple[VertexPair, ...]
-    mass: float  # of all panels (kg)
+    WRITTEN = ("model", "cases", "governs", "warnings", "not_covered")
+
+    model: Model  # what is analysed
     cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
-    exposure: Exposure  # what was loaded, and how it stands
-    # supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation along
-    # x, y, z; feet on the ground as if they were pinned
-    held: Integers
-    # by what share the largest displacement of a case changed when cells were halved for the last
-    # time
-    change: float
+    not_covered: tuple[str, ...] = NOT_COVERED  # what the analysis says nothing of
+
+    @property
+    def standing(self) -> list[tuple[Equilibrium, CaseResult]]:
+        """The cases under which it stands, and how."""
+        return [(case.stands, case) for case in self.cases if case.stands is not None]
+
+    @cached_property
+    def governs(self) -> Governing | None:
+        """What is nearest to the end of what it bears; None if that of nothing is known."""
+        found = [
+            Governing(used.governs, case.name, case.creases, used.shares[used.governs] or 0.0)
+            for stands, case in self.standing
+            if (used := stands.utilisation).governs is not None
+        ]
+        return max(found, key=lambda each: each.utilisation, default=None)
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences an engineer should read."""
+        return tuple(self._warnings())
+
+    def _warnings(self) -> Iterator[str]:
+        if self.model.change > COARSE:
+            yield (
+                f"displacements changed by {plain(100 * self.model.change, 3)} % when cells were "
+                "halved: use finer ones (cells, or refine, in [structure])"
+            )
+        for case in self.cases:
+            yield from (f"load case {self.name_of(case)}: {text}" for text in case.warnings())
+        for case in {each.name: each for each in self.cases}.values():
+            yield from (f"load case {case.name}: {text}" for text in case.load_warnings())
+
+    def name_of(self, case: CaseResult | Governing) -> str:
+        """What a case is called, the stiffness of creases said where there are several.
+
+        Parameters
+        ----------
+        case
+            The case, or what governs.
+        """
+        name = case.name if isinstance(case, CaseResult) else case.case
+        if len({each.creases for each in self.cases}) < 2:
+            return name
+        return f"{name}, {creases_in_words(case.creases)}"
+
+    def loaded(self) -> LoadedShell:
+        """The same as files and pages show it."""
+        model, section = self.model, self.model.section
+        facets = model.mesh.facets
+        count = len(facets.triangles)
+        return LoadedShell(
+            points=facets.points,
+            triangles=facets.triangles,
+            panels=model.mesh.panels,
+            membrane=np.broadcast_to(np.asarray(section.membrane, np.float64), count),
+            bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
+            poisson=section.poisson,
+            areal_mass=model.exposure.areal_mass,
+            held=model.supports.as_if_pinned(),
+            ties=model.nodes_of(model.frame.ties),
+            tie_stiffness=model.structure.tie_stiffness,
+            cases=tuple(self._loaded(case) for case in self.cases),
+        )
+
+    def _loaded(self, case: CaseResult) -> LoadedCase:
+        shown = case.motion or case.stands
+        assert shown is not None
+        count = len(self.model.mesh.facets.triangles)
+        return LoadedCase(
+            name=self.name_of(case),
+            stands=case.motion is None,
+            forces=case.forces,
+            displacements=shown.displacements,
+            stresses=np.zeros(count) if case.stands is None else case.stands.stresses.max(axis=1),
+        )
+
+
+def creases_in_words(creases: Stiffness) -> str:
+    """Creases of a stiffness, as the name of a case has them."""
+    return f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"

@@ -62,16 +62,10 @@ def panel_sections(
 
     Gaps and chamfers of solid panels are not taken off.
 
-    Parameters
-    ----------
-    build
-        What panels are made of; None if they are of ``structure.thickness``.
-    boards
-        The boards of a sandwich, numbered by the same panels.
-    flat
-        Corners (T, 3, 2) of the triangles in the flat sheet.
-    panels
-        The panel (T,) of each.
+    build: What panels are made of; None if they are of ``structure.thickness``.
+    boards: The boards of a sandwich, numbered by the same panels.
+    flat: Corners (T, 3, 2) of the triangles in the flat sheet.
+    panels: The panel (T,) of each.
     """
     modulus, nu = structure.modulus, structure.poisson
     if build is None or boards is None or build.construction == "bevel":

@@ -6,7 +6,7 @@ Lengths are in the design's unit, forces in newtons, wind speeds in metres per s
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self
 
 import numpy as np
 from pydantic import AfterValidator, Field, field_validator, model_validator
@@ -27,7 +27,6 @@ MOST = 1e12
 """Loads are smaller than this: what is computed from larger ones would overflow in the end."""
 LONGEST = 60
 """Characters of a load case's name."""
-LOADS = ("self_weight", "pressure", "snow", "wind", "points")
 
 Index = Annotated[int, Field(ge=0)]
 GridVertex = Pair[Index]
@@ -59,10 +58,14 @@ else:
 
 
 class Support(Table):
-    """What holds some vertices; ``friction`` is the coefficient of the ground's friction."""
+    """What holds some vertices."""
 
+    WRITTEN: ClassVar = ("at", "kind", "friction")
+
+    # the rows that are feet, the first and last columns, or vertices
     at: Place | Annotated[Several[GridVertex], Field(min_length=1)]
-    kind: SupportKind
+    kind: SupportKind  # how they are held
+    # coefficient of friction of the ground
     friction: Annotated[Number, Field(ge=0, le=10)] = 0.0
 
     @model_validator(mode="after")
@@ -161,8 +164,8 @@ class LoadCase(Table):
     """Loads that act together, or factors by which those of other cases do.
 
     ``pressure`` is on the outer face, square on it (force per area). ``combine`` has factors of
-    the loads of other cases by their names; then there are no others here. Cases that are combined
-    are not analysed by themselves.
+    the loads of other cases by their names; then there are no others here. A case that others
+    combine is not analysed on its own.
     """
 
     name: str
@@ -200,6 +203,8 @@ class LoadCase(Table):
         return self
 
 
+LOADS = tuple(name for name in LoadCase.model_fields if name not in {"name", "combine"})
+"""The keys of a case that are loads."""
 OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
 """The only case where a design file has none."""
 

@@ -66,14 +66,8 @@ class SheetMesh:
 def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
     """Mesh the panels of a folded state.
 
-    Parameters
-    ----------
-    positions
-        Vertices (rows, columns, 3).
-    grid
-        Its grid.
-    cells
-        Cells along every side of a panel, at least 1.
+    positions: Vertices (rows, columns, 3).
+    cells: Cells along every side of a panel, at least 1.
     """
     faces, edges = grid.faces_vertices(), grid.faces_edges()
     nodes = _nodes(grid, faces, edges, cells)

@@ -6,7 +6,7 @@ With K_g the stiffness that forces in the plane of triangles, in ties and in fla
 
     (K + factor K_g) mode = 0.
 
-Ties, flaps and feet that act under the load are taken to go on acting.
+Ties, flaps and feet that act under the load are taken to go on active.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.elements import assemble
-from orishell.structure.held import Held
+from orishell.structure.factorised import Factorised
 from orishell.structure.triangle import Facets
 
 if TYPE_CHECKING:
@@ -34,41 +34,36 @@ ACCURACY = 1e-8
 class Inverse:
     """A structure some of whose rows act, as they are in a state that it moves about."""
 
-    held: Held  # the structure
-    acting: Booleans  # which rows act (M,), in both directions
+    structure: Factorised  # the structure
+    active: Booleans  # which rows act (M,), in both directions
     motions: Array  # what nothing resists (n, k), orthonormal: it is left out
     _law: Array
 
     @classmethod
-    def of(cls, held: Held, acting: Booleans, motions: Array) -> Inverse:
-        """The same, prepared, of rows that are acting (M,) and free motions (n, k)."""
-        return cls(held, acting, motions, held.law(acting))
+    def of(cls, structure: Factorised, active: Booleans, motions: Array) -> Inverse:
+        """The same, prepared, of rows that are active (M,) and free motions (n, k)."""
+        return cls(structure, active, motions, structure.law(active))
 
     def solve(self, loads: Array) -> Array:
         """Displacements (n,) under loads (n,) without those along free motions."""
-        held = self.held
-        direct = held.quick_solve(loads - self.motions @ (self.motions.T @ loads))
-        moved = direct + held.spread @ (self._law @ (held.rows @ direct))
+        structure = self.structure
+        direct = structure.quick_solve(loads - self.motions @ (self.motions.T @ loads))
+        moved = direct + structure.spread @ (self._law @ (structure.rows @ direct))
         return np.asarray(moved - self.motions @ (self.motions.T @ moved))
 
     def stiffness(self, moved: Array) -> Array:
         """Forces (n,) of a structure that is moved (n,) as rows which act allow."""
-        return np.asarray(self.held.soft_stiffness(moved, self.acting))
+        return np.asarray(self.structure.soft_stiffness(moved, self.active))
 
 
 def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tuple[Array, Array]:
     """Largest values (count,) of a matrix relative to the stiffness, and their vectors (n, count).
 
-    Parameters
-    ----------
-    apply
-        Products of the symmetric matrix with vectors (n,).
-    count
-        How many.
+    apply: Products of the symmetric matrix with vectors (n,).
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    size = len(inverse.held.free)
+    size = len(inverse.structure.free)
     start = inverse.solve(np.random.default_rng(SEED).standard_normal(size))
     matrix, stiffness, solved = (
         LinearOperator((size, size), matvec=each, dtype=np.float64)
@@ -84,12 +79,7 @@ def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tu
 def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
     """Lowest frequencies (count,) but those of free motions, and their modes (n, count) (Hz).
 
-    Parameters
-    ----------
-    mass
-        Of every free freedom (n,), in force by acceleration in the unit of the sheet.
-    count
-        How many.
+    mass: Of every free freedom (n,), in force by acceleration in the unit of the sheet.
     """
     free = inverse.motions
     heavy = mass[:, None] * free
@@ -113,12 +103,8 @@ def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
 
     Displacements are linear in a triangle; freedoms begin with those of nodes.
 
-    Parameters
-    ----------
-    forces
-        Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
-    count
-        Number of all freedoms D.
+    forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
+    count: Number of all freedoms D.
     """
     flat, area = facets.flat(), facets.areas()
     ahead, behind = np.roll(flat, -1, axis=1), np.roll(flat, 1, axis=1)
@@ -133,16 +119,10 @@ def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
 def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) -> csr_array:
     """The matrix (D, D) of straight ties and struts.
 
-    Parameters
-    ----------
-    points
-        Nodes (N, 3).
-    pairs
-        Nodes (m, 2) between which they are.
-    pulls
-        With which force they pull (m,); struts push, less than 0 (N).
-    count
-        Number of all freedoms D.
+    points: Nodes (N, 3).
+    pairs: Nodes (m, 2) between which they are.
+    pulls: With which force they pull (m,); struts push, less than 0 (N).
+    count: Number of all freedoms D.
     """
     away = points[pairs[:, 1]] - points[pairs[:, 0]]
     length = np.linalg.norm(away, axis=1)
@@ -159,10 +139,7 @@ def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) 
 def find_buckling(inverse: Inverse, geometric: csr_array) -> tuple[float, Array] | None:
     """The factor at which the shell buckles, and the mode (n,); None if it does not.
 
-    Parameters
-    ----------
-    geometric
-        K_g (n, n) of free freedoms.
+    geometric: K_g (n, n) of free freedoms.
     """
     if not geometric.count_nonzero():  # nothing is loaded
         return None

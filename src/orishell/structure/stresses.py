@@ -34,10 +34,7 @@ class FacetStresses:
 def facet_stresses(facets: Facets, section: Section, moved: Array) -> FacetStresses:
     """What triangles bear.
 
-    Parameters
-    ----------
-    moved
-        Displacements and rotations (T, 18) of their corners.
+    moved: Displacements and rotations (T, 18) of their corners.
     """
     flat = facets.flat()
     local = np.einsum("tij,tkj->tki", facets.axes(), moved.reshape(-1, 6, 3)).reshape(-1, 3, 6)

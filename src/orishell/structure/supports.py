@@ -60,23 +60,12 @@ def find_supports(
 ) -> Supports:
     """What holds a shell.
 
-    Parameters
-    ----------
-    asked
-        What is to hold it.
-    grid
-        The grid of the sheet between its flaps.
-    inner
-        Its columns that meet the target.
-    feet
-        Rows that are its feet; None if it does not stand.
-    before
-        Number of columns of folded flaps before the first column of the grid.
-
-    Raises
-    ------
-    InputError
-        If vertices that are to be held are not there.
+    asked: What is to hold it.
+    grid: The grid of the sheet between its flaps.
+    inner: Its columns that meet the target.
+    feet: Rows that are its feet; None if it does not stand.
+    before: Number of columns of folded flaps before the first column of the grid.
+    Raises InputError: If vertices that are to be held are not there.
     """
     held: list[Integers] = [np.zeros((0, 2), np.int64)]
     ground: list[Integers] = [np.zeros(0, np.int64)]

@@ -75,12 +75,8 @@ class Facets:
     def elements(self, section: Section, freedoms: Integers, count: int) -> Elements:
         """The triangles as elements.
 
-        Parameters
-        ----------
-        freedoms
-            Freedoms (T, 18) of their corners: displacements, then rotations, of each.
-        count
-            Number of all freedoms.
+        freedoms: Freedoms (T, 18) of their corners: displacements, then rotations, of each.
+        count: Number of all freedoms.
         """
         corners = self.points[self.triangles]
         arms = corners[:, 1:] - corners[:, :1]
@@ -103,14 +99,9 @@ LEAST = 0.01
 def membrane_stiffness(corners: Array, elasticity: Array, poisson: float) -> Array:
     """Stiffness (T, 9, 9) of triangles for u, v and the rotation about z at every corner.
 
-    Parameters
-    ----------
-    corners
-        Corners (T, 3, 2), counter-clockwise (length).
-    elasticity
-        Forces per length by strains xx, yy, xy (T, 3, 3), or one for all (3, 3).
-    poisson
-        Poisson's ratio, which the template's beta_0 depends on.
+    corners: Corners (T, 3, 2), counter-clockwise (length).
+    elasticity: Forces per length by strains xx, yy, xy (T, 3, 3), or one for all (3, 3).
+    poisson: Poisson's ratio, which the template's beta_0 depends on.
     """
     x, y = corners[..., 0], corners[..., 1]
     x21, x32, x13 = x[:, 1] - x[:, 0], x[:, 2] - x[:, 1], x[:, 0] - x[:, 2]
@@ -151,10 +142,7 @@ def membrane_stiffness(corners: Array, elasticity: Array, poisson: float) -> Arr
 def strains(corners: Array) -> Array:
     """Mean strains (T, 3, 9) xx, yy, xy by u, v and the rotation about z at every corner.
 
-    Parameters
-    ----------
-    corners
-        Corners (T, 3, 2), counter-clockwise (length).
+    corners: Corners (T, 3, 2), counter-clockwise (length).
     """
     x, y = corners[..., 0], corners[..., 1]
     x21, x32, x13 = x[:, 1] - x[:, 0], x[:, 2] - x[:, 1], x[:, 0] - x[:, 2]
@@ -190,12 +178,8 @@ MIDDLES = ((0.5, 0.0), (0.5, 0.5), (0.0, 0.5))
 def plate_stiffness(corners: Array, rigidity: Array) -> Array:
     """Stiffness (T, 9, 9) of triangles for w and the rotations about x and y at every corner.
 
-    Parameters
-    ----------
-    corners
-        Corners (T, 3, 2), counter-clockwise (length).
-    rigidity
-        Moments per length by curvatures xx, yy, xy (T, 3, 3), or one for all (3, 3).
+    corners: Corners (T, 3, 2), counter-clockwise (length).
+    rigidity: Moments per length by curvatures xx, yy, xy (T, 3, 3), or one for all (3, 3).
     """
     area = _area(corners)
     total = np.zeros((len(corners), 9, 9))
@@ -208,12 +192,8 @@ def plate_stiffness(corners: Array, rigidity: Array) -> Array:
 def curvatures(corners: Array, at: tuple[float, float]) -> Array:
     """Curvatures (T, 3, 9) xx, yy and twice xy at a place of every triangle.
 
-    Parameters
-    ----------
-    corners
-        Corners (T, 3, 2), counter-clockwise (length).
-    at
-        Area coordinates of the second and the third corner.
+    corners: Corners (T, 3, 2), counter-clockwise (length).
+    at: Area coordinates of the second and the third corner.
     """
     xi, eta = at
     x, y = corners[..., 0], corners[..., 1]

@@ -40,20 +40,15 @@ PAGES = Path(__file__).parent / "static"
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """The largest request that the studio accepts, and how long one may take.
-
-    bytes: Size of a request.
-    quick, slow, search: Seconds that a design, that a proof or a file, and that a search may take.
-    receiving: Seconds in which a request must have come in.
-    processes: Processes for each of the three.
-    """
+    """The largest request that the studio accepts, and how long one may take."""
 
     bytes: int = 5_000_000
+    # seconds that a design, that a proof or a file, and that a search may take
     quick: float = 20.0
     slow: float = 120.0
     search: float = 3600.0
-    receiving: float = 30.0
-    processes: int = 2
+    receiving: float = 30.0  # seconds in which a request must have come in
+    processes: int = 2  # for each of the three
 
 
 LIMITS = Limits()
@@ -70,13 +65,7 @@ def make_app(
     limits: Limits = LIMITS,
     start: NamedDesign | None = None,
 ) -> Guard:
-    """The web server of the studio, as an ASGI application.
-
-    key: What lets requests in.
-    hosts: Host headers that are taken; None takes all.
-    limits: The largest request, and how long one may take.
-    start: Name and tables of the design to begin with.
-    """
+    """The web server of the studio; ``hosts`` are Host headers that are taken, None takes all."""
     quick = Pool(answer, limits.processes, limits.quick)
     slow = Pool(answer, limits.processes, limits.slow)
     search = Pool(answer, limits.processes, limits.search)
@@ -154,10 +143,7 @@ def _add_task(app: FastAPI, task: str, pool: Pool) -> None:
 async def _run(pool: Pool, task: str, request: Request) -> Any:
     """The result of a task, which is stopped if the client goes away.
 
-    Raises
-    ------
-    HTTPException
-        If the client went away: nobody reads that answer.
+    Then it raises an HTTPException: nobody reads that answer.
     """
     work = asyncio.create_task(pool.run(task, await _payload(request)))
     gone = asyncio.create_task(_gone(request))

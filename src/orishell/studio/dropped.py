@@ -34,11 +34,7 @@ DRAWN = 200
 
 
 def sampled(curve: Curve, name: str) -> Drawn:
-    """Points of a curve to be drawn; empty if it cannot be used.
-
-    curve: The curve.
-    name: Which of both it is: "f" or "g".
-    """
+    """Points of a curve to be drawn; empty if it cannot be used. Its name is f or g."""
     try:
         trace = trace_curve(curve, name)
     except InputError:
@@ -60,16 +56,11 @@ PARTS = 20
 
 
 def read_dropped(name: str, content: str, unit: str) -> DroppedCurve:
-    """The table of a target curve, and a note on what was made of the file.
+    """The table of a target curve, and a note on how its file was read.
 
     What is drawn stays what it is: lines, arcs and Bezier curves of a path, wherever SVG has such.
-    Points that were measured close to each other become a spline through few.
-
-    name: The file's name; its ending says what it is.
-    content: Its bytes in base64.
-    unit: Unit of length of the table.
-
-    Raises InputError if it holds no curve.
+    Points that were measured close to each other become a spline through few. The content is in
+    base64. Raises InputError if it holds no curve.
     """
     try:
         data = base64.b64decode(content, validate=True)

@@ -16,13 +16,14 @@ import shutil
 import subprocess
 import tempfile
 import webbrowser
-from collections.abc import Awaitable, Callable, Collection, Iterator, MutableMapping
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
-from typing import Any
 from urllib.parse import urlsplit
+
+from starlette.types import ASGIApp, Message, Receive, Send
 
 from orishell.conventions.progress import cleaning_up
 from orishell.studio.api import FaultKind
@@ -42,13 +43,9 @@ PAGE = """\
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """What lets one in, as an address and as a cookie.
+    """What lets one in, as an address and as a cookie."""
 
-    port: Where the studio listens; browsers keep the cookies of all ports of a machine together.
-    word: The key itself, made by chance if it is not given.
-    """
-
-    port: int
+    port: int  # browsers keep the cookies of all ports of a machine together
     word: str = field(default_factory=lambda: secrets.token_urlsafe(32), repr=False)
 
     @property
@@ -61,14 +58,6 @@ class Key:
         """The cookie that holds the key."""
         return f"orishell-{self.port}={self.word}"
 
-    def is_in_query(self, query: bytes) -> bool:
-        """Whether the query of an address holds the key."""
-        return _holds(query.split(b"&"), self.query)
-
-    def is_in_cookies(self, header: bytes) -> bool:
-        """Whether a header ``Cookie`` holds the key."""
-        return _holds((each.strip() for each in header.split(b";")), self.cookie)
-
     def setting(self) -> bytes:
         """The header ``Set-Cookie`` that makes a browser keep the key until it is closed.
 
@@ -78,19 +67,16 @@ class Key:
         return f"{self.cookie}; Path=/; HttpOnly; SameSite=Lax".encode()
 
 
-def _holds(parts: Iterator[bytes] | list[bytes], wanted: str) -> bool:
+def _holds(parts: Collection[bytes], wanted: str) -> bool:
     """Whether one of the parts is what is wanted, in a time that does not say how nearly."""
-    return any(hmac.compare_digest(part, wanted.encode()) for part in parts)
+    return any(hmac.compare_digest(part.strip(), wanted.encode()) for part in parts)
 
 
 @contextmanager
 def open_page(address: str) -> Iterator[None]:
     """Send the browser to an address that nobody else shall see.
 
-    Until the end of the context there is a file that leads there, in a folder that only this user
-    can read.
-
-    address: The address, with its key.
+    Until the end of the context a file in a folder that only this user can read leads there.
     """
     folder = _private_folder()
     with cleaning_up(lambda: shutil.rmtree(folder, ignore_errors=True)):
@@ -119,11 +105,6 @@ def _private_folder() -> Path:
         return Path(tempfile.mkdtemp(prefix=prefix))
 
 
-Message = MutableMapping[str, Any]
-Receive = Callable[[], Awaitable[Message]]
-Send = Callable[[Message], Awaitable[None]]
-App = Callable[[Message, Receive, Send], Awaitable[None]]
-
 VALUES = 200_000
 """Commas in a body, at most: a longer list would keep other requests waiting."""
 LOCKED = "the studio's key is missing: open the address that `orishell studio` printed at its start"
@@ -143,24 +124,16 @@ HEADERS = (
 
 
 class Guard:
-    """Refuses requests that do not come from the studio's own pages, or are too large.
-
-    app: What answers them.
-    key: What a request must have, in its address or in a cookie. The address ``/`` with the key
-        gives the cookie.
-    hosts: Host headers that are taken, with their ports; None takes all.
-    most: Bytes of a body, at most.
-    seconds: Time that a body may take to come in.
-    """
+    """Refuses requests that do not come from the studio's own pages, or are too large."""
 
     def __init__(
-        self, app: App, key: Key, hosts: Collection[str] | None, most: int, seconds: float
+        self, app: ASGIApp, key: Key, hosts: Collection[str] | None, most: int, seconds: float
     ) -> None:
         self.app = app
-        self.key = key
-        self.hosts = hosts
-        self.most = most
-        self.seconds = seconds
+        self.key = key  # the address ``/`` with it gives the cookie
+        self.hosts = hosts  # Host headers that are taken, with their ports; None takes all
+        self.most = most  # bytes of a body
+        self.seconds = seconds  # that a body may take to come in
 
     async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
         """Answer a request, or refuse it."""
@@ -169,8 +142,8 @@ class Guard:
                 await self.app(scope, receive, send)
             return
         headers = {name.lower(): value for name, value in scope["headers"]}
-        entering = self.key.is_in_query(scope["query_string"])
-        if not (entering or self.key.is_in_cookies(headers.get(b"cookie", b""))):
+        entering = _holds(scope["query_string"].split(b"&"), self.key.query)
+        if not (entering or _holds(headers.get(b"cookie", b"").split(b";"), self.key.cookie)):
             await _discard(receive)
             await _turn_away(send, scope["path"])
             return
@@ -217,13 +190,7 @@ class Guard:
         await self.app(scope, whole, guarded)
 
     async def _body(self, receive: Receive) -> bytes | None:
-        """The whole body of a request; None if it is too large.
-
-        Raises
-        ------
-        ConnectionError
-            If the client went away before its end.
-        """
+        """The whole body; None if it is too large. Raises ConnectionError if the client left."""
         body = bytearray()
         while True:
             message = await receive()

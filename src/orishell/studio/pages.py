@@ -38,10 +38,7 @@ ZIP_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 def zipped(files: Mapping[str, Path]) -> bytes:
-    """A zip archive of files, the same bytes at any time.
-
-    files: The files, by their names in the archive.
-    """
+    """A zip archive of files by their names in it, the same bytes at any time."""
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
         for name, path in files.items():

@@ -30,15 +30,12 @@ MAX_VERTICES = 60_000
 
 
 def require_small(file: DesignFile) -> None:
-    """Refuse a sheet that is too large for the studio.
-
-    Raises InputError if it has more vertices than :data:`MAX_VERTICES`.
-    """
+    """Refuse a sheet that is too large for the studio."""
     vertices = (file.pattern.rows + 2) * (file.pattern.columns + 2)
     if vertices > MAX_VERTICES:
         raise InputError(
             "the sheet is too large for the studio",
-            where="[pattern] rows, columns",
+            keys=("pattern.rows", "pattern.columns"),
             got=f"{vertices} vertices",
             expected=f"at most {MAX_VERTICES}",
             remedy="use orishell design",
@@ -69,11 +66,7 @@ class Worker:
 
     process: BaseProcess
     pipe: Connection
-    life: contextlib.ExitStack
-
-    def stop(self) -> None:
-        """End it, and remove its files."""
-        self.life.close()
+    stop: Callable[[], None]
 
 
 @contextlib.contextmanager
@@ -95,10 +88,7 @@ def prepared_copies() -> Iterator[None]:
 
 
 def start_worker(work: Work) -> Worker:
-    """Start a process that does some ``work``.
-
-    Raises OSError if there is no room for one.
-    """
+    """Start a process that does some ``work``; raises OSError if there is no room for one."""
     context = context_of(WARM)
     ours, theirs = context.Pipe()
     files = tempfile.mkdtemp(prefix="orishell-")
@@ -115,7 +105,7 @@ def start_worker(work: Work) -> Worker:
         starting.enter_context(cleaning_up(end))
         process.start()
         theirs.close()
-        return Worker(process, ours, starting.pop_all())
+        return Worker(process, ours, starting.pop_all().close)
 
 
 def stop_started(starting: asyncio.Task[Worker]) -> None:
@@ -127,10 +117,7 @@ def stop_started(starting: asyncio.Task[Worker]) -> None:
 async def readable(pipe: Connection, end: float | None) -> None:
     """Wait until there is something to read, for ever if there is no ``end``.
 
-    Raises
-    ------
-    TimeoutError
-        If there is nothing by ``end``.
+    Raises TimeoutError if there is nothing by then.
     """
     loop = asyncio.get_running_loop()
     ready = asyncio.Event()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -26,13 +27,11 @@ FEWEST_POINTS, MOST_POINTS = 5, 40
 
 
 def few_points(points: Array) -> tuple[Array, bool, float]:
-    """Points of a curve along the given ones, whether it is a spline, and how far it is from them.
+    """Fewer points (N, 2) along a curve, whether it is a spline, and how far it is from them all.
 
     The spline is fitted by least squares, so that noise is smoothed out; it keeps the ends. Where
     few straight lines do what no spline of few points does, there are corners; where neither does,
     a spline goes through all points.
-
-    points: Points (N, 2) in the order of the curve.
     """
     import shapely
 
@@ -86,12 +85,7 @@ ENDS = 0.005
 
 
 def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[str, Range]:
-    """Ranges of all numeric parameters of a design that has no tolerance.
-
-    file: The design file.
-    advanced: Called with the share that is done.
-    seconds: What one design takes, about.
-    """
+    """Ranges of all numeric parameters of a design, which takes some seconds to make."""
     pattern = file.pattern
     knobs = {key: knob for key, knob in pattern.knobs().items() if knob.kind == "number"}
     count = SAMPLES if seconds < QUICK else FEWEST
@@ -125,18 +119,16 @@ def _find(
         trials = np.unique(np.append(trials, value))
     whys = [works(float(trial)) for trial in trials]
     intervals: list[tuple[float, float]] = []
-    k = 0
-    while k < len(trials):
-        if whys[k]:
-            k += 1
+    for fails, run in groupby(range(len(trials)), lambda k: bool(whys[k])):
+        if fails:
             continue
-        first = k
-        while k + 1 < len(trials) and not whys[k + 1]:
-            k += 1
-        low = trials[first] if first == 0 else _edge(works, trials[first], trials[first - 1])
-        high = trials[k] if k + 1 == len(trials) else _edge(works, trials[k], trials[k + 1])
+        first, *others = run
+        last = others[-1] if others else first
+        low = trials[0] if first == 0 else _edge(works, trials[first], trials[first - 1])
+        high = trials[last]
+        if last + 1 < len(trials):
+            high = _edge(works, trials[last], trials[last + 1])
         intervals.append((float(low), float(high)))
-        k += 1
     return {
         "span": (float(span[0]), float(span[1])),
         "intervals": intervals,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from orishell.conventions.errors import DesignError, InputError, OrishellError
@@ -18,11 +17,7 @@ class RefusalError(OrishellError):
 
 
 def make_refusal(kind: FaultKind, what: str, **more: Any) -> Refusal:
-    """The answer to a request that failed.
-
-    kind, what: What is wrong.
-    more: Further fields; those that are not given are empty.
-    """
+    """The answer to a request that failed; fields that are not given are empty."""
     names = ("where", "got", "expected", "remedy", "detail", "place", "size", "limit")
     said = {"kind": kind, "message": what, "what": what, "keys": [], "remedies": [], **more}
     fault: Any = {**dict.fromkeys(names, ""), **said}
@@ -38,36 +33,17 @@ def describe_error(error: OrishellError) -> Refusal:
             remedies = [
                 {"text": str(remedy), "changes": dict(remedy.changes)} for remedy in error.remedies
             ]
-            return make_refusal(
-                "design",
-                error.condition,
-                message=str(error),
-                keys=list(error.keys),
-                place=error.place,
-                size=error.size,
-                limit=error.limit,
-                remedies=remedies,
-            )
+            facts = _facts(error, "place", "size", "limit")
+            return make_refusal("design", error.condition, remedies=remedies, **facts)
         case InputError():
-            return make_refusal(
-                "input",
-                error.what,
-                message=str(error).removeprefix(f"{NAME}.toml: "),
-                where=error.where,
-                keys=_keys_at(error.where),
-                got=error.got,
-                expected=error.expected,
-                remedy=error.remedy,
-                detail=error.detail,
-            )
+            if error.file == f"{NAME}.toml":  # it has no name that anybody gave it
+                error.file = ""
+            facts = _facts(error, "where", "got", "expected", "remedy", "detail")
+            return make_refusal("input", error.what, **facts)
         case _:
             return make_refusal("fault", str(error))
 
 
-def _keys_at(where: str) -> list[str]:
-    """The keys in a place such as "shell.toml: [pattern] rows, columns"; if none, the table."""
-    found = re.search(r"\[(\w+(?:\.\w+)*)\] ?((?:\w+, )*\w*)", where)
-    if found is None:
-        return []
-    table, names = found.groups()
-    return [f"{table}.{name}".rstrip(".") for name in names.split(", ")]
+def _facts(error: DesignError | InputError, *names: str) -> dict[str, Any]:
+    facts = {name: getattr(error, name) for name in names}
+    return {**facts, "message": str(error), "keys": list(error.keys)}

@@ -9,15 +9,15 @@ from pathlib import Path
 
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
+from orishell.design_file.search import Search
 from orishell.search import Front, Outcome, Problem, alone, journal_in_memory, search_designs
 from orishell.search.evaluate import reasons, violation
 from orishell.search.figures import BEARS, NAMES, figure
 from orishell.search.front import costs, front_of
-from orishell.search.problem import pose
+from orishell.search.problem import parse_problem
 from orishell.search.space import key_of
-from orishell.studio.api import Tables
+from orishell.studio.api import SearchedDesign, SearchInfo, SearchState, Tables
 from orishell.studio.processes import Send, require_small
-from orishell.studio.search_api import SearchedDesign, SearchInfo, SearchState
 
 EVERY = 0.2
 """Seconds after which the page is told again."""
@@ -39,6 +39,7 @@ def describe_search() -> SearchInfo:
             }
             for each in figures
         ],
+        "evaluations": Search.model_fields["evaluations"].default,
         "install": "" if find_spec("pymoo") else "pip install orishell[search]",
     }
 
@@ -46,23 +47,18 @@ def describe_search() -> SearchInfo:
 def search_variants(tables: Tables, path: Path, progress: Progress, send: Send) -> SearchState:
     """Search the variants of a design, and tell what is found as it is.
 
-    tables: The design with its table [search].
-    path: Of what its messages speak.
-    progress: Is told the share that is done.
-    send: Is told how far the search has come, now and then.
-
     Raises InputError if there is nothing to search for, or what it needs is not installed.
     Raises DesignError if no design keeps all limits.
     """
     install = describe_search()["install"]
     if install:
         raise InputError("pymoo must be installed to search", remedy=install)
-    problem = pose(tables, path, files=False)
+    problem = parse_problem(tables, path, files=False)
     watch = _Watch(problem, send)
-    with alone() as crew:
+    with alone() as pool:
         search_designs(
             problem,
-            crew,
+            pool,
             journal_in_memory(),
             progress,
             seen=watch.seen,
@@ -78,7 +74,7 @@ class _Watch:
     def __init__(self, problem: Problem, send: Send) -> None:
         self._problem, self._send = problem, send
         self._told = time.perf_counter()
-        self._begun_with: Outcome | None = None
+        self._baseline: Outcome | None = None
         self._front: Front | None = None
         self._new: list[Outcome] = []
         self._numbers: dict[str, int] = {}
@@ -87,8 +83,8 @@ class _Watch:
 
     def seen(self, outcome: Outcome) -> None:
         """Another design was made; the first is the one that was opened."""
-        if self._begun_with is None:
-            self._begun_with = outcome
+        if self._baseline is None:
+            self._baseline = outcome
         else:
             self._made += 1
             if key_of(outcome.values) in self._numbers:
@@ -109,13 +105,13 @@ class _Watch:
         # What an earlier front beat is beaten still.
         kept = self._front.members if self._front else ()
         self._front = front = front_of(problem, [*kept, *new])
-        begun_with = self._begun_with
+        baseline = self._baseline
         return {
             "objectives": [
                 {"name": each.name, "label": each.label(problem.unit)}
                 for each in problem.objectives
             ],
-            "begun_with": _told(begun_with) if begun_with and begun_with.figures else None,
+            "baseline": _told(baseline) if baseline and baseline.figures else None,
             "designs": [_told(each) for each in new],
             "front": [
                 {

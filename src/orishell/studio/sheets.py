@@ -9,6 +9,7 @@ from pathlib import Path
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress
 from orishell.design_file import DesignFile
+from orishell.design_file.file import FROM_PACK
 from orishell.document import Document
 from orishell.io.formats.svg import dump_svg
 from orishell.shell.make import make_shell
@@ -27,18 +28,11 @@ picture of the drawings is small."""
 
 
 def preview_sheets(file: DesignFile, name: str, progress: Progress) -> Sheets:
-    """The drawings of a design's flat sheet, and what they come to.
-
-    name: What its files are called.
-    progress: Is told of the proof, where the sheet depends on what it finds.
-
-    Raises InputError if a setting does not fit the sheet.
-    Raises DesignError if the family cannot reach the target.
-    """
+    """The drawings of a design's flat sheet, and what they come to; files are called ``name``."""
     # The proof may make flaps narrower, and cut boards off.
     proved = file.pattern.flap == "auto" or file.panel is not None
     shell = make_shell(
-        replace(file, frames=2),
+        file.changed({"motion.frames": FROM_PACK}),
         progress,
         clash="allowed" if proved else "unexamined",
         skip=(*MEASURES, "structure"),

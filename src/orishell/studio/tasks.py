@@ -30,6 +30,7 @@ from orishell.studio.api import (
     DroppedCurve,
     Parsed,
     Ranges,
+    SearchState,
     Sheets,
     Tables,
     Verified,
@@ -40,7 +41,6 @@ from orishell.studio.pages import design_name, file_name, zipped
 from orishell.studio.processes import Send, ignore, require_small
 from orishell.studio.ranges import find_ranges
 from orishell.studio.refusals import RefusalError, describe_error
-from orishell.studio.search_api import SearchState
 from orishell.studio.searches import search_variants
 from orishell.studio.sheets import preview_sheets
 
@@ -49,16 +49,11 @@ FEWEST_STATES, STATES, MOST_STATES = 3, 25, 50
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """A request of a page; each method computes the answer to one kind.
+    """A request of a page; each method computes the answer to one kind."""
 
-    payload: What the page sent: the tables of a design under "design", and what the answer takes.
-    progress: Is told the share that is done, and of what.
-    send: Is told what was found so far.
-    """
-
-    payload: dict[str, Any]
+    payload: dict[str, Any]  # the tables under "design", and what else the answer takes
     progress: Progress
-    send: Send = ignore
+    send: Send = ignore  # is told what was found so far
 
     def warm_up(self) -> None:
         """Import what answers need, by answering: a small design of every family, and a proof."""
@@ -72,9 +67,7 @@ class Task:
     def make_view(self) -> bytes:
         """The view of a design, before rigidity, contact and distances are examined.
 
-        Raises InputError if there is no design in the payload, or the number of states is not a
-        whole number.
-        Raises RefusalError if the design cannot be made; holds its curves.
+        Raises RefusalError, which holds its curves, if the design cannot be made.
         """
         file = self._design(tolerated=True)
         curves: Curves = {"f": sampled(file.f, "f"), "g": sampled(file.g, "g")}
@@ -84,12 +77,9 @@ class Task:
                 "the number of states must be a whole number", where="states", got=repr(frames)[:40]
             )
         try:
-            shell = make_shell(
-                replace(file, frames=min(max(frames, FEWEST_STATES), MOST_STATES)),
-                self.progress,
-                clash="unexamined",
-                skip=STEPS,
-            )
+            states = min(max(frames, FEWEST_STATES), MOST_STATES)
+            shown = file.changed({"motion.frames": states})
+            shell = make_shell(shown, self.progress, clash="unexamined", skip=STEPS)
         except OrishellError as error:
             raise RefusalError({**describe_error(error), "curves": curves}) from None
         document = lay_surface(shell.document, shell.design, measured=False)
@@ -131,29 +121,20 @@ class Task:
         return {"ranges": find_ranges(file, self.progress, time.perf_counter() - begin)}
 
     def parse(self) -> Parsed:
-        """The tables of a design file, from its text, which is checked.
-
-        Raises InputError if it is not TOML, or no design.
-        """
+        """The tables of a design file, from its text, which is checked."""
         tables = parse_toml(str(self.payload.get("text", "")))
         replace(self, payload={**self.payload, "design": tables})._design(searched=True)
         return {"design": tables}
 
     def format(self) -> Written:
-        """The text of a design file, from its tables.
-
-        Raises InputError if there is no design.
-        """
+        """The text of a design file, from its tables."""
         import tomli_w
 
         self._design(searched=True)
         return {"text": tomli_w.dumps(self.payload["design"])}
 
     def read_curve(self) -> DroppedCurve:
-        """The table of a curve in a CSV, SVG or DXF file that was dropped onto the page.
-
-        Raises InputError if there is no such unit, or no curve in the file.
-        """
+        """The table of a curve in a CSV, SVG or DXF file that was dropped onto the page."""
         name, content, unit = (
             str(self.payload.get(key, "")) for key in ("name", "content", "unit")
         )
@@ -162,40 +143,28 @@ class Task:
         return read_dropped(name, content, unit)
 
     def find_tradeoff(self) -> Tradeoff:
-        """How near sheets of many sizes come to the surface.
-
-        Raises InputError if there is no design.
-        Raises DesignError if the family refuses all sizes.
-        """
+        """How near sheets of many sizes come to the surface."""
         file = self._design()
-        size = self.payload.get("size")
+        size, own = self.payload.get("size"), None
         if isinstance(size, dict):
             # Where sizes are to be chosen, those of the shell on the screen.
             shown = {f"pattern.{key}": size.get(key) for key in ("rows", "columns")}
-            file = replace(file.changed({"tolerance": None, **shown}), tolerance=file.tolerance)
-            require_small(file)
-        return find_tradeoff(file, self.progress)
+            sized = file.changed({"tolerance": None, **shown})
+            require_small(sized)
+            own = (sized.pattern.rows, sized.pattern.columns)
+        return find_tradeoff(file, self.progress, size=own)
 
     def search(self) -> SearchState:
-        """What :func:`search_variants` finds, which raises as this does.
-
-        Raises InputError, DesignError if nothing is to be searched for, or found.
-        """
+        """What :func:`search_variants` finds."""
         path = self._design(searched=True).path
         return search_variants(self.payload["design"], path, self.progress, self.send)
 
     def draw_sheets(self) -> Sheets:
-        """The drawings that a workshop gets.
-
-        Raises InputError if there is no design, or a setting does not fit the sheet.
-        """
+        """The drawings that a workshop gets."""
         return preview_sheets(self._design(), self._name(), self.progress)
 
     def export(self) -> tuple[str, bytes]:
-        """Name and bytes of the design in one format: a file, or a zip archive of several.
-
-        Raises InputError if there is no such format, or the design is refused.
-        """
+        """Name and bytes of the design in one format: a file, or a zip archive of several."""
         name = self.payload.get("format")
         formats = find_formats([str(name)])
         if len(formats) != 1:

@@ -52,10 +52,7 @@ class Pool:
     async def run(self, name: str, payload: Payload) -> Any:
         """The result of a task, by its ``name``, given its ``payload``.
 
-        Raises
-        ------
-        RefusalError, OutOfTimeError, BusyError, FaultError
-            If there is none.
+        Raises RefusalError, OutOfTimeError, BusyError or FaultError if there is none.
         """
         async with contextlib.aclosing(self.stream(name, payload)) as stream:
             async for kind, value in stream:
@@ -66,9 +63,8 @@ class Pool:
     async def stream(self, name: str, payload: Payload) -> AsyncGenerator[tuple[Kind, Any]]:
         """Progress as ("progress", (share, what)), then the result of a task as ("result", value).
 
-        In between comes what was found so far, as ("found", value). The task is found by
-        its ``name`` and given its ``payload``; if its stream is closed before its end, it is
-        stopped.
+        In between comes what was found so far, as ("found", value). A task whose stream is closed
+        before its end is stopped.
         """
         worker = await self._take()
         try:

@@ -96,6 +96,7 @@ def inspect_fold(
         raise InputError(
             "the tolerance is not usable",
             where="tolerance",
+            keys=("tolerance",),
             got=str(tolerance),
             expected="a finite number greater than 0",
         )

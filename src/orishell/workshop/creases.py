@@ -142,7 +142,7 @@ def _corner_gap(document: Document, creases: _Creases, workshop: Workshop) -> fl
         raise InputError(
             f"the gaps leave less than {KEPT:.0%} of "
             f"{_edge_name(document, creases.edges[shortest])}",
-            where="[workshop] corner_gap",
+            keys=("workshop.corner_gap",),
             got=f"{gap:g} {document.unit}",
             expected=f"at most {plain(inside(largest, 0.0))} {document.unit}",
         )
@@ -173,7 +173,7 @@ def _require_room(document: Document, part: CutPart, holed: Booleans, diameter: 
     if diameter > largest:
         raise InputError(
             f"the holes leave too little of the creases and panels ({KEPT:.0%} must remain)",
-            where="[workshop] relief_hole",
+            keys=("workshop.relief_hole",),
             got=f"{diameter:g} {document.unit}",
             expected=f"at most {plain(inside(largest, 0.0))} {document.unit}",
         )
@@ -201,7 +201,7 @@ def _cuts(
     if counts.sum() > MOST_CUTS:
         raise InputError(
             "the dashes are too fine",
-            where="[workshop] dash",
+            keys=("workshop.dash",),
             got=f"{dash:g} {document.unit}, {plain(counts.sum(), 3)} cuts",
             expected=f"at most {MOST_CUTS:g} cuts",
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -127,7 +128,7 @@ class CutSheet:
 class OversizeError(InputError):
     """Panels that the stock is too small for, the largest by a factor (more than 1)."""
 
-    def __init__(self, what: str, factor: float, **facts: str) -> None:
+    def __init__(self, what: str, factor: float, **facts: Any) -> None:
         super().__init__(what, **facts)
         self.factor = factor
 
@@ -154,7 +155,7 @@ def require_panels_fit(document: Document, sheet: CutSheet) -> None:
     raise OversizeError(
         f"{len(wrong)} of {len(sheet.corners)} panels do not fit the stock",
         max(short / stock[0], long / stock[1], 1 + SLACK),
-        where="[workshop] stock",
+        keys=("workshop.stock",),
         got=f"{sheet.width:.6g} x {sheet.height:.6g} without its margins",
         expected=f"at least {_above(long)} x {_above(short)}, in which each of them fits; "
         f"the longest is panel {largest}, with its tabs if it has any",

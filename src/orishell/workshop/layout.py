@@ -151,7 +151,7 @@ def usable_stock(workshop: Workshop) -> tuple[float, float]:
     if min(width, height) <= 0:
         raise InputError(
             "the margins leave nothing of the stock",
-            where="[workshop] margin",
+            keys=("workshop.margin",),
             got=f"{workshop.margin:g}",
             expected=f"less than {min(workshop.stock) / 2:g}",
         )

@@ -93,7 +93,7 @@ def _choose_turns(outline: Array, width: float, height: float) -> Array:
     if not len(turns):
         raise InputError(
             "a part does not fit the stock",
-            where="[workshop] stock",
+            keys=("workshop.stock",),
             got=f"{width:.6g} x {height:.6g} without its margins",
             expected="room for every part and strip",
         )

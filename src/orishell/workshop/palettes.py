@@ -132,7 +132,7 @@ def load_palette(name: str) -> Palette:
     if name not in _known():
         raise InputError(
             "there is no such palette",
-            where="[workshop] palette",
+            keys=("workshop.palette",),
             got=f'"{name}"',
             expected=", ".join(_known()) + ", or the path of a .toml file",
         )

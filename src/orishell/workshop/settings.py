@@ -121,7 +121,7 @@ class Workshop(Table):
         if directory is None:
             raise InputError(
                 "files are not opened here",
-                where="[workshop] palette",
+                keys=("workshop.palette",),
                 got=repr(self.palette),
                 expected="one of " + ", ".join(palette_names()),
             )
@@ -129,7 +129,7 @@ class Workshop(Table):
         try:
             load_palette(path)
         except InputError as error:
-            raise error.located("[workshop] palette") from None
+            raise error.at_key("workshop.palette") from None
         return self.having(palette=path)
 
 

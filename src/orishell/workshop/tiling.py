@@ -104,7 +104,7 @@ def tile_sheet(outlines: tuple[Array, ...], scale: float | Auto, paper: Paper) -
     if fewest > MOST:
         raise InputError(
             f"the paper model needs more than {MOST} pages",
-            where="[workshop] paper_scale",
+            keys=("workshop.paper_scale",),
             got=f"{size_of:g}, {fewest} pages",
             expected='a smaller number, or "auto"',
         )

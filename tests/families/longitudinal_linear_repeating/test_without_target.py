@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.record import as_table
 from orishell.design import Design
 from orishell.deviation import measure_deviation
 from orishell.document.from_design import document_of_motion
@@ -79,7 +80,7 @@ def test_the_last_frame_is_where_panels_first_touch() -> None:
     assert lock.target_drive == ended.mechanism.target_drive == found.first_contact.clear_until
     step = found.first_contact.drive - lock.target_drive
     assert 0 < step < 1e-9
-    assert (lock.path, lock.first_contact) == (found.path, found.first_contact)
+    assert as_table((lock.path, lock.first_contact)) == as_table((found.path, found.first_contact))
     assert ended.parameters["stage_deg"] == pytest.approx(np.rad2deg(lock.target_drive), abs=1e-9)
     require_rigid(ended)
 

@@ -4,6 +4,7 @@ import type { KeyWords } from "../../shared/api-types.ts";
 import { numberBox, type Segmented, segmented, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
+import { tableOf } from "../state/changed.ts";
 import type { Store } from "../state/store.ts";
 import type { Value } from "../state/types.ts";
 
@@ -54,13 +55,10 @@ export class DeploymentControls {
 
   /** Other keys of the table stay; what says nothing new is left out. */
   private set(key: string, value: Value | undefined, gesture = ""): void {
-    const { deployment, ...design } = this.store.design.value;
-    const table = { ...deployment };
-    if (value === undefined) delete table[key];
-    else table[key] = value;
     // A pack has clipped flaps, said or not.
-    if (key === "from") delete table["flap_attachment"];
-    this.store.change(Object.keys(table).length ? { ...design, deployment: table } : design, this.store.labels.of(key), gesture);
+    const clipped = key === "from" ? { flap_attachment: undefined } : {};
+    const deployment = tableOf({ ...this.store.design.value.deployment, [key]: value, ...clipped });
+    this.store.set({ deployment }, this.store.labels.of(key), gesture);
   }
 
   private show(table: Record<string, Value>): void {

@@ -43,7 +43,7 @@ export class Families {
   private choose(family: string): void {
     const design = this.store.design.value;
     const pattern = this.patternFor(family, design);
-    this.store.change({ ...design, shell: { ...design.shell, family }, pattern }, "family");
+    this.store.set({ "shell.family": family, pattern }, "family");
   }
 
   private patternFor(family: string, design: Design): Record<string, Value> {

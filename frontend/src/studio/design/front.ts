@@ -1,7 +1,8 @@
 // Sheets of many sizes, and which of them to take: arithmetic of the trade-off, without the page.
 
 import type { Tradeoff, Trial } from "../../shared/api-types.ts";
-import type { Design, Tolerance, Value } from "../state/types.ts";
+import { changed } from "../state/changed.ts";
+import type { Design, Tolerance } from "../state/types.ts";
 
 /** Round up, so that what comes that near still does. */
 export function roundUp(value: number, digits: number): number {
@@ -32,16 +33,13 @@ export function keyOf(design: Design): string {
 
 /** The design with the sizes of a trial in place of a tolerance. */
 export function withSizes(design: Design, trial: Trial, settled: Tradeoff["settled"]): Design {
-  const { tolerance: _, ...rest } = design;
   const { rows, columns } = trial;
-  const pattern = { ...(settled as Record<string, Value>), ...design.pattern, rows, columns };
-  return { ...rest, pattern };
+  return changed(design, { tolerance: null, pattern: { ...settled, ...design.pattern, rows, columns } });
 }
 
 /** The design with a tolerance in place of rows and columns. */
 export function withTolerance(design: Design, tolerance: Tolerance): Design {
-  const { rows: _rows, columns: _columns, ...pattern } = design.pattern;
-  return { ...design, pattern, tolerance };
+  return changed(design, { "pattern.rows": null, "pattern.columns": null, tolerance });
 }
 
 /** A logarithmic scale from values to places. */

@@ -77,8 +77,7 @@ export class PanelControls {
 
   /** Without a thickness panels are made of nothing, and the file has no such table. */
   private change(table: Record<string, Value>, gesture = ""): void {
-    const { panel: _, ...design } = this.store.design.value;
-    this.store.change(Number(table["thickness"]) > 0 ? { ...design, panel: table } : design, "panels", gesture);
+    this.store.set({ panel: Number(table["thickness"]) > 0 ? table : undefined }, "panels", gesture);
   }
 
   private show(): void {

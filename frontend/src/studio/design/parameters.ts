@@ -67,11 +67,11 @@ export class Parameters {
   }
 
   private countPanels(): void {
-    const { design, report, view, labels } = this.store;
+    const { design, report, view, info } = this.store;
     const { rows, columns } = { ...report.value, ...design.value.pattern };
     // The sheet says whether its flaps are part of it.
     const flapped = view.value?.header.grid?.[1] !== report.value?.columns;
-    const flaps = labels.of("flap") === "Flap" ? "flaps" : "strips along its border";
+    const flaps = info.families[design.value.shell.family]?.borders ?? "";
     this.count.textContent = view.value ? wordsOfSize(Number(rows), Number(columns), flapped ? flaps : "") : "";
     this.count.hidden = !this.count.textContent;
   }

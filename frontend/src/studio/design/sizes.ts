@@ -85,12 +85,7 @@ export class Sizes {
   }
 
   private set(key: keyof Tolerance, value: number | undefined): void {
-    const design = this.store.design.value;
-    if (!design.tolerance) return;
-    const tolerance: Tolerance = { ...design.tolerance };
-    if (value === undefined) delete tolerance[key];
-    else tolerance[key] = value;
-    this.store.change({ ...design, tolerance }, this.store.labels.of(key), `type-${key}`);
+    if (this.store.design.value.tolerance) this.store.set({ [`tolerance.${key}`]: value }, this.store.labels.of(key), `type-${key}`);
   }
 
   private toTolerance(): void {
@@ -118,9 +113,8 @@ export class Sizes {
   private toSizes(): void {
     const { design, report, freshness } = this.store;
     const chosen = freshness.value === "current" ? sized(design.value, report.value) : design.value;
-    const { tolerance: _, ...rest } = chosen;
     const size = { rows: report.value?.rows ?? 9, columns: report.value?.columns ?? 11 };
-    this.store.change({ ...rest, pattern: { ...size, ...rest.pattern } }, "rows and columns");
+    this.store.set({ tolerance: null, pattern: { ...size, ...chosen.pattern } }, "rows and columns");
   }
 
   private refresh(): void {

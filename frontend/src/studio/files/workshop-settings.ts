@@ -3,6 +3,7 @@
 import { numberBox, setNumber } from "../parts/controls.ts";
 import { h } from "../parts/dom.ts";
 import { short } from "../parts/numbers.ts";
+import { tableOf } from "../state/changed.ts";
 import type { Store } from "../state/store.ts";
 import type { Parameter, Value } from "../state/types.ts";
 import { isIdle } from "./workshop-words.ts";
@@ -116,12 +117,9 @@ export class WorkshopSettings {
 
   private set(key: string, value: Value | undefined): void {
     const parameter = this.store.info.workshop.find((each) => each.key === key)!;
-    const { workshop, ...design } = this.store.design.value;
-    const table = { ...workshop };
-    if (value === undefined || value === parameter.default) delete table[key];
-    else table[key] = value;
-    const changed = Object.keys(table).length ? { ...design, workshop: table } : design;
-    this.store.change(changed, parameter.label.toLowerCase());
+    const given = value === parameter.default ? undefined : value;
+    const workshop = tableOf({ ...this.store.design.value.workshop, [key]: given });
+    this.store.set({ workshop }, parameter.label.toLowerCase());
   }
 
   private show(): void {

@@ -81,10 +81,7 @@ export class Toolbar {
         "data-testid": "unit",
         "aria-label": "Unit of length",
         title: "Unit of length; numbers keep their values",
-        onchange: () => {
-          const design = store.design.value;
-          store.change({ ...design, shell: { ...design.shell, unit: select.value } }, "unit");
-        },
+        onchange: () => store.set({ "shell.unit": select.value }, "unit"),
       },
       ...store.info.units.map((unit) => h("option", { value: unit }, unit)),
     );

@@ -1,7 +1,6 @@
 // The button that mends a fault, where the fault names a value that works.
 
 import { button } from "./controls.ts";
-import { mended } from "../state/faults.ts";
 import type { Store } from "../state/store.ts";
 import type { Fault } from "../state/types.ts";
 
@@ -23,6 +22,6 @@ export function remedyButton(store: Store, fault: Fault): HTMLButtonElement | nu
     text,
     class: "button primary",
     testid: "use-nearest",
-    act: () => store.change(mended(store.design.value, remedy), said),
+    act: () => store.set(remedy.changes, said),
   });
 }

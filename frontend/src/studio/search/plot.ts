@@ -56,7 +56,7 @@ export class SearchPlot {
 
   draw(found: Found, [x, y]: [Axis, Axis], words: (member: Member) => string): void {
     this.found = found;
-    const { designs, front, begun_with: begun, objectives } = found;
+    const { designs, front, baseline: begun, objectives } = found;
     const valueOf = (axis: Axis, design: SearchedDesign): number => (axis === null ? designs.indexOf(design) + 1 : design.figures[axis]!);
     const shown = begun && x !== null ? [...designs, begun] : designs;
     const across = Scale.of(shown.map((each) => valueOf(x, each)), LEFT, WIDTH - RIGHT);

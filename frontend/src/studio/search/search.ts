@@ -5,6 +5,7 @@ import { button, numberBox, setNumber } from "../parts/controls.ts";
 import { h, setAttribute, uniqueId } from "../parts/dom.ts";
 import { pretty } from "../parts/numbers.ts";
 import { WorkBar } from "../parts/work-bar.ts";
+import { changed } from "../state/changed.ts";
 import type { Store } from "../state/store.ts";
 import type { Parameter, SearchTable } from "../state/types.ts";
 import { FigureList, offeredFigures } from "./figures.ts";
@@ -12,11 +13,8 @@ import { type Found, type Member, wordsOfCount, wordsOfRest } from "./found.ts";
 import { candidates, suggestion } from "./numbers.ts";
 import { type Axis, SearchPlot } from "./plot.ts";
 import { type Run, Search } from "./run.ts";
-import { countOf, hasValues, keyOf, lacking, searchOf, withSearch, withValues } from "./table.ts";
+import { countOf, hasValues, keyOf, lacking, searchOf } from "./table.ts";
 import { VariableList } from "./variables.ts";
-
-/** What the file format makes where a table does not say it. */
-const OF_FILES = 400;
 
 export class SearchCard {
   readonly element: HTMLElement;
@@ -100,7 +98,7 @@ export class SearchCard {
   private edit(table: SearchTable, gesture: string): void {
     const { design } = this.store;
     const whole = !lacking(table);
-    if (whole || design.value.search) this.store.change(withSearch(design.value, whole ? table : null), "search", gesture);
+    if (whole || design.value.search) this.store.set({ search: whole ? table : null }, "search", gesture);
     this.draft = whole ? null : table;
     this.show();
   }
@@ -109,10 +107,10 @@ export class SearchCard {
     const { design, name } = this.store;
     const { table } = this;
     if (lacking(table) || this.running) return;
-    if (!design.value.search) this.store.change(withSearch(design.value, table), "search");
+    if (!design.value.search) this.store.set({ search: table }, "search");
     const variables = Object.keys(table.variables);
     this.about = { key: keyOf(design.value, variables), variables };
-    void this.search.begin(withSearch(design.value, table), name.value);
+    void this.search.begin(changed(design.value, { search: table }), name.value);
   }
 
   /** What is asked for. */
@@ -122,7 +120,7 @@ export class SearchCard {
     const { design, report, info } = store;
     this.variables.show(table.variables, this.candidates());
     this.figures.show(table, offeredFigures(info.search.figures, design.value, report.value, table));
-    const most = table.evaluations ?? OF_FILES;
+    const most = table.evaluations ?? info.search.evaluations;
     setNumber(this.evaluations, String(most));
     const missing = lacking(table);
     const whole = new Set(this.parameters.filter(({ kind }) => kind === "integer").map(({ key }) => `pattern.${key}`));
@@ -199,7 +197,7 @@ export class SearchCard {
   }
 
   private pick(member: Member): void {
-    this.store.change(withValues(this.store.design.value, member.design.values), this.wordsOfValues(member));
+    this.store.set(member.design.values, this.wordsOfValues(member));
     this.showMember();
   }
 

@@ -1,5 +1,6 @@
 // The table [search] of a design: what may change, and what is to be small; without the page.
 
+import { changed } from "../state/changed.ts";
 import type { Design, Limit, SearchTable, Value, Variable } from "../state/types.ts";
 
 /** Designs that are made, at most, until another number is asked for. */
@@ -26,12 +27,6 @@ function joined(table: object, head = ""): Record<string, unknown> {
   );
 }
 
-/** The design with another table, or without one. */
-export function withSearch(design: Design, search: SearchTable | null): Design {
-  const { search: _, ...rest } = design;
-  return search ? { ...rest, search } : rest;
-}
-
 /** What is still missing before there is something to search for, in words; empty if nothing is. */
 export function lacking({ variables, minimise, subject_to: limits = {} }: SearchTable): string {
   const allowed = Object.values(variables);
@@ -55,20 +50,6 @@ function sizeOf(each: Variable, whole: boolean): number {
   return step ? Math.floor((each.high - each.low) / step + 1e-9) + 1 : Infinity;
 }
 
-/** The design with other values at some keys; what does not change is the same as before. */
-export function withValues(design: Design, values: Record<string, unknown>): Design {
-  let changed: unknown = design;
-  for (const [key, value] of Object.entries(values)) changed = replaced(changed, key.split("."), value);
-  return changed as Design;
-}
-
-function replaced(tables: unknown, [first, ...rest]: string[], value: unknown): unknown {
-  if (first === undefined) return value;
-  const copy = (Array.isArray(tables) ? [...tables] : { ...(tables as object) }) as Record<string, unknown>;
-  copy[first] = replaced(copy[first], rest, value);
-  return copy;
-}
-
 /** What stands at a key of a design. */
 export function valueAt(design: Design, key: string): unknown {
   return key.split(".").reduce<unknown>((at, name) => (at as Record<string, unknown> | undefined)?.[name], design);
@@ -81,7 +62,7 @@ export function hasValues(design: Design, values: Record<string, unknown>): bool
 
 /** What a search is about: designs that differ in what may change only are the same here. */
 export function keyOf(design: Design, variables: string[]): string {
-  return JSON.stringify(sorted(withValues(withSearch(design, null), Object.fromEntries(variables.map((key) => [key, 0])))));
+  return JSON.stringify(sorted(changed(design, { search: null, ...Object.fromEntries(variables.map((key) => [key, 0])) })));
 }
 
 function sorted(value: unknown): unknown {

@@ -1,7 +1,7 @@
 // Errors of the server: what they say, which control they are about, and what would mend them.
 
 import type { Refusal } from "../../shared/api-types.ts";
-import type { CurveName, Curves, Design, Fault, Remedy } from "./types.ts";
+import type { CurveName, Curves, Fault, Remedy } from "./types.ts";
 
 /** An answer that is not what was asked for. */
 export class ServerFault extends Error {
@@ -54,20 +54,6 @@ export function patternKeysOf(fault: Fault | null): string[] {
 /** Whether a fault is about a curve. */
 export function isAbout(fault: Fault | null, curve: CurveName): boolean {
   return fault?.keys.some((key) => `${key}.`.startsWith(`target.${curve}.`)) ?? false;
-}
-
-/** The design with what a remedy changes. */
-export function mended(design: Design, remedy: Remedy): Design {
-  const changed = structuredClone(design);
-  for (const [place, value] of Object.entries(remedy.changes)) {
-    const path = place.split(".");
-    const key = path.pop()!;
-    let table = changed as unknown as Record<string, unknown>;
-    for (const name of path) table = (table[name] ??= {}) as Record<string, unknown>;
-    if (value === null) delete table[key];
-    else table[key] = value;
-  }
-  return changed;
 }
 
 /** What was found that works, or what limits. */

@@ -1,5 +1,6 @@
 // Designs as shells: one whose size was chosen by a tolerance, two that differ in their search only.
 
+import { changed } from "./changed.ts";
 import type { Design, Report } from "./types.ts";
 
 /** What the search settles beside rows and columns, where the design leaves it open. */
@@ -9,13 +10,9 @@ const SETTLED = ["placement", "spacing", "depth"];
  * again; a design without a tolerance as it is. */
 export function sized(design: Design, report: Report | null): Design {
   if (!design.tolerance || !report) return design;
-  const { tolerance: _, ...rest } = design;
-  const pattern: Design["pattern"] = { ...design.pattern, rows: report.rows, columns: report.columns };
-  for (const key of SETTLED) {
-    const taken = report.parameters[key];
-    if (!(key in design.pattern) && taken !== undefined) pattern[key] = taken;
-  }
-  return { ...rest, pattern };
+  const settled = Object.fromEntries(SETTLED.flatMap((key) => (key in report.parameters ? [[key, report.parameters[key]]] : [])));
+  const { rows, columns } = report;
+  return changed(design, { tolerance: null, pattern: { ...settled, ...design.pattern, rows, columns } });
 }
 
 /** Whether two designs, one of which came from the other, differ in what is searched for only. */

@@ -1,6 +1,7 @@
 // The state of the studio: the design with its history, and what is known of it.
 
 import type { View } from "../../shared/view.ts";
+import { changed } from "./changed.ts";
 import { History } from "./history.ts";
 import { Labels } from "./labels.ts";
 import { type Named, type Work, workOf } from "./named.ts";
@@ -117,17 +118,17 @@ export class Store {
     if (this.history.redo()) this.publish();
   }
 
+  /** Change values of the design by their keys, the tables in front of them. */
+  set(values: Record<string, unknown>, what: string, gesture = ""): void {
+    this.change(changed(this.design.value, values), what, gesture);
+  }
+
   setPattern(key: string, value: Value | undefined, gesture = ""): void {
-    const design = this.design.value;
-    const pattern = { ...design.pattern };
-    if (value === undefined) delete pattern[key];
-    else pattern[key] = value;
-    this.change({ ...design, pattern }, this.labels.of(key), gesture);
+    this.set({ [`pattern.${key}`]: value }, this.labels.of(key), gesture);
   }
 
   setCurve(name: CurveName, table: CurveTable, what: string, gesture = ""): void {
-    const design = this.design.value;
-    this.change({ ...design, target: { ...design.target, [name]: table } }, what, gesture);
+    this.set({ [`target.${name}`]: table }, what, gesture);
   }
 
   private push(named: Work, what: string, gesture = ""): void {

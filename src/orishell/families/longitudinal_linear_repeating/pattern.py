@@ -164,4 +164,5 @@ FAMILY = Family(
     label="Longitudinal",
     what="A convex f along a straight line, growing or shrinking",
     starter=Path(__file__).with_name("starter.toml"),
+    borders="strips along its border",
 )

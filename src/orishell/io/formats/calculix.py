@@ -50,7 +50,7 @@ def write_calculix(path: Path, document: Document, settings: Settings) -> None:
     if shell is None:
         raise InputError(
             "the shell was not analysed as a structure",
-            where="[structure]",
+            keys=("structure",),
             remedy="add the tables [structure] and [[load_case]] to the design file",
         )
     unit = document.require_unit()

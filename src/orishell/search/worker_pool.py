@@ -17,7 +17,7 @@ from typing import Any, Protocol
 Work = Callable[[Sequence[Any]], list[Any]]
 """What is done with a chunk, result by result; processes find it by the name of its module."""
 SHARES = 8
-"""Chunks for each place among which designs are shared out, so that none waits long for others."""
+"""Chunks for each slot among which designs are shared out, so that none waits long for others."""
 LARGEST_CHUNK = 8
 ATTEMPTS = 3
 """Times that a chunk is tried whose process dies."""
@@ -25,7 +25,7 @@ GLANCE = 0.1
 """Seconds after which it is looked whether to stop."""
 
 
-class Place(Protocol):
+class Slot(Protocol):
     """Where one chunk at a time is worked on."""
 
     died: tuple[type[BaseException], ...]
@@ -39,10 +39,10 @@ class Place(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Crew:
-    """All places where work is done."""
+class WorkerPool:
+    """All slots where work is done."""
 
-    places: list[Place]  # each works on one chunk at a time
+    slots: list[Slot]  # each works on one chunk at a time
     largest_chunk: int = LARGEST_CHUNK  # items in a chunk, at most
     # raises InputError if nobody is left who could do the work
     require_alive: Callable[[], None] | None = None
@@ -63,31 +63,31 @@ class Crew:
         stop
             Set where no more are wanted.
         """
-        size = -(-len(items) // (SHARES * len(self.places)))
+        size = -(-len(items) // (SHARES * len(self.slots)))
         size = min(max(size, 1), self.largest_chunk)
         chunks = [items[k : k + size] for k in range(0, len(items), size)]
         waiting = deque((chunk, 1) for chunk in chunks)
-        idle = list(self.places)
-        running: dict[Future[list[Any]], tuple[Place, Sequence[Any], int]] = {}
+        idle = list(self.slots)
+        running: dict[Future[list[Any]], tuple[Slot, Sequence[Any], int]] = {}
         while (waiting or running) and not stop.is_set():
             while waiting and idle:
-                place, (chunk, attempt) = idle.pop(), waiting.popleft()
+                slot, (chunk, attempt) = idle.pop(), waiting.popleft()
                 try:
-                    future = place.submit(work, chunk)
-                except place.died:  # while it had nothing to do
-                    place.renew()
-                    future = place.submit(work, chunk)
-                running[future] = (place, chunk, attempt)
+                    future = slot.submit(work, chunk)
+                except slot.died:  # while it had nothing to do
+                    slot.renew()
+                    future = slot.submit(work, chunk)
+                running[future] = (slot, chunk, attempt)
             ready = wait(running, GLANCE, FIRST_COMPLETED).done
             if not ready and self.require_alive:
                 self.require_alive()
             for future in ready:
-                place, chunk, attempt = running.pop(future)
-                idle.append(place)
+                slot, chunk, attempt = running.pop(future)
+                idle.append(slot)
                 try:
                     yield chunk, future.result()
-                except place.died:
-                    place.renew()
+                except slot.died:
+                    slot.renew()
                     if len(chunk) > 1:  # one of them may be to blame
                         waiting.extendleft(([each], 1) for each in chunk)
                     elif attempt < ATTEMPTS:
@@ -97,9 +97,9 @@ class Crew:
 
 
 @contextlib.contextmanager
-def alone() -> Iterator[Crew]:
+def alone() -> Iterator[WorkerPool]:
     """No other process than this one does the work."""
-    yield Crew([_Here()], largest_chunk=1)
+    yield WorkerPool([_Here()], largest_chunk=1)
 
 
 class _Here:
@@ -115,7 +115,7 @@ class _Here:
 
 
 @contextlib.contextmanager
-def local_processes(count: int | None = None) -> Iterator[Crew]:
+def local_processes(count: int | None = None) -> Iterator[WorkerPool]:
     """Processes of this machine, each with one thread.
 
     Parameters
@@ -124,11 +124,11 @@ def local_processes(count: int | None = None) -> Iterator[Crew]:
         Their number; None for one a core.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # processes inherit it
-    places = [_Process() for _ in range(count or cores())]
+    slots = [_Process() for _ in range(count or cores())]
     try:
-        yield Crew(list(places), largest_chunk=1)
+        yield WorkerPool(list(slots), largest_chunk=1)
     finally:
-        for each in places:
+        for each in slots:
             each.end()
 
 

@@ -43,7 +43,7 @@ same each bears its part."""
 
 
 @record
-class Held:
+class Factorised:
     """A supported structure, factorised.
 
     Rows are those of the conditions, then two of friction for each foot on rough ground (along
@@ -88,6 +88,26 @@ class Held:
         bears = self.conditions.friction[rough] * forces[rough]
         return float(np.max(rubs[bears > 0] / bears[bears > 0], initial=0.0))
 
+    def free_loads(self, forces: Array) -> Array:
+        """Loads on free freedoms (n,) of forces on nodes (N, 3)."""
+        loads = np.zeros(self.every_row.shape[1])
+        loads[: forces.size] = forces.ravel()
+        return np.asarray(loads[self.free])
+
+    def moved(self, displacements: Array) -> Array:
+        """Displacements and rotations (D,), by displacements of free freedoms (n,)."""
+        moved = np.zeros(self.every_row.shape[1])
+        moved[self.free] = displacements
+        return moved
+
+    def shape(self, displacements: Array) -> Array:
+        """Displacements (N, 3) of nodes, by displacements of free freedoms (n,)."""
+        return self.moved(displacements)[: 3 * self.nodes].reshape(-1, 3)
+
+    def furthest(self, displacements: Array) -> float:
+        """The largest displacement of a node, by displacements of free freedoms (n,)."""
+        return float(np.linalg.norm(self.shape(displacements), axis=1).max())
+
     def spring_solve(self, loads: Array) -> Array:
         """A^-1 f (n, ...) of loads (n, ...), refined once."""
         found = self._factors.solve(loads)
@@ -97,18 +117,18 @@ class Held:
         """A^-1 f (n,) of loads (n,), not refined."""
         return np.asarray(self._factors.solve(loads))
 
-    def soft_stiffness(self, moved: Array, acting: Booleans) -> Array:
-        """Forces (n,) of panels, hinges and those rows that are acting (M,) and give.
+    def soft_stiffness(self, moved: Array, active: Booleans) -> Array:
+        """Forces (n,) of panels, hinges and those rows that are active (M,) and give.
 
         The structure is moved (n,).
         """
-        taken = np.where(acting & ~self._hard, 0.0, self.springs)
+        taken = np.where(active & ~self._hard, 0.0, self.springs)
         return np.asarray(self._inner @ moved - self.rows.T @ (taken * (self.rows @ moved)))
 
-    def motions(self, acting: Booleans) -> Array:
-        """What nothing resists (n, k) while some rows are acting (M,); orthonormal."""
-        hard = acting & self._hard
-        loose = ~acting
+    def motions(self, active: Booleans) -> Array:
+        """What nothing resists (n, k) while some rows are active (M,); orthonormal."""
+        hard = active & self._hard
+        loose = ~active
         root = np.sqrt(self.springs[loose])
         across = self.flexibility[np.ix_(hard, loose)]
         release = np.linalg.lstsq(self.flexibility[np.ix_(hard, hard)], across, rcond=FREE)[0]
@@ -127,19 +147,14 @@ class Held:
 
     def resisting(self, moved: Array) -> Array:
         """Forces (D,) that panels and hinges take, of free freedoms moved (n,): K u."""
-        every = np.zeros(self.every_row.shape[1])
-        every[self.free] = moved
+        every = self.moved(moved)
         return np.asarray(np.sum([each.total(every) for each in self.elements], axis=0))
 
-    def respond(self, loads: Array, acting: Booleans) -> tuple[Array, Array, Array, Array]:
+    def respond(self, loads: Array, active: Booleans) -> tuple[Array, Array, Array, Array]:
         """What loads do while some rows act.
 
-        Parameters
-        ----------
-        loads
-            Loads on free freedoms (n,).
-        acting
-            Which rows act (M,).
+        loads: Loads on free freedoms (n,).
+        active: Which rows act (M,).
 
         Returns
         -------
@@ -147,8 +162,8 @@ class Held:
             Displacements (n,), gaps (M,) and forces (M,) of the rows, and what panels and hinges
             take (D,): that of all steps one by one, as displacements of all together are rounded.
         """
-        law, rest = self.law(acting), loads
-        moved, gaps, forces = np.zeros(len(loads)), *np.zeros((2, len(acting)))
+        law, rest = self.law(active), loads
+        moved, gaps, forces = np.zeros(len(loads)), *np.zeros((2, len(active)))
         taken = np.zeros(self.every_row.shape[1])
         for _ in range(STEPS):
             direct = self.spring_solve(rest)
@@ -156,23 +171,20 @@ class Held:
             opened = self.rows @ direct + self.flexibility @ p
             step = direct + self.spread @ p
             moved, gaps, taken = moved + step, gaps + opened, taken + self.resisting(step)
-            forces = forces + np.where(acting, self.springs * opened - p, 0.0)
+            forces = forces + np.where(active, self.springs * opened - p, 0.0)
             rest = loads - (taken + self.pulls(forces))[self.free]
         return moved, gaps, forces, taken
 
-    def law(self, acting: Booleans) -> Array:
+    def law(self, active: Booleans) -> Array:
         """The matrix (M, M) from gaps g_f that loads would open to p, while some rows act.
 
-        Parameters
-        ----------
-        acting
-            Which rows act (M,).
+        active: Which rows act (M,).
         """
-        # g - C p = g_f; open rows: p - S g = 0; acting ones: p = 0, or next to no g if hard.
+        # g - C p = g_f; open rows: p - S g = 0; active ones: p = 0, or next to no g if hard.
         count = len(self.rows)
-        hard, spring = acting & self._hard, np.diag(self.springs)
+        hard, spring = active & self._hard, np.diag(self.springs)
         by_gap, by_p = -spring, np.eye(count)
-        by_gap[acting], by_p[hard] = 0.0, GIVE * by_p[hard]
+        by_gap[active], by_p[hard] = 0.0, GIVE * by_p[hard]
         by_gap[hard] = (1 - GIVE) * spring[hard]
         root = np.sqrt(self.springs)
         # p = s q and g = h/s with s^2 = S: forces and gaps by springs count alike.

@@ -1,0 +1,244 @@
+"""A shell that stands under its loads: all that was found of it, and what is largest in it.
+
+Forces are in newtons; vertices and panels are rows and columns of the folding sheet, from 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.locking.result import Panel
+from orishell.motion.grid import Vertex, VertexPair
+from orishell.numerics.arrays import Array
+from orishell.structure.loads import Vector, vector
+from orishell.structure.model import Model
+
+Limiting = Literal["panels", "creases", "ties", "buckling"]
+"""What may be at the end of what it bears."""
+GOVERNING: Mapping[Limiting, str] = {
+    "panels": "the stress in panels",
+    "creases": "the moment of creases",
+    "ties": "the force in a tie",
+    "buckling": "buckling",
+}
+"""What governs, in the words of terminal, page and studio."""
+LARGE = 0.05
+"""Displacements above this share of the shell's height are too large for linear theory: the thrust
+of an arch is a moment of its loads over its height, so it is wrong by about as much."""
+LEAST_BUCKLING = 3.0
+"""Below this factor a shell may well buckle: imperfect ones do before linear theory says so."""
+
+
+@record
+class Displacement:
+    """The largest displacement."""
+
+    size: float  # how large it is
+    vector: Vector  # along x, y and z
+    panel: Panel  # a panel that has the place
+    share: float  # of the shell's height
+
+
+@record
+class Reaction:
+    """The force of a support on the shell."""
+
+    at: Vertex  # the supported vertex
+    force: Vector  # along x, y and z
+
+
+@record
+class PairForce:
+    """The force between two vertices: of a tie, or of two panels of a flap on each other."""
+
+    ends: VertexPair  # the vertices
+    force: float  # how much a tie pulls, or flaps push
+
+
+@record
+class CreaseMoment:
+    """The crease with the largest moment."""
+
+    moment: float  # per length
+    panels: tuple[Panel, Panel]  # the two panels beside it
+
+
+@record
+class Stress:
+    """The largest stress in panels."""
+
+    size: float  # von Mises' stress
+    panel: Panel  # where
+    # on which face of the panel, upper as seen from +z on the flat sheet
+    face: Literal["lower", "upper"]
+    # the largest and the least principal stress of all panels: pull and pressure
+    largest: float
+    least: float
+
+
+@record
+class Utilisation:
+    """Shares of what is borne, by what can be borne."""
+
+    WRITTEN = ("panels", "creases", "ties", "buckling", "governs")
+
+    # of their strength; None where that is not known
+    panels: float | None
+    creases: float | None
+    ties: float | None
+    buckling: float | None  # of the load at which the shell buckles; None if it does not
+
+    @property
+    def shares(self) -> dict[Limiting, float | None]:
+        """All of them by name."""
+        return {part: getattr(self, part) for part in GOVERNING}
+
+    @property
+    def governs(self) -> Limiting | None:
+        """The largest of these; None if there is none."""
+        known = [(share, part) for part, share in self.shares.items() if share]
+        return max(known)[1] if known else None
+
+
+@record
+class Equilibrium:
+    """A shell that stands under its loads."""
+
+    WRITTEN = (
+        "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
+        "crease", "stress", "utilisation", "buckling", "frequencies",
+    )  # fmt: skip
+
+    model: Model  # what is loaded
+    stiffness: float  # of creases (force per radian); 0 free, infinite rigid
+    displacements: Array  # of nodes (N, 3) (length)
+    support_forces: Array  # on supported vertices (S, 3), as ``Model.supported`` has them (N)
+    reaction: Vector  # sum of all reactions
+    # what is missing between loads and reactions, of forces and moments the larger, relative to the
+    # loads
+    residual: float
+    # the largest share of the friction of the ground that a foot uses; None where none is rough
+    friction: float | None
+    tie_forces: Array  # of ties (K,), 0 where they are slack (N)
+    # with which two neighbouring flaps keep the vertices at their outer corners apart (C,), in the
+    # order of ``Model.flaps``; 0 where they part (N)
+    flap_forces: Array
+    crease_moments: Array  # largest moment per length (E,) about every edge, 0 at the border (N)
+    # von Mises' stress (T, 2) of every triangle at its lower and upper face (force per area)
+    stresses: Array
+    # the larger and the smaller principal stress (T, 2) of both faces (force per area)
+    principal: Array
+    # by what factor all loads may grow until the shell buckles, by linear theory; None if it does
+    # not
+    buckling: float | None
+    buckling_mode: Array | None  # of nodes (N, 3), the largest displacement is 1
+    # the lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and
+    # free motions, which have none
+    frequencies: tuple[float, ...]
+    modes: Array  # their modes (M, N, 3), the largest displacement is 1
+
+    @cached_property
+    def displacement(self) -> Displacement:
+        """The largest."""
+        sizes = np.linalg.norm(self.displacements, axis=1)
+        node = int(sizes.argmax())
+        panel = int(np.argmax((self.model.mesh.nodes == node).any(axis=(1, 2))))
+        return Displacement(
+            size=float(sizes[node]),
+            vector=vector(self.displacements[node]),
+            panel=self.model.panel_at(panel),
+            share=float(sizes[node] / self.model.height),
+        )
+
+    @property
+    def reactions(self) -> tuple[Reaction, ...]:
+        """Of all supported vertices."""
+        both = zip(self.model.supported, self.support_forces, strict=True)
+        return tuple(Reaction(at, vector(force)) for at, force in both)
+
+    @cached_property
+    def ties(self) -> tuple[PairForce, ...]:
+        """Forces in ties, the largest first."""
+        return _pairs(self.model.frame.ties, self.tie_forces)
+
+    @cached_property
+    def flaps(self) -> tuple[PairForce, ...]:
+        """Forces of flaps that press on each other, the largest first."""
+        return _pairs(self.model.flaps, self.flap_forces)
+
+    @cached_property
+    def crease(self) -> CreaseMoment | None:
+        """The largest moment about a crease; None where they are free."""
+        moments = np.abs(self.crease_moments)
+        beside = (self.model.grid.faces_edges() == moments.argmax()).any(axis=1)
+        panels = np.flatnonzero(beside).tolist()
+        if len(panels) < 2 or not self.stiffness:
+            return None
+        first, second = map(self.model.panel_at, panels)
+        return CreaseMoment(float(moments.max()), (first, second))
+
+    @cached_property
+    def stress(self) -> Stress:
+        """The largest."""
+        triangle, face = np.unravel_index(self.stresses.argmax(), self.stresses.shape)
+        return Stress(
+            size=float(self.stresses[triangle, face]),
+            panel=self.model.panel_at(int(self.model.mesh.panels[triangle])),
+            face="upper" if face else "lower",
+            largest=float(self.principal[:, 0].max()),
+            least=float(self.principal[:, 1].min()),
+        )
+
+    @cached_property
+    def utilisation(self) -> Utilisation:
+        """Of panels, creases and ties."""
+        asked, crease = self.model.structure, self.crease
+        return Utilisation(
+            panels=_share(self.stress.size, asked.strength),
+            creases=_share(0.0 if crease is None else crease.moment, asked.crease_strength),
+            ties=_share(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
+            buckling=None if self.buckling is None else 1 / self.buckling,
+        )
+
+    def warnings(self) -> Iterator[str]:
+        """What is too large for linear theory, or for what bears it."""
+        share, used = self.displacement.share, self.utilisation
+        if share > LARGE:
+            yield (
+                f"the shell is displaced by {plain(100 * share, 3)} % of its height. Linear theory "
+                f"holds up to {100 * LARGE:g} %: forces are wrong by about as much"
+            )
+        if self.buckling is not None and self.buckling < LEAST_BUCKLING:
+            yield (
+                f"the shell buckles under {plain(self.buckling, 3)} times its loads by linear "
+                f"theory, and earlier with imperfections: at least {LEAST_BUCKLING:g} times are "
+                "asked for"
+            )
+        if self.friction is not None and self.friction > 1:
+            yield (
+                f"a foot needs {plain(self.friction, 3)} times its friction: it slips until others "
+                "bear more, which is not analysed"
+            )
+        for name, limit, part in (
+            ("panels", "stress", used.panels),
+            ("creases", "moment", used.creases),
+            ("ties", "force", used.ties),
+        ):
+            if part is not None and part > 1:
+                yield f"{name} bear {plain(part, 3)} times the {limit} that they can"
+
+
+def _pairs(ends: tuple[VertexPair, ...], forces: Array) -> tuple[PairForce, ...]:
+    """Forces between pairs of vertices, the largest first, none left out."""
+    order = np.argsort(-forces, kind="stable").tolist()
+    return tuple(PairForce(ends[number], float(forces[number])) for number in order)
+
+
+def _share(found: float, strength: float | None) -> float | None:
+    return None if strength is None else found / strength
