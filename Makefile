@@ -19,7 +19,9 @@ NODE := build/node
 PAGES := src/orishell/studio/static/index.html
 PARALLEL := --numprocesses logical --dist worksteal
 FRONTEND := $(shell find frontend -type f -not -path "*/node_modules/*" 2>/dev/null)
-PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --constraint constraints.txt
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet install --no-compile --constraint constraints.txt
+# What is imported is compiled then, once; most of what is installed never is.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: demo test thorough portable docs paper pages test-pages studio cad node everything quick bench lint types contracts check format clean
 

@@ -29,6 +29,7 @@ extensions = [
     "lean_pictures",
     "live_shells",
     "mathml",
+    "source_pages",
 ]
 exclude_patterns = ["_ext", "**/GALLERY_HEADER.rst"]
 templates_path: list[str] = []

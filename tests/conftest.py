@@ -5,6 +5,7 @@ A test that fails is named at once: who waits need not wait for the last one.
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -13,10 +14,13 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 import margins
+from node_tools import BUILT_DOCS
 from samples import LEFT_OUT, examples
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+
+LONGEST = ("test_calculix_agrees", "test_a_clone_becomes_a_wheel", "test_every_offer_typed_in")
 
 settings.register_profile(
     "orishell",
@@ -53,12 +57,16 @@ def browser() -> Iterator[Browser]:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The longest first, so that no process works alone at the end; what needs the site last."""
+    """The longest first, so that no process works alone at the end.
+
+    What needs the site is last if the site is built beside the tests, else it builds it: first.
+    """
+    built_beside = BUILT_DOCS in os.environ
 
     def place(item: pytest.Item) -> int:
-        if "test_calculix_agrees" in item.nodeid:
-            return 0
-        return 2 if "site" in getattr(item, "fixturenames", ()) else 1
+        if "site" in getattr(item, "fixturenames", ()):
+            return 2 if built_beside else 0
+        return 0 if item.name.startswith(LONGEST) else 1
 
     items.sort(key=place)
 

@@ -20,6 +20,9 @@ ROOT = Path(__file__).parents[1]
 SCRIPTS = ROOT / "tests" / "node"
 PACKAGES = ROOT / "build" / "node" / "node_modules"
 REQUIRED = "ORISHELL_REQUIRE_NODE"
+BUILT_DOCS = "ORISHELL_BUILT_DOCS"
+"""In the environment of ``.ci/run``: where `make docs` builds the site, beside the tests, so that
+it is built once."""
 
 
 def ask_node(script: str, question: Any) -> Any:

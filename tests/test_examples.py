@@ -19,6 +19,7 @@ from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.solids import drive_for_height
+from samples import thorough
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 SHELLS = ("shelter", "tunnel", "canopy", "vault", "from_dxf", "from_svg")
@@ -321,10 +322,21 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     assert moving == {("storm across", 0.0), ("storm along", 0.0)}
 
     plywood = design(module["PLYWOOD"])
-    rigid, sprung, free = (judge(plywood, with_creases(plywood, k)) for k in (math.inf, 2e4, 0.0))
-    assert (rigid.carries, sprung.carries, free.carries) == (True, True, False)
-    assert [round(each.buckling, 2) for each in (rigid, sprung, free)] == [4.32, 3.26, 0.48]
-    assert [round(each.displaced, 3) for each in (rigid, sprung, free)] == [0.010, 0.014, 0.204]
+    rigid = judge(plywood, with_creases(plywood))
+    assert rigid.carries
+    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.32, 0.010)
+
+
+@thorough
+@pytest.mark.slow
+def test_plywood_stands_with_creases_of_some_stiffness_and_on_the_ground() -> None:
+    module = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
+    judge, with_creases = module["judge"], module["with_creases"]
+    plywood = module["design"](module["PLYWOOD"])
+    sprung, free = (judge(plywood, with_creases(plywood, k)) for k in (2e4, 0.0))
+    assert (sprung.carries, free.carries) == (True, False)
+    assert [round(each.buckling, 2) for each in (sprung, free)] == [3.26, 0.48]
+    assert [round(each.displaced, 3) for each in (sprung, free)] == [0.014, 0.204]
     ground = module["on_the_ground"](plywood, 0.0).cases
     assert [case.name for case in ground if case.motion] == ["storm across", "storm along"]
     (snow,) = (case for case in ground if not case.motion)

@@ -65,7 +65,7 @@ def lend_pages(place: Path) -> None:
 
 def plain(more: Mapping[str, str]) -> dict[str, str]:
     """The environment's variables without those that lead back to the work tree."""
-    unset = {"PYTHONPATH", "VIRTUAL_ENV", "ORISHELL_WITHOUT_PAGES"}
+    unset = {"PYTHONPATH", "VIRTUAL_ENV", "ORISHELL_WITHOUT_PAGES", "PYTHONDONTWRITEBYTECODE"}
     return {name: value for name, value in os.environ.items() if name not in unset} | dict(more)
 
 
@@ -108,17 +108,8 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
 
     # A source distribution holds the pages, so its wheel needs no npm.
     tools = tmp_path / "tools"
-    ran(
-        sys.executable,
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--target",
-        tools,
-        "hatchling",
-        where=nowhere,
-    )
+    pip = (sys.executable, "-m", "pip", "install", "--quiet", "--no-compile")
+    ran(*pip, "--target", tools, "hatchling", where=nowhere)
     hatch = (sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", tmp_path / "sdist")
     ran(*hatch, where=tree, variables={"PYTHONPATH": str(tools), "PATH": str(nowhere)})
     (source,) = (tmp_path / "sdist").iterdir()
@@ -129,7 +120,8 @@ def test_a_clone_becomes_a_wheel_that_works_anywhere(tmp_path: Path) -> None:
     ran(sys.executable, "-m", "venv", tmp_path / "environment", where=nowhere)
     python = tmp_path / "environment" / "bin" / "python"
     command = python.with_name("orishell")
-    install = (python, "-m", "pip", "install", "--quiet", "-c", ROOT / "constraints.txt")
+    quickly = ("install", "--quiet", "--no-compile", "-c", ROOT / "constraints.txt")
+    install = (python, "-m", "pip", *quickly)
     ran(*install, f"{wheel}[studio]", where=nowhere)
 
     ran(command, "new", "parallel-repeating", "shell.toml", where=nowhere)

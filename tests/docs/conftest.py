@@ -12,14 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from node_tools import lacking
+from node_tools import BUILT_DOCS, lacking
 from viewer_pages import require_viewer
 
 ROOT = Path(__file__).parents[2]
 NEEDED = ("sphinx", "furo", "myst_parser", "sphinx_gallery")
-BUILT = "ORISHELL_BUILT_DOCS"
-"""In the environment of ``.ci/run``: where `make docs` has built it, so that it is built once,
-beside the tests."""
 SECONDS = 1200
 """So long that may take."""
 
@@ -30,8 +27,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
     Built here, they are built from a copy, so that nothing is written beside the sources.
     """
-    if BUILT in os.environ:
-        built = ROOT / os.environ[BUILT]
+    if BUILT_DOCS in os.environ:
+        built = ROOT / os.environ[BUILT_DOCS]
         end = time.monotonic() + SECONDS
         while not (built / "docs.done").exists():
             assert time.monotonic() < end, "the site is not built"

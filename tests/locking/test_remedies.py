@@ -124,7 +124,7 @@ def random_design(rng: np.random.Generator) -> Tables:
 
 
 SHARES = 6
-REFUSALS = 50 if THOROUGH else 2
+REFUSALS = 25 if THOROUGH else 2
 
 
 @thorough

@@ -210,6 +210,7 @@ def work_on(
         yield from pool.work(partial(evaluate, job_of(problem)), variants, threading.Event())
 
 
+@thorough
 def test_workers_that_all_leave_end_a_search(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

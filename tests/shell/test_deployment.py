@@ -179,7 +179,9 @@ def test_hinges_end_the_motion_at_their_angle(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("keys", "offered"),
     [
-        (FROM_PACK + "largest_fold_deg = 60\n", ["largest_fold_deg = 180"]),
+        pytest.param(
+            FROM_PACK + "largest_fold_deg = 60\n", ["largest_fold_deg = 180"], marks=thorough
+        ),
         # As far as the target asks, and no further: it is not what a pack asks.
         pytest.param(
             FROM_PACK + "largest_fold_deg = 95.133\n",

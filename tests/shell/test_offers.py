@@ -22,7 +22,7 @@ PARALLEL, ORTHO, LONG = (
     "orthodiagonal",
     "longitudinal-linear-repeating",
 )
-REFUSALS = 300 if THOROUGH else 4
+REFUSALS = 120 if THOROUGH else 2
 """Random designs are drawn until so many are refused."""
 
 

@@ -18,7 +18,7 @@ from orishell.families.pattern import Tolerance
 from orishell.shell.export import write_shell
 from orishell.shell.make import design_shell
 from orishell.shell.tolerance import measure, meet_tolerance
-from samples import thorough
+from samples import led_by, thorough
 
 TARGETS = {
     "parallel-repeating": ("-x**2", "[-1, 1]", "5*sin(pi*x/10)", "[0, 20]"),
@@ -63,7 +63,7 @@ def test_the_choice_needs_a_third_of_the_panels_of_equal_spacing_at_50_degrees(
     ("family", "surface", "pattern"),
     [
         ("parallel-repeating", 0.4, ""),
-        ("parallel-repeating", 0.4, "plane_deg = 80"),
+        pytest.param("parallel-repeating", 0.4, "plane_deg = 80", marks=thorough),
         ("orthodiagonal", 0.15, ""),
         ("longitudinal-linear-repeating", 0.1, 'sector_deg = "auto"'),
     ],
@@ -173,7 +173,7 @@ def test_angles_left_open_are_chosen_once_for_each_number_of_rows(
     assert measure_deviation(sized.pattern.design(file.f, file.g)).max == choice.trial.error
 
 
-@pytest.mark.parametrize("sizes", ["surface = 1e-4", "surface = 0.4\npanel_max = 0.02"])
+@pytest.mark.parametrize("sizes", led_by(["surface = 1e-4", "surface = 0.4\npanel_max = 0.02"]))
 def test_what_cannot_be_met_is_refused_after_few_questions(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, sizes: str
 ) -> None:

@@ -21,7 +21,11 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 @cache
 def shell(name: str) -> Shell:
-    return make_shell(read_design_file(EXAMPLES / f"{name}.toml"))
+    """Of one mesh where it is analysed, which is not fine: its verdict is the same."""
+    file = read_design_file(EXAMPLES / f"{name}.toml")
+    if file.structure is not None:
+        file = replace(file, structure=file.structure.having(cells=2))
+    return make_shell(file)
 
 
 def rows(report: Report) -> dict[str, tuple[Sign, str]]:

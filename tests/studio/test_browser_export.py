@@ -82,6 +82,7 @@ def test_a_tolerance_begins_where_a_shell_is_and_is_chosen_on_a_plot(page: Page)
     assert page.evaluate("window.__orishell.report.rows") == taken["pattern"]["rows"]
 
 
+@thorough
 def test_a_search_for_sizes_is_stopped_and_says_why_it_fails(page: Page) -> None:
     choose(page, "orthodiagonal")  # whose sizes no test has sought before
     page.route("**/api/tradeoff", lambda _: None)  # it takes as long as one likes

@@ -43,6 +43,7 @@ def reload(page: Page) -> bool:
     return bool(asks)
 
 
+@thorough
 def test_work_comes_back_after_a_reload_until_it_is_saved(
     browser: Browser, address: str, tmp_path: Path
 ) -> None:

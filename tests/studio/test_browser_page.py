@@ -9,7 +9,7 @@ import pytest
 
 from orishell.design_file import starter_file
 from page_checks import MISPLACED, serious_findings
-from samples import led_by
+from samples import led_by, thorough
 from studio_pages import SIZES, choose, drawn, opened, settle
 from viewer_pages import await_frames, wait_until
 
@@ -206,6 +206,7 @@ def test_files_dropped_anywhere(page: Page) -> None:
     assert page.evaluate("window.__orishell.report.family") == "longitudinal-linear-repeating"
 
 
+@thorough
 def test_who_is_new_is_shown_around_once(browser: Browser, address: str) -> None:
     with opened(browser, address, width=390, height=844, reduced_motion="reduce") as page:
         # By keys alone: past what comes first, to the shell.

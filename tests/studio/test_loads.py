@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import tomllib
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
-from node_tools import lacking
-from orishell.studio.app import PAGES
-from studio_pages import opened, settle
-from studio_server import running_studio
+from studio_pages import settle
 from viewer_pages import await_frames, keep_picture, pixels
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Page
 
 DESIGN = """
 [shell]
@@ -56,18 +53,10 @@ snow = { ground = 500 }
 SHOWN = "window.__orishell.shell3d.loaded.shown"
 
 
-@pytest.fixture
-def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    """The studio with a design that has a structure, analysed."""
-    if not (PAGES / "index.html").is_file():
-        lacking("the studio's pages have not been built: make pages")
-    design = tmp_path_factory.mktemp("studio") / "loaded.toml"
-    design.write_text(DESIGN)
-    with running_studio(design) as studio, opened(browser, studio.entrance) as shown:
-        yield shown
-
-
 def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
+    change = "(design) => window.__orishell.store.change(design, 'loaded')"
+    page.evaluate(change, tomllib.loads(DESIGN))
+    settle(page)
     cases = page.get_by_test_id("load-case")
     assert cases.locator("option").all_inner_texts() == ["Without loads", "own weight", "snow"]
     assert "Displaced" in page.get_by_test_id("figures").inner_text()

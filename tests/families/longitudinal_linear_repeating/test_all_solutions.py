@@ -12,6 +12,7 @@ import numpy as np
 from mpmath import mp, mpf
 
 from orishell.families.longitudinal_linear_repeating import Sectors, find_solutions
+from samples import THOROUGH
 
 DIGITS = 80
 SOLVED, REAL, SAME = mpf("1e-30"), mpf("1e-25"), mpf("1e-20")
@@ -146,9 +147,10 @@ def require_complete(degrees: list[float]) -> int:
 
 
 def test_no_solution_is_missed_and_none_invented() -> None:
-    counts = [require_complete(degrees) for degrees in quadruples()]
-    assert len(counts) == 1000
-    assert np.bincount(counts).min() > 20  # with none, with one and with two
+    asked = quadruples()
+    assert len(asked) == 1000
+    counts = [require_complete(degrees) for degrees in asked[:: 1 if THOROUGH else 4]]
+    assert np.bincount(counts).min() > 0.02 * len(counts)  # with none, with one and with two
 
 
 def test_a_hair_from_the_degenerate() -> None:
