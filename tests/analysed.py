@@ -8,10 +8,12 @@ from typing import Any, cast
 
 import numpy as np
 
+from orishell.deployment import Site
+from orishell.deployment.feet import Feet
 from orishell.motion.grid import Grid
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
-from orishell.structure.model import Frame, Model
+from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult, FreeMotion
 from orishell.structure.sections import Section
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
@@ -87,7 +89,9 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
     """
     ties = (((0, 1), (2, 1)), ((0, 2), (2, 2)), ((1, 1), (2, 1)))
     design = cast("Any", SimpleNamespace(panel=None))
-    model = Tent(design, structure, Frame("m", (0, 2), ties, 1.9, None), 2, change=0.02)
+    model = Tent(
+        design, structure, Site("m", Feet((0, 2), 0.0, 0.0, RISE), ties, 1.9), 2, change=0.02
+    )
     count, triangles = model.nodes, model.triangles
     displacements = np.zeros((count, 3))
     displacements[model.mesh.nodes[0, 1, 1]] = [0, 0, -0.15]

@@ -77,7 +77,7 @@ def test_every_family_comes_as_near_as_asked(
     assert shell.deviation.max <= surface
     chosen = shell.report.chosen
     assert chosen is not None
-    assert (chosen.rows, chosen.columns) == (shell.report.rows, shell.report.columns)
+    assert (chosen.trial.rows, chosen.trial.columns) == (shell.report.rows, shell.report.columns)
     names = {path.name for path in write_shell(shell, tmp_path / "out")}
     assert "tradeoff.png" in names
     written = json.loads((tmp_path / "out" / "report.json").read_text())

@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from orishell.deployment import feet_ties
+from orishell.deployment import Site, feet_ties
 from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
-from orishell.structure.model import Frame
 from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
 
@@ -63,7 +62,7 @@ def analysed(
     inner = design.mechanism.inner_columns
     ends = range(inner.start, inner.stop)
     ties = tuple(((feet.rows[0], each), (feet.rows[1], each)) for each in ends) if tied else ()
-    return analyse(design, structure, Frame("m", feet.rows, ties, 1.9, None))
+    return analyse(design, structure, Site("m", feet, ties, 1.9))
 
 
 @pytest.mark.parametrize("tied", [False, True])
@@ -146,7 +145,7 @@ def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     ties = tuple(feet_ties(design.mechanism, feet.rows))
     cases = (LoadCase(name="all", self_weight=True, snow=Snow(ground=500.0)),)
     structure = STRUCTURE.having(supports=(support,), cases=cases, tie_stiffness=1e6)
-    found = analyse(design, structure, Frame("m", feet.rows, ties, 1.9, None))
+    found = analyse(design, structure, Site("m", feet, ties, 1.9))
     points = found.model.mesh.facets.points
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     mirror = np.array([-1, 1, 1])
@@ -175,8 +174,8 @@ def test_forces_of_a_shell_without_conditions_are_superposed() -> None:
 
     def moved(*cases: LoadCase) -> np.ndarray:
         structure = STRUCTURE.having(cases=cases, crease_stiffness=(20.0, 20.0))
-        frame = Frame("m", feet.rows, (), 1.9, None)
-        found = analyse(pattern.design(file.f, file.g), structure, frame)
+        site = Site("m", feet, (), 1.9)
+        found = analyse(pattern.design(file.f, file.g), structure, site)
         return np.stack([stands.displacements for stands, _ in found.standing])
 
     dead, wind = CASES[0], CASES[2]

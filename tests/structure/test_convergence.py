@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
+from orishell.deployment import Site
 from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
-from orishell.structure.model import Frame
 from orishell.structure.settings import LoadCase, Structure, Support
 from samples import thorough
 
@@ -30,7 +30,7 @@ def largest(cells: int, refine: float = 0.0) -> tuple[float, float, int]:
     feet = find_feet(design)
     assert feet is not None
     asked = STRUCTURE.having(cells=cells, refine=refine)
-    found = analyse(design, asked, Frame("m", feet.rows, (), 6.0, None))
+    found = analyse(design, asked, Site("m", feet, (), 6.0))
     (case,) = found.cases
     assert case.stands is not None
     size = float(np.linalg.norm(case.stands.displacements, axis=1).max())

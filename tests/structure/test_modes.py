@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from orishell.deployment import feet_ties
+from orishell.deployment import Site, feet_ties
 from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
@@ -15,7 +15,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
 from orishell.structure.conditions import joined, on_ground
 from orishell.structure.factorise import factorise
-from orishell.structure.model import Frame, Model
+from orishell.structure.model import Model
 from orishell.structure.sections import Section
 from orishell.structure.settings import Structure, Support
 from orishell.structure.sheet import mesh_sheet
@@ -81,7 +81,7 @@ def test_flaps_and_ties_leave_only_the_motions_of_the_whole(name: str) -> None:
         cases=(),
         thickness=0.01,
     ).having(supports=(PINNED.having(kind="friction"),))
-    model = Model(design, structure, Frame("m", feet.rows, ties, 1.0, None), 2)
+    model = Model(design, structure, Site("m", feet, ties, 1.0), 2)
     sprung = model.factorised(0.0)
     count = len(ties) + len(model.flaps)
     assert count > len(ties)

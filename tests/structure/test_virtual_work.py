@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 
 from orishell.conventions.quantities import GRAVITY
-from orishell.deployment import feet_ties, measure_weight
+from orishell.deployment import Site, feet_ties, measure_weight
 from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
 from orishell.structure.active_set import respond
 from orishell.structure.loads import case_loads, sum_forces
-from orishell.structure.model import Frame, Model
+from orishell.structure.model import Model
 from orishell.structure.settings import LoadCase, Structure, Support
 from orishell.structure.sheet import mesh_sheet
 
@@ -69,7 +69,7 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
         crease_stiffness=(0.0, 0.0),
     ).having(supports=(PINNED.having(kind="friction"),))
     ties = tuple(feet_ties(sheet, feet.rows)) if tied else ()
-    model = Model(design, structure, Frame("m", feet.rows, ties, MASS, None), 2)
+    model = Model(design, structure, Site("m", feet, ties, MASS), 2)
     sprung = model.factorised(0.0)
     loads = case_loads(model.exposure, structure.cases[0], structure.cases)
     forces = sum_forces(model.exposure, loads)
@@ -101,7 +101,7 @@ def carry(f: dict[str, Any], pattern: dict[str, Any], *, tied: bool = True) -> C
         pulls,
         presses,
         float((forces * everywhere.facets.points).sum()),
-        float(pulls @ rates(model.frame.ties)),
+        float(pulls @ rates(model.site.ties)),
         float(presses @ rates(model.flaps)),
         measure_weight(sheet, feet.rows, MASS * GRAVITY).at_feet,
         float(np.abs(forces).sum()),

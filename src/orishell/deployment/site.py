@@ -28,6 +28,16 @@ class Site:
         """Its unit of length."""
         return conversion(self.unit, "m")
 
+    @property
+    def areal_mass(self) -> float:
+        """Mass per area of the sheet (kg per square of the unit); 0 where it is not known."""
+        return self.areal_density * self.metres**2
+
+    @property
+    def rows(self) -> tuple[int, int] | None:
+        """Rows of vertices that are its feet; None if it cannot stand."""
+        return None if self.feet is None else self.feet.rows
+
 
 def find_site(
     design: Design,

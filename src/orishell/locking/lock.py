@@ -14,10 +14,10 @@ from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design
 from orishell.locking.boards import prove_boards
 from orishell.locking.clipped import clip_boards, find_crossing
-from orishell.locking.result import Contact, Lock, Panel
+from orishell.locking.result import Contact, Lock
 from orishell.locking.sheet import SHORT_OF_END, Sheet
 from orishell.motion import corrugation_depth, diagonal
-from orishell.motion.grid import Grid
+from orishell.motion.grid import Grid, Panel
 from orishell.numerics.arrays import Booleans
 from orishell.solids import build_panels
 

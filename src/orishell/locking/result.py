@@ -7,10 +7,8 @@ from typing import Literal
 from orishell.clash import ProofRecord
 from orishell.conventions.formatting import in_degrees
 from orishell.conventions.record import Angle, record
+from orishell.motion.grid import Panel
 from orishell.solids import BuiltPanels
-
-Panel = tuple[int, int]
-"""Row and column of a panel."""
 
 Kind = Literal[
     "flap on flap",

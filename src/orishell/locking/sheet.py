@@ -9,9 +9,10 @@ import numpy as np
 from orishell.clash import PathContact, ProofRecord, find_contacts
 from orishell.conventions.record import record
 from orishell.design import Design
-from orishell.locking.result import Cause, Contact, Kind, Lock, Panel
+from orishell.locking.result import Cause, Contact, Kind, Lock
 from orishell.motion import Mechanism, corrugation_depth, drive_at_fold
 from orishell.motion.boards import SIDES, Boards
+from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.solids import drive_for_height
 

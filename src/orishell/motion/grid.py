@@ -24,6 +24,8 @@ Positions = Array
 Vertex = tuple[int, int]
 """Row and column of a vertex."""
 VertexPair = tuple[Vertex, Vertex]
+Panel = tuple[int, int]
+"""Row and column of a panel."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from orishell.conventions.errors import InputError
 from orishell.conventions.progress import Progress, no_progress
 from orishell.shell.make import Shell
-from orishell.shell.structure import load_shell
+from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
 from orishell.structure.settings import Structure
 
@@ -50,6 +50,6 @@ def analyse_structure(
             remedy="add the table [structure], or pass a Structure",
         )
     try:
-        return load_shell(shell.design, shell.lock, shell.site, structure, progress)
+        return analyse(shell.design, structure, shell.site, progress, built=shell.lock.built)
     except InputError as error:
         raise error.in_file(shell.file.path) from None

@@ -33,13 +33,12 @@ from orishell.shell.report import (
     Report,
     SheetReport,
     describe_assignment,
-    describe_choice,
 )
 from orishell.shell.size_trials import Choice
 from orishell.shell.steps import Clock, Step, require_steps
-from orishell.shell.structure import load_shell
 from orishell.shell.tolerance import meet_tolerance
 from orishell.shell.verdict import find_verdict
+from orishell.structure.analyse import analyse
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import (
     AssignmentCheck,
@@ -191,7 +190,7 @@ def _step_by_step(
     quantities = measure_quantities(document, file.workshop, nested="stock" not in skip)
     analysis = None
     if "structure" not in skip and file.structure is not None:
-        analysis = load_shell(design, lock, site, file.structure, progress)
+        analysis = analyse(design, file.structure, site, progress, built=lock.built)
         document = replace(document, loaded=analysis.loaded())
         clock.lap("structure")
     unknown = {
@@ -209,7 +208,7 @@ def _step_by_step(
         rows=file.pattern.rows,
         columns=file.pattern.columns,
         parameters=design.parameters,
-        chosen=None if choice is None else describe_choice(choice),
+        chosen=choice,
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
             *design.warnings,

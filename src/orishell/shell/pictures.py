@@ -94,7 +94,7 @@ def draw_pictures(
             directory / "tradeoff.png",
             [_point(trial) for trial in choice.tradeoff],
             _point(choice.trial),
-            choice.tolerance.surface,
+            choice.tolerance,
             file.unit,
         )
     weight = weight_of(deployment, lock)

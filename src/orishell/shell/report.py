@@ -6,7 +6,6 @@ radians where it ends in ``_rad``. Panels are pairs of row and column, from 0.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -20,7 +19,7 @@ from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
 from orishell.shell.row import Row
-from orishell.shell.size_trials import Choice, Trial
+from orishell.shell.size_trials import Choice
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import AssignmentCheck, Residuals
 from orishell.workshop.quantities import Quantities
@@ -39,25 +38,6 @@ class AssignmentReport:
     constant: bool | None
     # whether Maekawa's condition holds at every inner vertex; None if that was not measured
     maekawa: bool | None
-
-
-@record
-class ChosenReport:
-    """How rows and columns were chosen."""
-
-    # what was asked for; ``panel_max`` is None if edges may have any length
-    tolerance: float
-    panel_min: float
-    panel_max: float | None
-    # the design that was chosen, see :class:`~orishell.shell.size_trials.Trial`
-    rows: int
-    columns: int
-    panels: int
-    error: float
-    shortest: float
-    longest: float
-    designs_tried: int  # number of designs measured
-    tradeoff: tuple[Trial, ...]  # designs that no other beats in both error and number of panels
 
 
 @record
@@ -90,7 +70,7 @@ class Report:
     rows: int
     columns: int
     parameters: Mapping[str, Parameter]  # what the family used and found
-    chosen: ChosenReport | None  # how rows and columns were chosen, if there was a tolerance
+    chosen: Choice | None  # how rows and columns were chosen, if there was a tolerance
     # whether it reaches its target without contact; None if that was not examined
     feasible: bool | None
     warnings: tuple[str, ...]  # sentences a user should read
@@ -133,22 +113,4 @@ def describe_assignment(design: Design, check: AssignmentCheck | None) -> Assign
         unfolded=int((creases == 0).sum()),
         constant=None if check is None else check.constant,
         maekawa=None if check is None else check.maekawa,
-    )
-
-
-def describe_choice(choice: Choice) -> ChosenReport:
-    """What rows and columns were chosen from."""
-    trial, tolerance = choice.trial, choice.tolerance
-    return ChosenReport(
-        tolerance=tolerance.surface,
-        panel_min=tolerance.panel_min,
-        panel_max=tolerance.panel_max if math.isfinite(tolerance.panel_max) else None,
-        rows=trial.rows,
-        columns=trial.columns,
-        panels=trial.panels,
-        error=trial.error,
-        shortest=trial.shortest,
-        longest=trial.longest,
-        designs_tried=choice.tried,
-        tradeoff=choice.tradeoff,
     )

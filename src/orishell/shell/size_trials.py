@@ -37,11 +37,26 @@ class Trial:
 class Choice:
     """The design with the fewest panels, and the others that were looked at."""
 
+    WRITTEN = (
+        "tolerance", "limits.panel_min", "panel_max", "trial.rows", "trial.columns", "trial.panels",
+        "trial.error", "trial.shortest", "trial.longest", "designs_tried", "tradeoff",
+    )  # fmt: skip
+
     trial: Trial  # its sizes and its error, carefully measured
     # of all trials those that no other beats in both error and number of panels, by panels
     tradeoff: tuple[Trial, ...]
-    tried: int  # number of designs measured
-    tolerance: Tolerance  # what is met
+    designs_tried: int  # number of designs measured
+    limits: Tolerance  # what was asked for
+
+    @property
+    def tolerance(self) -> float:
+        """Distance from the surface that was asked for (length)."""
+        return self.limits.surface
+
+    @property
+    def panel_max(self) -> float | None:
+        """The longest edge that was asked for; None if edges may have any length."""
+        return self.limits.panel_max if math.isfinite(self.limits.panel_max) else None
 
 
 def unbeaten(trials: Iterable[Trial], gain: float = 1.0) -> tuple[Trial, ...]:

@@ -53,7 +53,7 @@ def meet_tolerance(
     pattern = pattern.sized(choice.trial.rows, choice.trial.columns)
     table = pattern.model_dump(exclude_unset=True)
     sized = file.changed({"tolerance": None, "pattern": table})
-    return sized, replace(choice, tolerance=tolerance)
+    return sized, replace(choice, limits=tolerance)
 
 
 def _with_any_stock(

@@ -237,11 +237,12 @@ def _travels(deployment: DeploymentReport, unit: str) -> Iterator[Row]:
         yield Row("says", "packs", f"{box} at {tidy_degrees(packed.drive):.5g} degrees{deep}")
     if weight is None:
         return
-    force, does = plain(abs(weight.at_feet), 3), "opens" if weight.at_feet > 0 else "closes"
-    newtons = weight.force_unit == "N"
-    push = f"{force} N of {plain(weight.total)} N" if newtons else f"{force} of it"
+    does = "pushes its feet apart" if weight.at_feet > 0 else "pulls its feet together"
+    newtons, force = weight.force_unit == "N", abs(weight.at_feet)
+    size = f"{plain(force, 3)} N" if newtons else f"{plain(100 * force, 3)} % of itself"
+    total = f"{plain(weight.total)} N, " if newtons else ""
     pack = deployment.start == "pack"
     raising = weight.raise_from_pack if pack else weight.raise_from_flat
-    work = f"{plain(raising, 3)} J" if newtons else f"its weight times {plain(raising, 3)} m"
-    raises = f"raising it takes {work}" if raising > 0 else "it comes down to its place by itself"
-    yield Row("says", "weight", f"{does} the shell, with {push} at the feet; {raises}")
+    work = f"{plain(raising, 3)} J" if newtons else f"{plain(raising, 3)} m times the weight"
+    raises = f"work to raise it: {work}" if raising > 0 else "it comes down to its place by itself"
+    yield Row("says", "weight", f"{total}{does} with {size}; {raises}")

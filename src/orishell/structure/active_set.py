@@ -206,15 +206,15 @@ def describe_motion(
 
 def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:
     """The shell with those things that it lacks and that may hold it."""
-    asked, frame = model.structure, model.frame
+    asked, site = model.structure, model.site
     pinned = tuple(Support(at=each.at, kind="pinned") for each in asked.supports)
     tried: dict[Remedy, Model] = {"pinned": replace(model, structure=asked.having(supports=pinned))}
-    if frame.feet is not None and not frame.ties:
+    if site.rows is not None and not site.ties:
         inner = model.sheet.inner_columns
         columns = np.arange(model.grid.columns)[inner] + model.before
-        first, last = frame.feet
+        first, last = site.rows
         ties = tuple(((first, column), (last, column)) for column in columns.tolist())
-        tried = {"ties": replace(model, frame=replace(frame, ties=ties)), **tried}
+        tried = {"ties": replace(model, site=replace(site, ties=ties)), **tried}
     return {name: other.factorised(stiffness) for name, other in tried.items()}
 
 

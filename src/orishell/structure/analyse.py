@@ -10,14 +10,16 @@ import numpy as np
 from orishell.conventions.errors import InputError, VerificationError
 from orishell.conventions.progress import Progress, no_progress, stretch
 from orishell.conventions.record import record
+from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
+from orishell.solids import BuiltPanels
 from orishell.structure.active_set import Response, describe_motion, respond, stands
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.factorised import Factorised
 from orishell.structure.hinges import crease_moments
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
-from orishell.structure.model import Frame, Model
+from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import Structure
 from orishell.structure.stability import (
@@ -38,17 +40,22 @@ UNBALANCED = 1e-6
 
 
 def analyse(
-    design: Design, structure: Structure, frame: Frame, progress: Progress = no_progress
+    design: Design,
+    structure: Structure,
+    site: Site,
+    progress: Progress = no_progress,
+    *,
+    built: BuiltPanels | None = None,
 ) -> Analysis:
     """Analyse a shell at its target.
 
     structure: What holds and loads it.
-    frame: What else belongs to it.
+    built: Its panels, if they have a thickness.
     Raises InputError: If supports or loads do not fit the sheet, or its own weight is asked for and
     not known.
     Raises VerificationError: If loads and reactions do not balance: a fault of the program.
     """
-    if frame.areal_mass == 0 and any(case.self_weight for case in structure.cases):
+    if site.areal_mass == 0 and any(case.self_weight for case in structure.cases):
         raise InputError(
             "own weight is a load, and what panels weigh is not known",
             where="[[load_case]] self_weight",
@@ -56,10 +63,11 @@ def analyse(
             remedy="give density in [panel], or areal_density in [workshop]",
         )
     cells = structure.cells
-    coarse = _sizes(_solve(Model(design, structure, frame, cells // 2 or 2)))  # 1 is not halved
+    model = Model(design, structure, site, cells, built)
+    coarse = _sizes(_solve(replace(model, cells=cells // 2 or 2)))  # 1 is not halved
     while True:
         progress(0.0, f"with {cells} x {cells} cells to a panel")
-        model = Model(design, structure, frame, cells)
+        model = replace(model, cells=cells)
         solved = _solve(model)
         fine = _sizes(solved)
         moved = np.abs(fine - coarse) / np.where(fine, fine, 1.0)
@@ -134,7 +142,7 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     mesh, structure, response = model.mesh, solved.structure, solved.response
     moved = structure.moved(response.displacements)
     support_forces, reaction, residual = _reactions(model, solved)
-    ties = len(model.frame.ties)
+    ties = len(model.site.ties)
     straight = ties + len(model.flaps)
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.freedoms()])
     inverse = Inverse.of(structure, response.active, response.motions)
@@ -145,7 +153,7 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     free = structure.free
     buckling = find_buckling(inverse, geometric[free][:, free])
     frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
-    if model.frame.areal_mass:
+    if model.site.areal_mass:
         frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
         modes = np.stack([_unit(structure, mode) for mode in found.T])
     return Equilibrium(

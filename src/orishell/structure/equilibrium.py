@@ -13,8 +13,7 @@ import numpy as np
 
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.locking.result import Panel
-from orishell.motion.grid import Vertex, VertexPair
+from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
 from orishell.structure.loads import Vector, vector
 from orishell.structure.model import Model
@@ -165,7 +164,7 @@ class Equilibrium:
     @cached_property
     def ties(self) -> tuple[PairForce, ...]:
         """Forces in ties, the largest first."""
-        return _pairs(self.model.frame.ties, self.tie_forces)
+        return _pairs(self.model.site.ties, self.tie_forces)
 
     @cached_property
     def flaps(self) -> tuple[PairForce, ...]:

@@ -9,13 +9,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from orishell.conventions.quantities import conversion
 from orishell.conventions.record import record
+from orishell.deployment import Site
 from orishell.design import Design
-from orishell.locking.result import Panel
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
-from orishell.motion.grid import Grid, Vertex, VertexPair
+from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
@@ -39,18 +38,6 @@ def stiffness_in_words(stiffness: float) -> Stiffness:
 
 
 @record
-class Frame:
-    """What a design has that is no part of its sheet."""
-
-    unit: str  # its unit of length
-    feet: tuple[int, int] | None  # rows of vertices that are its feet; None if it does not stand
-    ties: tuple[VertexPair, ...]  # its ties, as pairs of rows and columns of the folding sheet
-    areal_mass: float  # mass of panels per area; 0 if it is not known (kg per square of the unit)
-    # its panels as they are built; None if the design gives them no thickness
-    built: BuiltPanels | None
-
-
-@record
 class Model:
     """What is analysed."""
 
@@ -64,8 +51,9 @@ class Model:
 
     design: Design  # the design
     structure: Structure  # what is asked of it
-    frame: Frame  # what else it has
+    site: Site  # where it stands, what ties it, and what it weighs
     cells: int  # cells along every side of a panel
+    built: BuiltPanels | None = None  # its panels, if they have a thickness
     # by what share the largest displacement of a case changed when cells were halved for the last
     # time
     change: float = 0.0
@@ -171,7 +159,7 @@ class Model:
         )
 
     def _boards(self) -> Boards | None:
-        built = self.frame.built
+        built = self.built
         if built is None:
             return None
         # Boards of folded flaps are numbered with the sheet.
@@ -185,10 +173,10 @@ class Model:
     @cached_property
     def exposure(self) -> Exposure:
         """The mesh as loads see it."""
-        facets, mass = self.mesh.facets, self.frame.areal_mass
-        points = self.positions[list(self.frame.feet or (0, -1))]
+        facets, mass = self.mesh.facets, self.site.areal_mass
+        points = self.positions[list(self.site.rows or (0, -1))]
         span = float(np.linalg.norm(np.diff(points.mean(axis=1), axis=0)))
-        standing = self.frame.feet is not None
+        standing = self.site.rows is not None
         return Exposure(
             mesh=facets,
             panels=self.mesh.panels,
@@ -196,7 +184,7 @@ class Model:
             before=self.before,
             areal_mass=np.full(len(facets.triangles), mass),
             hung=mass * self._hung(),
-            unit=self.frame.unit,
+            unit=self.site.unit,
             ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
             span=span if standing else None,
         )
@@ -257,13 +245,13 @@ class Model:
 
         Raises InputError: If vertices that are to be held are not there.
         """
-        inner, feet = self.sheet.inner_columns, self.frame.feet
+        inner, feet = self.sheet.inner_columns, self.site.rows
         return find_supports(self.structure.supports, self.grid, inner, feet, self.before)
 
     def conditions(self) -> Conditions:
         """Ties, flaps and feet on the ground, one after the other."""
         points = self.mesh.facets.points
-        ties, flaps = self.nodes_of(self.frame.ties), self.nodes_of(self.flaps)
+        ties, flaps = self.nodes_of(self.site.ties), self.nodes_of(self.flaps)
         stretch = np.full(len(ties), self.structure.tie_stiffness)
         return joined(
             [
@@ -295,7 +283,7 @@ class Model:
         """Force by acceleration (D,) of every freedom, the latter in the design's unit."""
         inertia = np.zeros(self.mesh.count)
         translations = self.mesh.translations()
-        inertia[translations] = conversion(self.frame.unit, "m") * self.node_masses()[:, None]
+        inertia[translations] = self.site.metres * self.node_masses()[:, None]
         return inertia
 
 

@@ -186,7 +186,7 @@ class Analysis:
             poisson=section.poisson,
             areal_mass=model.exposure.areal_mass,
             held=model.supports.as_if_pinned(),
-            ties=model.nodes_of(model.frame.ties),
+            ties=model.nodes_of(model.site.ties),
             tie_stiffness=model.structure.tie_stiffness,
             cases=tuple(self._loaded(case) for case in self.cases),
         )
