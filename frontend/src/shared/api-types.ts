@@ -89,29 +89,29 @@ export interface CaseResult {
   stands: Equilibrium | null;
 }
 
-/** How rows and columns were chosen. */
-export interface ChosenReport {
-  /** What was asked for; ``panel_max`` is None if edges may have any length. */
+/** The design with the fewest panels, and the others that were looked at. */
+export interface Choice {
+  /** Distance from the surface that was asked for (length). */
   tolerance: number;
-  /** What was asked for; ``panel_max`` is None if edges may have any length. */
+  /**  */
   panel_min: number;
-  /** What was asked for; ``panel_max`` is None if edges may have any length. */
+  /** The longest edge that was asked for; None if edges may have any length. */
   panel_max: number | null;
-  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
+  /** Inner vertices. */
   rows: number;
-  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
+  /** Inner vertices. */
   columns: number;
-  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
+  /** Number of panels, flaps left out. */
   panels: number;
-  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
+  /** Distance between shell and target surface, largest both ways (length). */
   error: number;
-  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
+  /** Edges of its panels in the flat sheet (length). */
   shortest: number;
-  /** The design that was chosen, see :class:`~orishell.shell.size_trials.Trial`. */
+  /** Edges of its panels in the flat sheet (length). */
   longest: number;
   /** Number of designs measured. */
   designs_tried: number;
-  /** Designs that no other beats in both error and number of panels. */
+  /** Of all trials those that no other beats in both error and number of panels, by panels. */
   tradeoff: Trial[];
 }
 
@@ -810,7 +810,7 @@ export interface Report {
   /** What the family used and found. */
   parameters: Record<string, number | string | number[] | string[]>;
   /** How rows and columns were chosen, if there was a tolerance. */
-  chosen: ChosenReport | null;
+  chosen: Choice | null;
   /** Whether it reaches its target without contact; None if that was not examined. */
   feasible: boolean | null;
   /** Sentences a user should read. */
