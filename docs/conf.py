@@ -96,7 +96,10 @@ add_module_names = False
 nitpick_ignore_regex = [
     # Other people's libraries: a build asks nothing of the network, so it has no inventories.
     (r"py:.*", r"(np|npt|numpy|NDArray|nptyping)(\..*)?"),
-    (r"py:.*", r"(asyncio|pathlib|collections|typing|types|enum|functools|io|threading|uuid)\..*"),
+    (
+        r"py:.*",
+        r"(asyncio|pathlib|collections|typing|types|enum|functools|io|threading|uuid|concurrent)\..*",
+    ),
     (r"py:.*", r"multiprocessing\..*"),
     (
         r"py:.*",
