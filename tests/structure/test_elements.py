@@ -14,7 +14,7 @@ from orishell.numerics.arrays import Array, Integers
 from orishell.structure.hinges import hinge_elements
 from orishell.structure.sections import Section
 from orishell.structure.sheet import mesh_sheet
-from orishell.structure.triangle import FREEDOMS, Facets
+from orishell.structure.triangle import DOFS, Facets
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -53,17 +53,17 @@ def solve(
     facets: Facets, section: Section, load: Array, fixed: Sequence[tuple[Integers, Sequence[int]]]
 ) -> Array:
     """Displacements and rotations (N, 6)."""
-    count = FREEDOMS * len(facets.points)
-    stiffness = facets.elements(section, facets.freedoms(), count).assembled()
-    held = [FREEDOMS * nodes.ravel() + k for nodes, which in fixed for k in which]
+    count = DOFS * len(facets.points)
+    stiffness = facets.elements(section, facets.dofs(), count).assembled()
+    held = [DOFS * nodes.ravel() + k for nodes, which in fixed for k in which]
     free = np.setdiff1d(np.arange(count), np.concatenate(held))
     found = np.zeros(count)
     found[free] = spsolve(stiffness[free][:, free].tocsc(), load.ravel()[free])
-    return found.reshape(-1, FREEDOMS)
+    return found.reshape(-1, DOFS)
 
 
 def spread(facets: Facets, pressure: Sequence[float]) -> Array:
-    load = np.zeros((len(facets.points), FREEDOMS))
+    load = np.zeros((len(facets.points), DOFS))
     for corner in facets.triangles.T:
         np.add.at(load[:, :3], corner, facets.areas()[:, None] / 3 * np.array(pressure))
     return load
@@ -102,7 +102,7 @@ def test_pinched_cylinder() -> None:
         (nodes[0], (0, 4, 5)),
         (nodes[-1], (2, 3, 4)),
     ]
-    load = np.zeros((len(facets.points), FREEDOMS))
+    load = np.zeros((len(facets.points), DOFS))
     load[nodes[0, -1], 2] = -0.25
     found = solve(facets, Section.solid(3e6, 3, 0.3), load, held)
     assert -found[nodes[0, -1], 2] == pytest.approx(1.8248e-5, rel=2e-2)
@@ -120,7 +120,7 @@ def test_twisted_beam(axis: int, reference: float) -> None:
             1.1 * (v - 0.5) * np.sin(np.pi / 2 * u),
         ],
     )
-    load = np.zeros((len(facets.points), FREEDOMS))
+    load = np.zeros((len(facets.points), DOFS))
     load[nodes[-1], axis] = np.array([0.125, 0.25, 0.25, 0.25, 0.125])
     found = solve(facets, Section.solid(29e6, 0.32, 0.22), load, [(nodes[0], range(6))])
     assert found[nodes[-1, 2], axis] == pytest.approx(reference, rel=1e-2)

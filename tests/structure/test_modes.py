@@ -103,7 +103,7 @@ def square() -> Array:
 
 
 def plate(cells: int) -> tuple[Inverse, Array, int]:
-    """A panel whose sides are held up, and which stays plane: also areas of nodes and freedoms."""
+    """A panel whose sides are held up, and which stays plane: also areas of nodes and dofs."""
     mesh = mesh_sheet(square(), Grid(2, 2), cells)
     facets, own = mesh.facets, mesh.translations()
     rim = (np.abs(facets.points[:, :2] - 0.5 * SIDE) == 0.5 * SIDE).any(axis=1)

@@ -66,7 +66,7 @@ def plates(crease: float, cells: int) -> Found:
     moved = np.zeros(mesh.count)
     moved[held.free] = found.displacements
     inverse = Inverse.of(held, found.active, found.motions)
-    forces = facet_stresses(facets, SECTION, moved[mesh.freedoms()]).forces
+    forces = facet_stresses(facets, SECTION, moved[mesh.dofs()]).forces
     geometric = geometric_stiffness(facets, forces, mesh.count)[held.free][:, held.free]
     buckling = find_buckling(inverse, geometric)
     assert buckling is not None

@@ -42,7 +42,7 @@ def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[Sh
 
 def stresses(mesh: SheetMesh, moved: Array) -> tuple[FacetStresses, Array]:
     middles = mesh.facets.points[mesh.facets.triangles].mean(axis=1)
-    return facet_stresses(mesh.facets, SECTION, moved[mesh.freedoms()]), middles
+    return facet_stresses(mesh.facets, SECTION, moved[mesh.dofs()]), middles
 
 
 def test_bending_of_a_cantilever() -> None:

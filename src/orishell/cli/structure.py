@@ -38,7 +38,7 @@ def summarize_structure(report: Analysis, unit: str, written: list[Path]) -> Ite
 
 def _model(model: Model, unit: str) -> Iterator[str]:
     yield (
-        f"model     {model.triangles} triangles, {model.freedoms} freedoms; "
+        f"model     {model.triangles} triangles, {model.freedoms} degrees of freedom; "
         f"{plain(model.mass)} kg; panels {plain(model.thickness)} {unit} thick, "
         f"E = {plain(model.structure.modulus)} N/{unit}2"
     )

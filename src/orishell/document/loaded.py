@@ -32,7 +32,7 @@ class LoadedShell:
     bending: Array
     poisson: float  # Poisson's ratio
     areal_mass: Array  # mass (T,) per area (kg per square of the unit)
-    # supported freedoms (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation along
+    # supported dofs (H, 2): a node, and 0 to 2 for a displacement, 3 to 5 for a rotation along
     # x, y, z; feet on the ground as if they were pinned
     held: Integers
     ties: Integers  # ends (K, 2) of ties

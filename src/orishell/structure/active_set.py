@@ -48,23 +48,23 @@ class Response:
     """What loads do to a structure."""
 
     moves: Array | None  # the motion (n,) that they drive and nothing resists; None if it stands
-    displacements: Array  # of free freedoms (n,); not numbers where it moves
+    displacements: Array  # of free dofs (n,); not numbers where it moves
     active: Booleans  # which rows of :class:`~orishell.structure.factorised.Factorised` act (M,)
     forces: Array  # their forces (M,)
-    taken: Array  # what panels and hinges take (D,) of all freedoms; not numbers where it moves
+    taken: Array  # what panels and hinges take (D,) of all dofs; not numbers where it moves
     motions: Array  # what nothing resists, and the loads do not drive (n, k)
 
 
 def respond(structure: Factorised, loads: Array) -> Response:
     """What loads do to a structure.
 
-    loads: Loads (n,) on its free freedoms.
+    loads: Loads (n,) on its free dofs.
     Raises VerificationError: If no set of active conditions is found: a fault of the program.
     """
     moves = _moving(structure, loads)
     if moves is not None:
-        count, freedoms = structure.every_row.shape
-        still, nothing, taken = (np.full(each, np.nan) for each in (len(loads), count, freedoms))
+        count, dofs = structure.every_row.shape
+        still, nothing, taken = (np.full(each, np.nan) for each in (len(loads), count, dofs))
         return Response(moves, still, np.zeros(count, dtype=bool), nothing, taken, moves[:, None])
     if not len(structure.conditions):
         return _exact(structure, loads, np.zeros(len(structure.rows), dtype=bool))[0]

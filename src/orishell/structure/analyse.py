@@ -144,7 +144,7 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     support_forces, reaction, residual = _reactions(model, solved)
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
-    stresses = facet_stresses(mesh.facets, model.section, moved[mesh.freedoms()])
+    stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
     inverse = Inverse.of(structure, response.active, response.motions)
     directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
     geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
@@ -187,7 +187,7 @@ def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:
     forces, response = solved.forces, solved.response
     missing = response.taken + structure.pulls(response.forces)
     missing[: forces.size] -= forces.ravel()
-    supported = model.supports.freedoms(mesh)
+    supported = model.supports.dofs(mesh)
     bearing = np.zeros(mesh.count)
     bearing[supported] = missing[supported]
     at_nodes = bearing[mesh.translations()] + structure.ground_forces(response.forces)

@@ -1,6 +1,6 @@
 """What holds in one direction only: ties, flaps and the ground.
 
-A condition is a row b of the freedoms and a gap g = b u that it keeps from growing, with a force
+A condition is a row b of the dofs and a gap g = b u that it keeps from growing, with a force
 that is never negative: lambda = g/c for a compliance c, or g = 0 for none. A tie keeps its two ends
 from parting, two flaps folded onto each other keep their outer corners from approaching, the ground
 keeps a foot from sinking. The force on the structure is -b lambda.
@@ -43,7 +43,7 @@ class Conditions:
 def put_rows(rows: Array, nodes: Integers, directions: Array) -> Array:
     """Fill rows of conditions, and return them (m, D).
 
-    rows: Rows (m, D) of the freedoms, as yet 0.
+    rows: Rows (m, D) of the dofs, as yet 0.
     nodes, directions: Nodes (m, 2) and unit vectors (m, 3), as of :class:`Conditions`.
     """
     number = np.arange(len(nodes))[:, None]

@@ -25,16 +25,16 @@ class Elements:
     """Elements of one kind."""
 
     matrices: Array  # their stiffness (T, k, k)
-    # their freedoms (T, k), those of the first corner first: displacements, if they have any, then
+    # their dofs (T, k), those of the first corner first: displacements, if they have any, then
     # rotations
-    freedoms: Integers
+    dofs: Integers
     # from the first corner to each of the others (T, c - 1, 3); None if they have no displacements
     arms: Array | None
-    count: int  # number of all freedoms D
+    count: int  # number of all dofs D
 
     def assembled(self) -> csr_array:
         """The matrix (D, D) of all."""
-        return assemble(self.matrices, self.freedoms, self.count)
+        return assemble(self.matrices, self.dofs, self.count)
 
     def forces(self, moved: Array) -> Array:
         """Forces (T, k) that move them.
@@ -42,7 +42,7 @@ class Elements:
         moved: Displacements and rotations (D,).
         """
         width = 3 if self.arms is None else 6
-        own = moved[self.freedoms].reshape(len(self.freedoms), -1, width)
+        own = moved[self.dofs].reshape(len(self.dofs), -1, width)
         seen = own[:, 1:] - own[:, :1]
         if self.arms is not None:
             seen[..., :3] -= np.cross(own[:, :1, 3:], self.arms)
@@ -51,23 +51,23 @@ class Elements:
         first = -others.sum(axis=1, keepdims=True)
         if self.arms is not None:
             first[:, 0, 3:] -= np.cross(self.arms, others[..., :3]).sum(axis=1)
-        return np.concatenate([first, others], axis=1).reshape(self.freedoms.shape)
+        return np.concatenate([first, others], axis=1).reshape(self.dofs.shape)
 
     def total(self, moved: Array) -> Array:
-        """Forces (D,) on all freedoms of all elements that are moved (D,)."""
-        found = np.bincount(self.freedoms.ravel(), self.forces(moved).ravel(), self.count)
+        """Forces (D,) on all dofs of all elements that are moved (D,)."""
+        found = np.bincount(self.dofs.ravel(), self.forces(moved).ravel(), self.count)
         return np.asarray(found, dtype=np.float64)
 
 
-def assemble(elements: Array, freedoms: Integers, count: int) -> csr_array:
+def assemble(elements: Array, dofs: Integers, count: int) -> csr_array:
     """The matrix (D, D) of elements.
 
     elements: Their matrices (T, k, k).
-    freedoms: Their freedoms (T, k).
-    count: Number of all freedoms D.
+    dofs: Their dofs (T, k).
+    count: Number of all dofs D.
     """
     from scipy.sparse import coo_array
 
-    size = freedoms.shape[1]
-    rows, columns = np.repeat(freedoms, size, axis=1).ravel(), np.tile(freedoms, (1, size)).ravel()
+    size = dofs.shape[1]
+    rows, columns = np.repeat(dofs, size, axis=1).ravel(), np.tile(dofs, (1, size)).ravel()
     return coo_array((elements.ravel(), (rows, columns)), shape=(count, count)).tocsr()

@@ -51,11 +51,11 @@ class Factorised:
     """
 
     elements: tuple[Elements, ...]  # panels and hinges, whose matrix is K (D, D)
-    free: Integers  # freedoms (n,) that are not supported
+    free: Integers  # dofs (n,) that are not supported
     conditions: Conditions  # the one-sided conditions (m)
-    nodes: int  # number of nodes, whose displacements are the first freedoms
+    nodes: int  # number of nodes, whose displacements are the first dofs
     every_row: csr_array  # all rows (M, D)
-    rows: Array  # their part (M, n) of free freedoms
+    rows: Array  # their part (M, n) of free dofs
     springs: Array  # their springs (M,)
     spread: Array  # A^-1 B^T (n, M)
     flexibility: Array  # C (M, M)
@@ -68,7 +68,7 @@ class Factorised:
         return np.repeat(self.conditions.rough, 2)
 
     def pulls(self, forces: Array) -> Array:
-        """What rows with forces (M,) take from all freedoms (D,): B^T lambda."""
+        """What rows with forces (M,) take from all dofs (D,): B^T lambda."""
         return np.asarray(self.every_row.T @ forces)
 
     def ground_forces(self, forces: Array) -> Array:
@@ -89,23 +89,23 @@ class Factorised:
         return float(np.max(rubs[bears > 0] / bears[bears > 0], initial=0.0))
 
     def free_loads(self, forces: Array) -> Array:
-        """Loads on free freedoms (n,) of forces on nodes (N, 3)."""
+        """Loads on free dofs (n,) of forces on nodes (N, 3)."""
         loads = np.zeros(self.every_row.shape[1])
         loads[: forces.size] = forces.ravel()
         return np.asarray(loads[self.free])
 
     def moved(self, displacements: Array) -> Array:
-        """Displacements and rotations (D,), by displacements of free freedoms (n,)."""
+        """Displacements and rotations (D,), by displacements of free dofs (n,)."""
         moved = np.zeros(self.every_row.shape[1])
         moved[self.free] = displacements
         return moved
 
     def shape(self, displacements: Array) -> Array:
-        """Displacements (N, 3) of nodes, by displacements of free freedoms (n,)."""
+        """Displacements (N, 3) of nodes, by displacements of free dofs (n,)."""
         return self.moved(displacements)[: 3 * self.nodes].reshape(-1, 3)
 
     def furthest(self, displacements: Array) -> float:
-        """The largest displacement of a node, by displacements of free freedoms (n,)."""
+        """The largest displacement of a node, by displacements of free dofs (n,)."""
         return float(np.linalg.norm(self.shape(displacements), axis=1).max())
 
     def spring_solve(self, loads: Array) -> Array:
@@ -146,14 +146,14 @@ class Factorised:
         return hard
 
     def resisting(self, moved: Array) -> Array:
-        """Forces (D,) that panels and hinges take, of free freedoms moved (n,): K u."""
+        """Forces (D,) that panels and hinges take, of free dofs moved (n,): K u."""
         every = self.moved(moved)
         return np.asarray(np.sum([each.total(every) for each in self.elements], axis=0))
 
     def respond(self, loads: Array, active: Booleans) -> tuple[Array, Array, Array, Array]:
         """What loads do while some rows act.
 
-        loads: Loads on free freedoms (n,).
+        loads: Loads on free dofs (n,).
         active: Which rows act (M,).
 
         Returns

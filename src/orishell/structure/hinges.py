@@ -47,8 +47,8 @@ def hinge_elements(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> Ele
     elements = (k[:, None] * share)[..., None, None] * (
         turn[:, None, :, None] * turn[:, None, None]
     )
-    freedoms = np.concatenate([first, second], axis=-1)
-    return Elements(elements.reshape(-1, 6, 6), freedoms.reshape(-1, 6), None, mesh.count)
+    dofs = np.concatenate([first, second], axis=-1)
+    return Elements(elements.reshape(-1, 6, 6), dofs.reshape(-1, 6), None, mesh.count)
 
 
 def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:

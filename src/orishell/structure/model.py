@@ -268,7 +268,7 @@ class Model:
         if stiffness:
             springs = min(stiffness, rigid_stiffness(mesh, self.section))
             elements.append(hinge_elements(mesh, self.grid, springs))
-        supported = self.supports.freedoms(mesh)
+        supported = self.supports.dofs(mesh)
         return factorise(elements, mesh, supported, self.conditions(), self.grid)
 
     def node_masses(self) -> Array:
@@ -280,7 +280,7 @@ class Model:
         return lumped
 
     def inertia(self) -> Array:
-        """Force by acceleration (D,) of every freedom, the latter in the design's unit."""
+        """Force by acceleration (D,) of every dof, the latter in the design's unit."""
         inertia = np.zeros(self.mesh.count)
         translations = self.mesh.translations()
         inertia[translations] = self.site.metres * self.node_masses()[:, None]

@@ -54,7 +54,7 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     )
     yield (
         "Mesh",
-        f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} freedoms",
+        f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} degrees of freedom",
     )
     changed = quantity(100 * model.change, "%", 3)
     refined = f"displacements changed by {changed} when cells were halved for the last time"

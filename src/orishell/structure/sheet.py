@@ -30,7 +30,7 @@ class SheetMesh:
 
     @property
     def count(self) -> int:
-        """Number of freedoms: translations of all nodes, then rotations."""
+        """Number of dofs: translations of all nodes, then rotations."""
         return 3 * len(self.facets.points) + 3 * self.nodes.size
 
     @property
@@ -44,20 +44,20 @@ class SheetMesh:
         return np.asarray(self.nodes.reshape(len(self.nodes), -1)[:, _cells(size)].reshape(-1, 4))
 
     def translations(self) -> Integers:
-        """Freedoms (N, 3) of the displacements of nodes."""
+        """Dofs (N, 3) of the displacements of nodes."""
         return np.arange(3 * len(self.facets.points)).reshape(-1, 3)
 
     def rotations(self) -> Integers:
-        """Freedoms (F, cells+1, cells+1, 3) of the panels' rotations at their nodes."""
+        """Dofs (F, cells+1, cells+1, 3) of the panels' rotations at their nodes."""
         first = 3 * len(self.facets.points)
         return np.asarray(first + np.arange(3 * self.nodes.size).reshape(*self.nodes.shape, 3))
 
     def elements(self, section: Section) -> Elements:
         """Its triangles as elements."""
-        return self.facets.elements(section, self.freedoms(), self.count)
+        return self.facets.elements(section, self.dofs(), self.count)
 
-    def freedoms(self) -> Integers:
-        """Freedoms (T, 18) of the corners of every triangle: translations, then rotations."""
+    def dofs(self) -> Integers:
+        """Dofs (T, 18) of the corners of every triangle: translations, then rotations."""
         translations = self.translations()[self.facets.triangles]
         rotations = self.rotations().reshape(-1, 3)[self.places]
         return np.concatenate([translations, rotations], axis=-1).reshape(-1, 18)

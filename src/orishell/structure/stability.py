@@ -79,7 +79,7 @@ def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tu
 def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
     """Lowest frequencies (count,) but those of free motions, and their modes (n, count) (Hz).
 
-    mass: Of every free freedom (n,), in force by acceleration in the unit of the sheet.
+    mass: Of every free degree of freedom (n,), in force by acceleration in the unit of the sheet.
     """
     free = inverse.motions
     heavy = mass[:, None] * free
@@ -101,10 +101,10 @@ NEVER = 1e-9
 def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
     """The matrix (D, D) of triangles that turn under membrane forces.
 
-    Displacements are linear in a triangle; freedoms begin with those of nodes.
+    Displacements are linear in a triangle; dofs begin with those of nodes.
 
     forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
-    count: Number of all freedoms D.
+    count: Number of all dofs D.
     """
     flat, area = facets.flat(), facets.areas()
     ahead, behind = np.roll(flat, -1, axis=1), np.roll(flat, 1, axis=1)
@@ -122,7 +122,7 @@ def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) 
     points: Nodes (N, 3).
     pairs: Nodes (m, 2) between which they are.
     pulls: With which force they pull (m,); struts push, less than 0 (N).
-    count: Number of all freedoms D.
+    count: Number of all dofs D.
     """
     away = points[pairs[:, 1]] - points[pairs[:, 0]]
     length = np.linalg.norm(away, axis=1)
@@ -132,14 +132,14 @@ def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) 
     elements = np.concatenate(
         [np.concatenate([block, -block], axis=2), np.concatenate([-block, block], axis=2)], axis=1
     )
-    freedoms = 3 * pairs[:, :, None] + np.arange(3)
-    return assemble(elements, freedoms.reshape(-1, 6), count)
+    dofs = 3 * pairs[:, :, None] + np.arange(3)
+    return assemble(elements, dofs.reshape(-1, 6), count)
 
 
 def find_buckling(inverse: Inverse, geometric: csr_array) -> tuple[float, Array] | None:
     """The factor at which the shell buckles, and the mode (n,); None if it does not.
 
-    geometric: K_g (n, n) of free freedoms.
+    geometric: K_g (n, n) of free dofs.
     """
     if not geometric.count_nonzero():  # nothing is loaded
         return None
@@ -154,5 +154,5 @@ def _on_axes(by_node: Array, nodes: Integers, count: int) -> csr_array:
     axes = np.eye(3)
     size = nodes.shape[1]
     elements = np.einsum("tij,xy->tixjy", by_node, axes).reshape(-1, 3 * size, 3 * size)
-    freedoms = 3 * nodes[:, :, None] + np.arange(3)
-    return assemble(elements, freedoms.reshape(-1, 3 * size), count)
+    dofs = 3 * nodes[:, :, None] + np.arange(3)
+    return assemble(elements, dofs.reshape(-1, 3 * size), count)

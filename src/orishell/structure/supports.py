@@ -39,8 +39,8 @@ class Supports:
         ground = np.stack([np.repeat(self.ground, 3), np.tile(range(3), len(self.ground))], axis=1)
         return np.unique(np.concatenate([self.held, ground]), axis=0)
 
-    def freedoms(self, mesh: SheetMesh) -> Integers:
-        """Freedoms (H,) of a mesh that are held: a rotation is held of all panels at a vertex."""
+    def dofs(self, mesh: SheetMesh) -> Integers:
+        """Dofs (H,) of a mesh that are held: a rotation is held of all panels at a vertex."""
         node, axis = self.held.T
         straight = axis < 3
         moved = mesh.translations()[node[straight], axis[straight]]

@@ -1,8 +1,8 @@
 """The flat shell triangle: membrane (OPT) and bending (DKT).
 
-Every node has six freedoms, three translations and three rotations, in the world's axes.
+Every node has six dofs, three translations and three rotations, in the world's axes.
 
-C. A. Felippa, "A study of optimal membrane triangles with drilling freedoms", Computer Methods in
+C. A. Felippa, "A study of optimal membrane triangles with drilling dofs", Computer Methods in
 Applied Mechanics and Engineering 192 (2003). With x_ij = x_i - x_j and side lengths l_ij the
 stiffness is a basic part, which alone passes the patch test, and a part of higher order from
 deviatoric corner rotations,
@@ -26,9 +26,9 @@ from orishell.numerics.arrays import Array, Integers
 from orishell.structure.elements import Elements
 from orishell.structure.sections import Section
 
-FREEDOMS = 6
+DOFS = 6
 IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)
-"""Freedoms of a node in its triangle's axes: u, v, rotation about z; w, rotations about x and y."""
+"""Dofs of a node in its triangle's axes: u, v, rotation about z; w, rotations about x and y."""
 
 
 @record
@@ -65,26 +65,26 @@ class Facets:
         membrane = membrane_stiffness(flat, section.matrix(section.membrane), section.poisson)
         plate = plate_stiffness(flat, section.matrix(section.bending))
         for part, own in ((membrane, IN_PLANE), (plate, OUT_OF_PLANE)):
-            places = (FREEDOMS * np.arange(3)[:, None] + np.array(own)).ravel()
+            places = (DOFS * np.arange(3)[:, None] + np.array(own)).ravel()
             local[:, places[:, None], places] = part
         turned = np.zeros((len(flat), 18, 18))
         for k in range(6):
             turned[:, 3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = axes
         return np.asarray(turned.swapaxes(1, 2) @ local @ turned)
 
-    def elements(self, section: Section, freedoms: Integers, count: int) -> Elements:
+    def elements(self, section: Section, dofs: Integers, count: int) -> Elements:
         """The triangles as elements.
 
-        freedoms: Freedoms (T, 18) of their corners: displacements, then rotations, of each.
-        count: Number of all freedoms.
+        dofs: Freedoms (T, 18) of their corners: displacements, then rotations, of each.
+        count: Number of all dofs.
         """
         corners = self.points[self.triangles]
         arms = corners[:, 1:] - corners[:, :1]
-        return Elements(self.element_stiffness(section), freedoms, arms, count)
+        return Elements(self.element_stiffness(section), dofs, arms, count)
 
-    def freedoms(self) -> Integers:
-        """Freedoms (T, 18) of the corners of every triangle, where no node has rotations apart."""
-        places = FREEDOMS * self.triangles[..., None] + np.arange(FREEDOMS)
+    def dofs(self) -> Integers:
+        """Dofs (T, 18) of the corners of every triangle, where no node has rotations apart."""
+        places = DOFS * self.triangles[..., None] + np.arange(DOFS)
         return np.asarray(places.reshape(-1, 18))
 
 
