@@ -41,7 +41,8 @@ def test_a_file_without_the_table_is_refused(tmp_path: Path) -> None:
 def test_the_summary(report: Analysis) -> None:
     lines = list(summarize_structure(report, "m", [Path("a/structure.json")]))
     for line in (
-        "model     16 triangles, 99 degrees of freedom; 32.2 kg; panels 0.01 m thick, E = 2.7e8 N/m2",
+        "model     16 triangles, 99 degrees of freedom; 32.2 kg; panels 0.01 m thick, "
+        "E = 2.7e8 N/m2",
         "held      [0, 1], [2, 1]: friction 0.5",
         "load      both: (0, 0, -18.55) kN in all",
         "  1.35 x dead: self weight (0, 0, -427) N, mass of panels times 9.81 m/s2",
