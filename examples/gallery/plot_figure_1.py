@@ -63,7 +63,7 @@ draw_shell(
 )
 draw_line(axes, design.targets["f"], view, F_COLOUR, "f")
 draw_line(axes, design.targets["g"], view, G_COLOUR, "g")
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 
 # %%
 # **(c)** Column 1 when locked: a staircase of two directions that enclose the constant angle ξ.
@@ -86,7 +86,7 @@ start, stop = np.sort(np.rad2deg(directions % (2 * np.pi)))
 axes.add_patch(Arc((across[k], height[k]), 0.24, 0.24, theta1=start, theta2=stop))
 turned = np.deg2rad((start + stop) / 2)
 axes.text(across[k] + 0.19 * np.cos(turned), height[k] + 0.19 * np.sin(turned), "ξ", va="center")
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 
 # %%
 # **(d)** The middle row when locked, and the planes of the columns (grey). δ, "measured from the
@@ -107,5 +107,5 @@ for i in range(1, 5):
     towards = (points[other] - points[column]) / abs(points[other] - points[column])
     place = points[column] + 0.75 * (towards + t[column]) / abs(towards + t[column])
     axes.text(place.real, place.imag, f"δ$_{i}$", ha="center", va="center", fontsize=9)
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 print(", ".join(f"δ{i} = {delta:.2f}°" for i, delta in enumerate(deltas[:4], start=1)))

@@ -93,7 +93,7 @@ view = camera(-55, 28)
 draw_shell(axes, sheet.positions(sheet.target_drive), view, signs=find_assignment(sheet), line=1.0)
 draw_line(axes, design.targets["f"], view, F_COLOUR, "f")
 draw_line(axes, design.targets["g"], view, G_COLOUR, "the line")
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 largest, smallest = np.array(design.parameters["radius"], dtype=float)
 print(f"radius {smallest:.3f} to {largest:.3f}: {largest / smallest:.3f} times as large")
 

@@ -67,7 +67,7 @@ for name in ("length", "width", "height"):
     axes.plot(angles, [getattr(box, name) for box in boxes], label=f"{name} of the smallest box")
 axes.axhline(0.72, color="grey", linestyle="--", label="72 boards of 10 mm")
 axes.set(xlabel="largest fold angle (degrees)", ylabel="metres", ylim=(0, None))
-axes.legend(frameon=False)
+axes.legend(loc="upper right", frameon=False)
 
 # %%
 # The crease pattern. The table ``[workshop]`` cuts it, and the flaps, from boards of 8 by 4 feet.
