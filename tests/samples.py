@@ -21,9 +21,9 @@ thorough = pytest.mark.skipif(not THOROUGH, reason=LEFT_OUT)
 """Decorates a test, or marks a parameter, whose kind has a quicker member."""
 
 
-def examples(count: int, of: int = 4) -> int:
-    """Of so many in all: one in ``of`` in `make test`."""
-    return count if THOROUGH else min(count, max(count // of, LEAST))
+def examples(count: int) -> int:
+    """Of so many in all."""
+    return count if THOROUGH else min(count, max(count // 4, LEAST))
 
 
 def led_by(values: Iterable[Any], count: int = 1) -> list[Any]:

@@ -46,7 +46,7 @@ def test_report(shell: Shell) -> None:
     assert lock.drive is not None
     assert (lock.cause, contact.kind) == ("clash", "at the sheet's edge")
     assert lock.target_drive == contact.clear_until
-    assert 0 < lock.drive - lock.target_drive < 2e-10
+    assert 0 < lock.drive - lock.target_drive < math.radians(1e-8)
     assert report.parameters["stage_deg"] == tidy_degrees(lock.target_drive)
 
 
