@@ -1,5 +1,6 @@
 """A design file without a target, of the family that needs none: report, files and refusals."""
 
+import math
 import subprocess
 import sys
 from dataclasses import astuple
