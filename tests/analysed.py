@@ -13,11 +13,11 @@ from orishell.deployment.feet import Feet
 from orishell.motion.grid import Grid
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult, FreeMotion
-from orishell.structure.sections import Section
 from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
-from orishell.structure.sheet import mesh_sheet
 
 SPAN, LENGTH, RISE, THICKNESS = 4.0, 3.0, 2.0, 0.01
 STRUCTURE = Structure(

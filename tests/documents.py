@@ -21,7 +21,7 @@ from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
 from orishell.solids import build_boards, find_stop, largest_folds, largest_height
-from orishell.structure.sheet import mesh_sheet
+from orishell.structure.mesh.sheet import mesh_sheet
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FAMILIES = {

@@ -12,7 +12,7 @@ from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.sheet import mesh_sheet
+from orishell.structure.mesh.sheet import mesh_sheet
 
 LARGEST = 0.034
 """Displacement under snow, in the unit."""

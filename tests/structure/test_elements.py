@@ -11,10 +11,10 @@ from scipy.sparse.linalg import spsolve
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.hinges import hinge_elements
-from orishell.structure.sections import Section
-from orishell.structure.sheet import mesh_sheet
-from orishell.structure.triangle import DOFS, Facets
+from orishell.structure.mesh.hinges import hinge_elements
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import mesh_sheet
+from orishell.structure.mesh.triangle import DOFS, Facets
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -13,13 +13,13 @@ from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.conditions import joined, on_ground
-from orishell.structure.factorise import factorise
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
-from orishell.structure.sections import Section
 from orishell.structure.settings import Structure, Support
-from orishell.structure.sheet import mesh_sheet
-from orishell.structure.stability import (
+from orishell.structure.solve.conditions import joined, on_ground
+from orishell.structure.solve.factorise import factorise
+from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,

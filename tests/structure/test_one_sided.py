@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from orishell.motion.grid import Grid
-from orishell.structure.active_set import Response, respond
-from orishell.structure.conditions import Conditions, between, joined, on_ground
-from orishell.structure.factorise import factorise
-from orishell.structure.factorised import Factorised
-from orishell.structure.sections import Section
-from orishell.structure.sheet import SheetMesh, mesh_sheet
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
+from orishell.structure.solve.active_set import Response, respond
+from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
+from orishell.structure.solve.factorise import factorise
+from orishell.structure.solve.factorised import Factorised
 
 GRID, SECTION = Grid(2, 2), Section.solid(1e9, 0.02, 0.3)
 CORNERS = np.array([0, 1, 2, 3])

@@ -14,19 +14,19 @@ import pytest
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.active_set import respond
-from orishell.structure.conditions import joined, on_ground
-from orishell.structure.factorise import factorise
-from orishell.structure.hinges import hinge_elements, rigid_stiffness
-from orishell.structure.sections import Section
-from orishell.structure.sheet import mesh_sheet
-from orishell.structure.stability import (
+from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import mesh_sheet
+from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.solve.active_set import respond
+from orishell.structure.solve.conditions import joined, on_ground
+from orishell.structure.solve.factorise import factorise
+from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
     geometric_stiffness,
 )
-from orishell.structure.stresses import facet_stresses
 
 SLOPE, LENGTH = np.deg2rad(30), 4.0
 SECTION = Section.solid(10e9, 0.02, 0.3)

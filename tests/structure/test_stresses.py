@@ -7,13 +7,13 @@ import pytest
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
-from orishell.structure.active_set import respond
-from orishell.structure.conditions import joined, on_ground
-from orishell.structure.factorise import factorise
-from orishell.structure.hinges import crease_moments, hinge_elements, rigid_stiffness
-from orishell.structure.sections import Section
-from orishell.structure.sheet import SheetMesh, mesh_sheet
-from orishell.structure.stresses import FacetStresses, facet_stresses
+from orishell.structure.mesh.hinges import crease_moments, hinge_elements, rigid_stiffness
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
+from orishell.structure.mesh.stresses import FacetStresses, facet_stresses
+from orishell.structure.solve.active_set import respond
+from orishell.structure.solve.conditions import joined, on_ground
+from orishell.structure.solve.factorise import factorise
 
 LONG, WIDE, THICK = 1.0, 0.25, 0.01
 SECTION, GRID = Section.solid(1e9, THICK, 0.0), Grid(2, 3)

@@ -19,11 +19,11 @@ from orishell.deployment import Site, feet_ties, measure_weight
 from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
-from orishell.structure.active_set import respond
 from orishell.structure.loads import case_loads, sum_forces
+from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
 from orishell.structure.settings import LoadCase, Structure, Support
-from orishell.structure.sheet import mesh_sheet
+from orishell.structure.solve.active_set import respond
 
 MASS = 2.0
 PARABOLA = {"formula": "-x**2", "range": [-1, 1]}

@@ -14,22 +14,23 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
-from orishell.structure.active_set import Response, describe_motion, respond, stands
 from orishell.structure.equilibrium import Equilibrium
-from orishell.structure.factorised import Factorised
-from orishell.structure.hinges import crease_moments
+from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
+from orishell.structure.mesh.hinges import crease_moments
+from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import Structure
-from orishell.structure.stability import (
+from orishell.structure.solve.active_set import Response, respond, stands
+from orishell.structure.solve.factorised import Factorised
+from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
     geometric_stiffness,
     turning_stiffness,
 )
-from orishell.structure.stresses import facet_stresses
 
 FREQUENCIES = 3
 """How many frequencies are found."""

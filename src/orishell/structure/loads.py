@@ -19,8 +19,8 @@ from orishell.conventions.quantities import GRAVITY, conversion, plain
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
+from orishell.structure.mesh.triangle import Facets
 from orishell.structure.settings import LOADS, LoadCase, PointLoad, Snow, Terrain, Wind
-from orishell.structure.triangle import Facets
 
 if TYPE_CHECKING:
     LoadKind = str

@@ -18,14 +18,14 @@ from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
-from orishell.structure.conditions import Conditions, between, joined, on_ground
-from orishell.structure.factorise import factorise
-from orishell.structure.factorised import Factorised
-from orishell.structure.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.loads import Exposure
-from orishell.structure.sections import Section, panel_sections
+from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
+from orishell.structure.mesh.sections import Section, panel_sections
+from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
 from orishell.structure.settings import Structure
-from orishell.structure.sheet import SheetMesh, mesh_sheet
+from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
+from orishell.structure.solve.factorise import factorise
+from orishell.structure.solve.factorised import Factorised
 from orishell.structure.supports import Supports, find_supports
 
 Stiffness = float | Literal["free", "rigid"]

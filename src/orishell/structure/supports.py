@@ -10,8 +10,8 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
+from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.settings import Support, SupportKind
-from orishell.structure.sheet import SheetMesh
 
 HELD: dict[SupportKind, range] = {
     "pinned": range(3),

@@ -23,8 +23,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.elements import Elements
-from orishell.structure.sections import Section
+from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.sections import Section
 
 DOFS = 6
 IN_PLANE, OUT_OF_PLANE = (0, 1, 5), (2, 3, 4)

@@ -9,10 +9,10 @@ import numpy as np
 from orishell.conventions.errors import DesignError
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.conditions import Conditions, put_rows
-from orishell.structure.elements import Elements
-from orishell.structure.factorised import Factorised
-from orishell.structure.sheet import SheetMesh
+from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.solve.conditions import Conditions, put_rows
+from orishell.structure.solve.factorised import Factorised
 
 LOOSE, LOOSEST = 3e-14, 3
 """A matrix is singular if some shape is less stiff than this share of its largest entry; iterations

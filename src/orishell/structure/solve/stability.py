@@ -18,9 +18,9 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.structure.elements import assemble
-from orishell.structure.factorised import Factorised
-from orishell.structure.triangle import Facets
+from orishell.structure.mesh.elements import assemble
+from orishell.structure.mesh.triangle import Facets
+from orishell.structure.solve.factorised import Factorised
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

@@ -12,9 +12,9 @@ import numpy as np
 
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.elements import Elements
-from orishell.structure.sections import Section
-from orishell.structure.sheet import SheetMesh
+from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.sheet import SheetMesh
 
 RIGID = 1e3
 """Stiffness of a rigid crease by that of a cell in bending."""
@@ -54,7 +54,7 @@ def hinge_elements(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> Ele
 def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:
     """Edges (C,) that are creases, places (C, cells+1) beside them on both sides, and nodes there.
 
-    Places are those of :class:`~orishell.structure.sheet.SheetMesh`.
+    Places are those of :class:`~orishell.structure.mesh.sheet.SheetMesh`.
     """
     places, edges = np.arange(mesh.nodes.size).reshape(mesh.nodes.shape), grid.faces_edges()
     # In the order of Grid.faces_edges.

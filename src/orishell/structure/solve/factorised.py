@@ -27,8 +27,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
-from orishell.structure.conditions import Conditions
-from orishell.structure.elements import Elements
+from orishell.structure.mesh.elements import Elements
+from orishell.structure.solve.conditions import Conditions
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

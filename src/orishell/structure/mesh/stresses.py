@@ -6,8 +6,8 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
-from orishell.structure.sections import Section
-from orishell.structure.triangle import IN_PLANE, OUT_OF_PLANE, Facets, curvatures, strains
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.triangle import IN_PLANE, OUT_OF_PLANE, Facets, curvatures, strains
 
 MIDDLE = 1 / 3, 1 / 3
 

@@ -11,9 +11,9 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.elements import Elements
-from orishell.structure.sections import Section
-from orishell.structure.triangle import Facets
+from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.sections import Section
+from orishell.structure.mesh.triangle import Facets
 
 CELLS = 4
 """Cells along every side of a panel, of two triangles each."""

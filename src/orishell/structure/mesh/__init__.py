@@ -1,0 +1,1 @@
+"""Panels as triangles and creases as hinges: stiffness, forces and stresses."""

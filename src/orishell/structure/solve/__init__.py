@@ -1,0 +1,1 @@
+"""Equilibrium, with what holds in one direction only, and modes about it."""
