@@ -15,6 +15,7 @@ from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.feet import find_feet
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
 from orishell.structure.mesh.hinges import crease_moments
@@ -36,6 +37,8 @@ FREQUENCIES = 3
 """How many frequencies are found."""
 FINEST = 32
 """Cells are not halved beyond so many along a side."""
+SLIDES = 0.5
+"""A shell slides away if a foot slips by this share of its largest displacement."""
 UNBALANCED = 1e-6
 """Loads and reactions that balance no better than this mean that the program is wrong."""
 
@@ -128,7 +131,11 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
     if not solved.stands:
         moves = response.displacements if response.moves is None else response.moves
         shape, soft = _unit(solved.structure, moves), response.moves is None
-        motion = describe_motion(model, solved.stiffness, shape, forces, soft=soft)
+        slipped = soft and solved.structure.slipped(response.parted)
+        slides = slipped > SLIDES * solved.structure.furthest(moves) if soft else False
+        motion = describe_motion(
+            model, solved.stiffness, shape, forces, soft=soft and not slides, slides=slides
+        )
     return CaseResult(
         name=solved.name,
         stiffness=solved.stiffness,
@@ -164,7 +171,7 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         support_forces=support_forces,
         reaction=vector(reaction),
         residual=residual,
-        friction=structure.friction_used(response.forces),
+        feet=find_feet(structure, response, model.grounded),
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),

@@ -15,6 +15,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
+from orishell.structure.feet import Foot
 from orishell.structure.loads import Vector, vector
 from orishell.structure.model import Model
 
@@ -110,7 +111,7 @@ class Equilibrium:
     """A shell that stands under its loads."""
 
     WRITTEN = (
-        "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
+        "reaction", "residual", "displacement", "reactions", "friction", "feet", "ties", "flaps",
         "crease", "stress", "utilisation", "buckling", "frequencies",
     )  # fmt: skip
 
@@ -122,8 +123,7 @@ class Equilibrium:
     # what is missing between loads and reactions, of forces and moments the larger, relative to the
     # loads
     residual: float
-    # the largest share of the friction of the ground that a foot uses; None where none is rough
-    friction: float | None
+    feet: tuple[Foot, ...]  # on the ground: which stick, slip or lift
     tie_forces: Array  # of ties (K,), 0 where they are slack (N)
     # with which two neighbouring flaps keep the vertices at their outer corners apart (C,), in the
     # order of ``Model.flaps``; 0 where they part (N)
@@ -154,6 +154,11 @@ class Equilibrium:
             panel=self.model.panel_at(panel),
             share=float(sizes[node] / self.model.height),
         )
+
+    @property
+    def friction(self) -> float | None:
+        """The largest share of its friction that a foot uses; None where none is rough."""
+        return max((each.used for each in self.feet if each.used is not None), default=None)
 
     @property
     def reactions(self) -> tuple[Reaction, ...]:
@@ -218,11 +223,6 @@ class Equilibrium:
                 f"the shell buckles under {plain(self.buckling, 3)} times its loads by linear "
                 f"theory, and earlier with imperfections: at least {LEAST_BUCKLING:g} times are "
                 "asked for"
-            )
-        if self.friction is not None and self.friction > 1:
-            yield (
-                f"a foot needs {plain(self.friction, 3)} times its friction: it slips until others "
-                "bear more, which is not analysed"
             )
         for name, limit, part in (
             ("panels", "stress", used.panels),

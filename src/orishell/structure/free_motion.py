@@ -2,25 +2,40 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from orishell.numerics.arrays import Array
 from orishell.structure.model import Model
-from orishell.structure.results import FreeMotion, Remedy
+from orishell.structure.results import FreeMotion, Ground, Remedy
 from orishell.structure.settings import Support
 from orishell.structure.solve.active_set import respond, stands
+from orishell.structure.solve.bearing import (
+    GREATEST,
+    driven_motion,
+    needed_friction,
+    with_friction,
+)
 from orishell.structure.solve.factorised import Factorised
 
 STEP = 1e-5
 """Step of the drive by which the folding motion is measured (radians)."""
+LARGER = 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0
+"""Times the least coefficient of friction that may do are tried."""
 SHARE = 0.1
 """A motion that takes this share of its vertices' displacements from folding is a folding one."""
 
 
 def describe_motion(
-    model: Model, stiffness: float, shape: Array, forces: Array, *, soft: bool = False
+    model: Model,
+    stiffness: float,
+    shape: Array,
+    forces: Array,
+    *,
+    soft: bool = False,
+    slides: bool = False,
 ) -> FreeMotion:
     """Say of a free motion what it is, and what would hold the shell: that has been tried.
 
@@ -28,6 +43,7 @@ def describe_motion(
     shape: Displacements (N, 3) of nodes.
     forces: Forces (N, 3) on them.
     soft: Whether something resists it, but too little.
+    slides: Whether feet slip away, though forces within their friction could bear the loads.
 
     Raises VerificationError: If no set of ties, flaps and feet fits the loads: a fault of the
     program.
@@ -45,12 +61,46 @@ def describe_motion(
     found = shape[: len(points)].reshape(-1)
     part = float(folding @ found)
     folds = abs(part) > SHARE * float(np.linalg.norm(found))
-    holds = tuple(
+    structure = model.factorised(stiffness)
+    loads = structure.free_loads(forces)
+    ground: Ground | None = "slips" if slides else None
+    if not soft and not slides and len(structure.conditions.rough):
+        if driven_motion(structure, loads, "sticks") is None:
+            ground = "slips"
+        elif driven_motion(structure, loads, "anchored") is None:
+            ground = "lifts"
+    friction = _enough_friction(structure, loads, model.size) if ground == "slips" else None
+    holds: tuple[Remedy, ...] = tuple(
         name
         for name, other in _remedies(model, stiffness).items()
         if stands(other, respond(other, other.free_loads(forces)), model.size)
     )
-    return FreeMotion(shape, folds, part < 0 if folds else None, holds, soft)
+    if friction is not None:
+        holds = ("friction", *holds)
+    opens = part < 0 if folds else None
+    return FreeMotion(shape, folds, opens, holds, soft, ground, friction)
+
+
+def _enough_friction(structure: Factorised, loads: Array, size: float) -> float | None:
+    """A coefficient of friction of two digits with which it stands, tried; None if none was found.
+
+    The first is the least with which feet can bear the loads. Feet may slip away all the same, if
+    nothing makes them press as they would have to; so larger ones are tried, too.
+    """
+    least = needed_friction(structure, loads)
+    if least is None:
+        return None
+    now = float(structure.conditions.friction.max())
+    for more in LARGER:
+        asked = max(least, now) * more
+        step = 10.0 ** (math.floor(math.log10(asked)) - 1)
+        tried = float(f"{math.ceil(round(asked / step, 6)) * step:.2g}")
+        if tried > GREATEST:
+            return None
+        rougher = with_friction(structure, tried)
+        if stands(rougher, respond(rougher, loads), size):
+            return tried
+    return None
 
 
 def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:

@@ -239,6 +239,12 @@ class Model:
         rows, columns = np.divmod(self.supports.vertices(), self.grid.columns)
         return tuple(zip(rows.tolist(), (columns + self.before).tolist(), strict=True))
 
+    @property
+    def grounded(self) -> tuple[Vertex, ...]:
+        """Vertices of the folding sheet that stand on the ground."""
+        rows, columns = np.divmod(self.supports.ground, self.grid.columns)
+        return tuple(zip(rows.tolist(), (columns + self.before).tolist(), strict=True))
+
     @cached_property
     def supports(self) -> Supports:
         """What holds it.

@@ -31,9 +31,16 @@ NOT_COVERED = (
     "snow that drifts, or that a corrugation keeps from sliding off steep panels",
     "the way from the pack to the target",
 )
-Remedy = Literal["ties", "pinned"]
-"""What may hold a shell: ties between its feet, or its supports pinned."""
-REMEDIES: dict[Remedy, str] = {"ties": "ties between its feet", "pinned": "pinned supports"}
+Remedy = Literal["friction", "ties", "pinned"]
+"""What may hold a shell: more friction, ties between its feet, or its supports pinned."""
+REMEDIES: dict[Remedy, str] = {
+    "friction": "friction of {friction:g}",
+    "ties": "ties between its feet",
+    "pinned": "pinned supports",
+}
+Ground = Literal["slips", "lifts"]
+"""What feet do of a shell that moves: it would stand if they did not slip, or if they were held
+down."""
 
 
 @record
@@ -47,11 +54,22 @@ class FreeMotion:
     holds: tuple[Remedy, ...] = ()  # what would hold the shell: each was tried with these loads
     # whether something resists it, but so little that it goes beyond the size of the shell
     soft: bool = False
+    # whether its feet slip: it would stand if they stuck. Or whether they lift, or slip because
+    # others lift: it would stand if they were held down. None if neither would hold it
+    ground: Ground | None = None
+    # the coefficient of friction with which it stands, tried with these loads; None if none does,
+    # or none was asked for
+    friction: float | None = None
 
     def in_words(self) -> str:
         """How a shell moves under its loads, what does not hold it, and what would."""
         if self.soft:
             words = "gives way under its loads, by more than its own size: it is far too soft"
+        elif self.ground == "slips":
+            way = "" if not self.folding else " and opens" if self.opens else " and closes"
+            words = f"slips{way} under its loads: its feet need more friction than there is"
+        elif self.ground == "lifts" and not self.folding:
+            words = "tips, or lifts off, under its loads: nothing holds its feet down"
         elif not self.folding:
             words = "slides or tips as a whole under its loads: its supports do not hold it"
         elif self.opens:
@@ -59,7 +77,8 @@ class FreeMotion:
         else:
             words = "closes under its loads: nothing holds the feet apart"
         if self.holds:
-            return f"{words}; {' or '.join(REMEDIES[each] for each in self.holds)} would"
+            told = [REMEDIES[each].format(friction=self.friction) for each in self.holds]
+            return f"{words}; {' or '.join(told)} would"
         if self.soft:
             return words
         return f"{words}; neither ties between its feet nor pinned supports would"

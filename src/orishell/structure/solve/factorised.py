@@ -79,14 +79,10 @@ class Factorised:
         taken = self.every_row.T @ np.where(which, forces, 0.0)
         return -np.asarray(taken[: 3 * self.nodes].reshape(-1, 3))
 
-    def friction_used(self, forces: Array) -> float | None:
-        """The largest share of friction that a foot uses, by forces (M,); None if none has any."""
-        rough, count = self.conditions.rough, len(self.conditions)
-        if not len(rough):
-            return None
-        rubs = np.linalg.norm(forces[count:][: len(self.sliding)].reshape(-1, 2), axis=1)
-        bears = self.conditions.friction[rough] * forces[rough]
-        return float(np.max(rubs[bears > 0] / bears[bears > 0], initial=0.0))
+    def slipped(self, parted: Array) -> float:
+        """How far a foot slips at most, by what rows part (M,)."""
+        rubs = parted[len(self.conditions) :][: len(self.sliding)].reshape(-1, 2)
+        return float(np.max(np.linalg.norm(rubs, axis=1), initial=0.0))
 
     def free_loads(self, forces: Array) -> Array:
         """Loads on free dofs (n,) of forces on nodes (N, 3)."""

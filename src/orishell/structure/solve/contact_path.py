@@ -1,0 +1,200 @@
+"""Where forces of ties, flaps and rough ground are in balance: by Newton's method, along paths.
+
+Newton's method takes the derivative of P where y is (semismooth: Qi and Sun 1993), and steps as
+long as F falls. From the convex problem (theta = 0), whose solution is found by less and less
+smooth cones as interior points are, it mostly finds Coulomb's (theta = 1) at once. Where not,
+Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to 1 by steps; and
+where that path of solutions turns back it is followed by its length (Allgower and Georg 1990), in
+the sense that keeps the sign of the determinant, also across edges where a foot begins to slip. It
+begins at one solution, so it does not end before theta = 1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.conventions.record import record
+from orishell.numerics.arrays import Array
+from orishell.structure.solve.factorised import Factorised
+from orishell.structure.solve.friction import Contact, Point
+
+BALANCED = 1e-11
+"""Forces that miss less than this share of what loads open are in balance."""
+AUGMENTS = 0.1, 0.01, 1.0, 1e-3
+"""r: tried in turn, as Newton's steps go astray with one and not with another."""
+STEPS, SHORTEST = 100, 1e-6
+"""Newton's steps, and the least share of one."""
+FEW, SHORT = 15, 1e-2
+"""The same along a path."""
+
+
+def find_contact(structure: Factorised, loads: Array) -> tuple[Contact, Array] | None:
+    """Rows in balance by Coulomb's law, and their y (M,); None if they were not found."""
+    first = Contact.of(structure, loads)
+    starts = []
+    for augment in AUGMENTS:
+        contact = replace(first, augment=augment)
+        y = smoothly(contact, 0.0)
+        if y is None:
+            continue
+        starts.append((contact, y))
+        y, right = solve(contact, y, 1.0, FEW)
+        if right:
+            return contact, y
+    for augment in AUGMENTS:
+        contact = replace(first, augment=augment)
+        y = smoothly(contact, 1.0)
+        if y is not None:
+            return contact, y
+    for follow in (_by_steps, _by_length):
+        for contact, y in starts:
+            end = follow(contact, y)
+            if end is not None:
+                return contact, end
+    return None
+
+
+def smoothly(contact: Contact, theta: float) -> Array | None:
+    """The solution (M,) for theta, by less and less smooth cones; None if it is not found."""
+    scale = float(np.abs(contact.opened).max())
+    y, smooth, less, last = contact.opened, scale, 0.1, None
+    for _ in range(60):
+        found, right = solve(contact, y, theta, STEPS if last is None else FEW, smooth)
+        if right:
+            if not smooth:
+                return found
+            exact, right = solve(contact, found, theta, 5)
+            if right:
+                return exact
+            y, last, less = found, smooth, max(less**1.5, 0.03)
+        elif last is None or less > 0.95:
+            return None
+        else:
+            less = less**0.5
+        smooth = last * less
+        if smooth < 1e-12 * scale:
+            smooth = 0.0
+    return None
+
+
+def solve(
+    contact: Contact, y: Array, theta: float, steps: int = STEPS, smooth: float = 0.0
+) -> tuple[Array, bool]:
+    """Newton's steps from y (M,), each as long as it helps; and whether they found balance."""
+    enough = BALANCED * float(np.linalg.norm(contact.opened))
+    shortest = SHORTEST if steps == STEPS else SHORT
+    point = contact.at(y, theta, smooth)
+    misses = float(np.linalg.norm(point.missing))
+    for _ in range(steps):
+        if misses <= enough:
+            return y, True
+        step, share = _step(point.slope, point.missing), 1.0
+        while True:
+            tried = contact.at(y + share * step, theta, smooth)
+            missed = float(np.linalg.norm(tried.missing))
+            if missed < (1 - 1e-4 * share) * misses:
+                break
+            share /= 2
+            if share < shortest:
+                return y, False
+        y, point, misses = y + share * step, tried, missed
+    return y, misses <= enough
+
+
+def _step(slope: Array, missing: Array) -> Array:
+    try:
+        return np.asarray(np.linalg.solve(slope, -missing))
+    except np.linalg.LinAlgError:
+        return np.asarray(np.linalg.lstsq(slope, -missing, rcond=None)[0])
+
+
+def _by_steps(contact: Contact, y: Array) -> Array | None:
+    """The end of the path from y (M,) where theta is 0; None if it turns back."""
+    theta, step = 0.0, 0.5
+    for _ in range(60):
+        further = min(1.0, theta + step)
+        found, right = solve(contact, y, further, FEW)
+        if right:
+            y, theta, step = found, further, 2 * step
+            if theta == 1:
+                return y
+        else:
+            step /= 3
+            if step < 1e-4:
+                return None
+    return None
+
+
+def _by_length(contact: Contact, y: Array) -> Array | None:
+    """The end of the path from y (M,) where theta is 0, wherever it turns; None if it is lost."""
+    scale = float(np.linalg.norm(y)) or 1.0
+    for sharp in (1e-2, 1e-4):
+        end = Path(contact, scale).end(np.append(y / scale, 0.0), sharp)
+        if end is not None:
+            return end
+    return None
+
+
+@record
+class Path:
+    """Solutions for all theta, followed by the length of (y/scale, theta)."""
+
+    contact: Contact
+    scale: float
+
+    def _matrix(self, point: Point) -> Array:
+        return np.concatenate([self.scale * point.slope, point.by_dilation[:, None]], axis=1)
+
+    def _at(self, x: Array) -> Point:
+        return self.contact.at(self.scale * x[:-1], float(x[-1]))
+
+    def _ahead(self, point: Point, sense: float) -> Array:
+        """The unit tangent (M+1,) that has the determinant's sign."""
+        matrix = self._matrix(point)
+        along = np.linalg.svd(matrix)[2][-1]
+        sign = np.linalg.slogdet(np.concatenate([matrix, along[None]]))[0]
+        return np.asarray(along if sign * sense > 0 else -along)
+
+    def end(self, x: Array, sharp: float) -> Array | None:
+        """Where theta is 1 (M,), from where it is 0 (M+1,).
+
+        sharp: Steps below this may turn as the tangent beyond an edge does.
+        """
+        point, step = self._at(x), 0.1
+        ahead = self._ahead(point, 1.0)
+        sense = 1.0 if ahead[-1] > 0 else -1.0
+        ahead = sense * ahead
+        for _ in range(400):
+            if ahead[-1] > 0 and x[-1] + step * ahead[-1] >= 1:
+                there = x + (1 - x[-1]) / ahead[-1] * ahead
+                y, right = solve(self.contact, self.scale * there[:-1], 1.0)
+                if right:
+                    return y
+            found = self._corrected(x, ahead, step)
+            if found is None and step < sharp:
+                beyond = self._at(x + step * ahead)
+                found = self._corrected(x, self._ahead(beyond, sense), step)
+            if found is None:
+                step /= 3
+                if step < 1e-9:
+                    return None
+                continue
+            x = found
+            ahead, step = self._ahead(self._at(x), sense), min(2 * step, 0.3)
+        return None
+
+    def _corrected(self, x: Array, ahead: Array, step: float) -> Array | None:
+        """The solution (M+1,) beside a step ahead; None if it is not near."""
+        guess = found = x + step * ahead
+        enough = BALANCED * float(np.linalg.norm(self.contact.opened))
+        for _ in range(12):
+            point = self._at(found)
+            if np.linalg.norm(point.missing) <= enough:
+                return found if np.linalg.norm(found - guess) < step else None
+            matrix = np.concatenate([self._matrix(point), ahead[None]])
+            found = found + _step(matrix, np.append(point.missing, ahead @ (found - guess)))
+            if not np.linalg.norm(found - guess) < 10 * step:
+                return None
+        return None
