@@ -131,8 +131,8 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
     if not solved.stands:
         moves = response.displacements if response.moves is None else response.moves
         shape, soft = _unit(solved.structure, moves), response.moves is None
-        slipped = soft and solved.structure.slipped(response.parted)
-        slides = slipped > SLIDES * solved.structure.furthest(moves) if soft else False
+        slipped = solved.structure.slipped(response.parted) if soft else 0.0
+        slides = response.slides or slipped > SLIDES * solved.structure.furthest(moves)
         motion = describe_motion(
             model, solved.stiffness, shape, forces, soft=soft and not slides, slides=slides
         )

@@ -26,6 +26,8 @@ class Response:
     """What loads do to a structure."""
 
     moves: Array | None  # the motion (n,) that they drive and nothing resists; None if it stands
+    # whether feet slip away, though forces within their friction could bear the loads
+    slides: bool
     displacements: Array  # of free dofs (n,); not numbers where it moves
     # which rows of :class:`~orishell.structure.solve.factorised.Factorised` act and hold (M,):
     # friction does where a foot sticks
@@ -45,17 +47,26 @@ def respond(structure: Factorised, loads: Array) -> Response:
     """
     moves = driven_motion(structure, loads)
     if moves is not None:
-        count, dofs = structure.every_row.shape
-        still, nothing, taken = (np.full(each, np.nan) for each in (len(loads), count, dofs))
-        none = np.zeros(count, dtype=bool)
-        return Response(moves, still, none, nothing, nothing, taken, moves[:, None])
+        return _moving(structure, moves)
     found = find_contact(structure, loads)
     if found is None:
         raise VerificationError(
             "feet can bear the loads, and no forces of theirs by Coulomb's law were found: "
             "this is a fault of the program"
         )
-    return _settled(structure, loads, *found)
+    settled = _settled(structure, loads, found.contact, found.y)
+    if found.away:
+        far = settled.displacements
+        return _moving(structure, far / np.linalg.norm(far), slides=True)
+    return settled
+
+
+def _moving(structure: Factorised, moves: Array, *, slides: bool = False) -> Response:
+    """The response of a structure that moves (n,)."""
+    count, dofs = structure.every_row.shape
+    still, nothing, taken = (np.full(each, np.nan) for each in (len(moves), count, dofs))
+    none = np.zeros(count, dtype=bool)
+    return Response(moves, slides, still, none, nothing, nothing, taken, moves[:, None])
 
 
 def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) -> Response:
@@ -90,7 +101,7 @@ def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) ->
     open_ = TOLERANCE * float(np.abs(gaps).max())
     if not (~acts[:count] & (gaps[:count] > open_)).any():
         moved = settled
-    return Response(None, moved, acts, forces, parted, taken, structure.motions(acts))
+    return Response(None, False, moved, acts, forces, parted, taken, structure.motions(acts))
 
 
 def stands(structure: Factorised, response: Response, size: float) -> bool:

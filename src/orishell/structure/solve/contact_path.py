@@ -28,32 +28,53 @@ STEPS, SHORTEST = 100, 1e-6
 """Newton's steps, and the least share of one."""
 FEW, SHORT = 15, 1e-2
 """The same along a path."""
+SHARP = 1e-2, 1e-4
+"""Steps below this may turn as the tangent beyond an edge does: tried in turn."""
+BEYOND, ROUNDED = 1e3, 0.01
+"""A path that goes beyond so many times its start has no end; F is balanced
+on it up to what rounds so many times its y."""
 
 
-def find_contact(structure: Factorised, loads: Array) -> tuple[Contact, Array] | None:
-    """Rows in balance by Coulomb's law, and their y (M,); None if they were not found."""
+@record
+class Found:
+    """Rows in balance."""
+
+    contact: Contact
+    y: Array  # (M,)
+    # whether there is no end to it: solutions for theta up to less than 1 go beyond all bounds, so
+    # that feet slip away, and y is one on the way
+    away: bool = False
+
+
+def find_contact(structure: Factorised, loads: Array) -> Found | None:
+    """Rows in balance by Coulomb's law; None if they were not found."""
     first = Contact.of(structure, loads)
+    every = [replace(first, augment=augment) for augment in AUGMENTS]
     starts = []
-    for augment in AUGMENTS:
-        contact = replace(first, augment=augment)
+    for contact in every:
         y = smoothly(contact, 0.0)
         if y is None:
             continue
         starts.append((contact, y))
         y, right = solve(contact, y, 1.0, FEW)
         if right:
-            return contact, y
-    for augment in AUGMENTS:
-        contact = replace(first, augment=augment)
+            return Found(contact, y)
+    for contact in every:
         y = smoothly(contact, 1.0)
         if y is not None:
-            return contact, y
-    for follow in (_by_steps, _by_length):
-        for contact, y in starts:
-            end = follow(contact, y)
-            if end is not None:
-                return contact, end
-    return None
+            return Found(contact, y)
+    for contact, y in starts:
+        end = _by_steps(contact, y)
+        if end is not None:
+            return Found(contact, end)
+    last = None
+    for contact, y in starts:
+        for sharp in SHARP:
+            end, away = Path(contact, float(np.linalg.norm(y)) or 1.0).end(y, sharp)
+            if end is not None and not away:
+                return Found(contact, end)
+            last = last or (None if end is None else Found(contact, end, away))
+    return last
 
 
 def smoothly(contact: Contact, theta: float) -> Array | None:
@@ -127,16 +148,6 @@ def _by_steps(contact: Contact, y: Array) -> Array | None:
     return None
 
 
-def _by_length(contact: Contact, y: Array) -> Array | None:
-    """The end of the path from y (M,) where theta is 0, wherever it turns; None if it is lost."""
-    scale = float(np.linalg.norm(y)) or 1.0
-    for sharp in (1e-2, 1e-4):
-        end = Path(contact, scale).end(np.append(y / scale, 0.0), sharp)
-        if end is not None:
-            return end
-    return None
-
-
 @record
 class Path:
     """Solutions for all theta, followed by the length of (y/scale, theta)."""
@@ -157,21 +168,24 @@ class Path:
         sign = np.linalg.slogdet(np.concatenate([matrix, along[None]]))[0]
         return np.asarray(along if sign * sense > 0 else -along)
 
-    def end(self, x: Array, sharp: float) -> Array | None:
-        """Where theta is 1 (M,), from where it is 0 (M+1,).
+    def end(self, y: Array, sharp: float) -> tuple[Array | None, bool]:
+        """Where theta is 1 (M,), from where it is 0 (M,), or beyond all bounds, and which.
 
         sharp: Steps below this may turn as the tangent beyond an edge does.
         """
-        point, step = self._at(x), 0.1
-        ahead = self._ahead(point, 1.0)
+        x, step = np.append(y / self.scale, 0.0), 0.1
+        ahead = self._ahead(self._at(x), 1.0)
         sense = 1.0 if ahead[-1] > 0 else -1.0
         ahead = sense * ahead
         for _ in range(400):
+            far = float(np.linalg.norm(x[:-1]))
+            if far > BEYOND:
+                return self.scale * x[:-1], True
             if ahead[-1] > 0 and x[-1] + step * ahead[-1] >= 1:
                 there = x + (1 - x[-1]) / ahead[-1] * ahead
                 y, right = solve(self.contact, self.scale * there[:-1], 1.0)
                 if right:
-                    return y
+                    return y, False
             found = self._corrected(x, ahead, step)
             if found is None and step < sharp:
                 beyond = self._at(x + step * ahead)
@@ -179,16 +193,18 @@ class Path:
             if found is None:
                 step /= 3
                 if step < 1e-9:
-                    return None
+                    return None, False
                 continue
             x = found
-            ahead, step = self._ahead(self._at(x), sense), min(2 * step, 0.3)
-        return None
+            ahead, step = self._ahead(self._at(x), sense), min(2 * step, 0.3 * max(1.0, far))
+        return None, False
 
     def _corrected(self, x: Array, ahead: Array, step: float) -> Array | None:
         """The solution (M+1,) beside a step ahead; None if it is not near."""
         guess = found = x + step * ahead
-        enough = BALANCED * float(np.linalg.norm(self.contact.opened))
+        # Far out F is rounded as y is.
+        opened, y = np.linalg.norm(self.contact.opened), self.scale * np.linalg.norm(found[:-1])
+        enough = BALANCED * float(max(opened, ROUNDED * y))
         for _ in range(12):
             point = self._at(found)
             if np.linalg.norm(point.missing) <= enough:
