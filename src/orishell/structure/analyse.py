@@ -14,14 +14,14 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
+from orishell.structure.crease_forces import hold_panels, moments
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
-from orishell.structure.mesh.hinges import crease_moments
-from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult
-from orishell.structure.settings import Structure
+from orishell.structure.settings import LoadCase, Structure
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import (
@@ -80,7 +80,7 @@ def analyse(
     rest = stretch(progress, 0.5, 1.0)
     results = []
     for number, each in enumerate(solved):
-        rest(number / len(solved), f"loading {each.name}")
+        rest(number / len(solved), f"loading {each.case.name}")
         results.append(_result(model, each))
     return Analysis(model, tuple(results))
 
@@ -89,7 +89,7 @@ def analyse(
 class _Solved:
     """How the structure responds to a load case with one stiffness of creases."""
 
-    name: str
+    case: LoadCase
     stiffness: float
     structure: Factorised
     loads: tuple[Load, ...]
@@ -108,7 +108,7 @@ def _solve(model: Model) -> Sequence[_Solved]:
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
-            found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
+            found.append(_Solved(case, stiffness, structure, loads, forces, response, held))
     return found
 
 
@@ -130,7 +130,7 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         shape, soft = _unit(solved.structure, moves), response.moves is None
         motion = describe_motion(model, solved.stiffness, shape, forces, soft=soft)
     return CaseResult(
-        name=solved.name,
+        name=solved.case.name,
         stiffness=solved.stiffness,
         loads=solved.loads,
         forces=forces,
@@ -145,10 +145,13 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     support_forces, reaction, residual = _reactions(model, solved)
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
-    stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
+    borne = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
+    stresses = panel_stresses(mesh, model.section, borne)
+    total = float(np.linalg.norm(solved.forces, axis=1).sum())
+    edges, panel_residual = hold_panels(model, moved, solved.case, solved.stiffness, total)
     inverse = Inverse.of(structure, response.active, response.motions)
     directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
+    geometric = geometric_stiffness(mesh.facets, borne.forces, mesh.count) + turning_stiffness(
         mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
     )
     free = structure.free
@@ -164,10 +167,12 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         support_forces=support_forces,
         reaction=vector(reaction),
         residual=residual,
+        panel_residual=panel_residual,
         friction=structure.friction_used(response.forces),
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
-        crease_moments=crease_moments(mesh, model.grid, model.section, moved),
+        edges=edges,
+        crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
         buckling=None if buckling is None else buckling[0],

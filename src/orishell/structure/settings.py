@@ -220,6 +220,8 @@ class StructureTable(Table):
     thickness: Positive | None = None  # of panels, where the design has none; else None (length)
     # Young's modulus of the membrane between boards; 0 if it is not counted (force per area)
     membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    # stress that the membrane between boards bears; None if that is not known (force per area)
+    membrane_strength: Positive | None = None
     # least and largest moment per length and angle of creases: 0 for free hinges, infinite for
     # rigid ones (force per radian)
     crease_stiffness: StiffnessRange = (0.0, math.inf)
