@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from orishell.motion.grid import Grid
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.edge_forces import (
     ABOUT,
     ACROSS,
@@ -58,10 +58,10 @@ def stresses(mesh: SheetMesh, moved: Array) -> PanelStresses:
     return panel_stresses(mesh, SECTION, facet_stresses(mesh.facets, SECTION, moved[mesh.dofs()]))
 
 
-def patch_middles(mesh: SheetMesh, patches: Array) -> Array:
+def patch_middles(mesh: SheetMesh, patches: Integers) -> Array:
     """Along x, the middle (T) of the triangles of a triangle's patch, corners apart from others."""
     middles = mesh.facets.points[mesh.facets.triangles].mean(axis=1)[:, 0]
-    return (np.bincount(patches, middles) / np.bincount(patches))[patches]
+    return np.asarray((np.bincount(patches, middles) / np.bincount(patches))[patches])
 
 
 def test_bending_of_a_cantilever() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.edge_forces import (
     ABOUT,
@@ -98,7 +98,7 @@ def by_kind(model: Model, found: EdgeForces) -> tuple[CreaseForces, ...]:
     sizes = largest_forces(model, found)
     edges, _ = crease_sides(model.grid)
     rows = edges < model.grid.rows * (model.grid.columns - 1)
-    kinds: tuple[tuple[CreaseKind, Array], ...] = (("row", rows), ("column", ~rows))
+    kinds: tuple[tuple[CreaseKind, Booleans], ...] = (("row", rows), ("column", ~rows))
     return tuple(
         CreaseForces(kind, *(_largest(model, np.where(own, each, -1.0)) for each in sizes.T))
         for kind, own in kinds

@@ -137,7 +137,7 @@ def _by_stretch(begins: Array) -> Array:
 def _about(forces: Array, arms: Array) -> Array:
     """Sums (..., 6) of forces and moments (..., n, 6) at arms (..., n, 3)."""
     turning = forces[..., 3:] + np.cross(arms, forces[..., :3])
-    return np.concatenate([forces[..., :3], turning], axis=-1).sum(axis=-2)
+    return np.asarray(np.concatenate([forces[..., :3], turning], axis=-1).sum(axis=-2))
 
 
 def crease_sides(grid: Grid) -> tuple[Integers, Integers]:
@@ -147,10 +147,11 @@ def crease_sides(grid: Grid) -> tuple[Integers, Integers]:
     """
     edges = grid.faces_edges()
     # Bottom and right edges are the first panel's, left and top edges the second's.
-    place = np.stack(np.indices(edges.shape), axis=-1)[:, [1, 2, 0, 3]].swapaxes(0, 1)
-    edge = edges[:, [1, 2, 0, 3]].T.ravel()
-    order = np.argsort(edge, kind="stable")
-    edge, place = edge[order], place.reshape(-1, 2)[order]
+    order = [1, 2, 0, 3]
+    edge, panel = edges[:, order].T.ravel(), np.tile(np.arange(len(edges)), len(order))
+    place = np.stack([panel, np.repeat(order, len(edges))], axis=-1)
+    ascending = np.argsort(edge, kind="stable")
+    edge, place = edge[ascending], place[ascending]
     pair = np.flatnonzero(edge[1:] == edge[:-1])
     return edge[pair], np.stack([place[pair], place[pair + 1]], axis=1)
 
