@@ -83,7 +83,7 @@ def crease_csv(report: Analysis, unit: str) -> str:
     edges, sides = crease_sides(model.grid)
     ends = model.mesh.facets.points[model.grid.edges_vertices()[edges]]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    names = [report.name_of(case) for _, case in report.standing]
+    names = [report.name_of(case) for _, case in report.balanced]
     sizes, worst = _worst(report, len(edges))
     for k, edge in enumerate(edges.tolist()):
         (row, column), (other, beside) = (model.panel_at(int(each)) for each in sides[k, :, 0])
@@ -99,9 +99,9 @@ def crease_csv(report: Analysis, unit: str) -> str:
 
 def _worst(report: Analysis, creases: int) -> tuple[Array, Array]:
     """The largest forces (C, 5) of all cases, and the case of each, 0 where they are rounding."""
-    if not report.standing:
+    if not report.balanced:
         return np.zeros((creases, 5)), np.zeros((creases, 5), np.int64)
-    every = np.stack([largest_forces(report.model, found.edges) for found, _ in report.standing])
+    every = np.stack([largest_forces(report.model, found.edges) for found, _ in report.balanced])
     least = ROUNDING * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
     every = np.where(every > least, every, 0.0)
     return every.max(axis=0), every.argmax(axis=0)
