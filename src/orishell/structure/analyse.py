@@ -101,10 +101,11 @@ class _Solved:
 def _solve(model: Model) -> Sequence[_Solved]:
     """All load cases, with the least stiffness of creases first."""
     found, asked = [], model.structure
+    cases, known = asked.analysed, asked.arranged
     for stiffness in dict.fromkeys(asked.crease_stiffness):
         structure = model.factorised(stiffness)
-        for case in asked.analysed:
-            loads = case_loads(model.exposure, case, asked.cases)
+        for case in cases:
+            loads = case_loads(model.exposure, case, known)
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)

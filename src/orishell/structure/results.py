@@ -27,8 +27,8 @@ NOT_COVERED = (
     "creep, fatigue, heat and moisture",
     "anchors, and the ground under the feet",
     "wind and snow on flaps: only their weight counts",
-    "wind inside, and gusts that shake the shell",
-    "snow that drifts, or that a corrugation keeps from sliding off steep panels",
+    "gusts that shake the shell, and local suction at its edges",
+    "exceptional snow, and drifts at obstacles and taller buildings",
     "the way from the pack to the target",
 )
 Remedy = Literal["ties", "pinned"]

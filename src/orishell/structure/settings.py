@@ -12,6 +12,7 @@ from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Pair, Several, Table
+from orishell.structure.arrangements import arranged
 from orishell.structure.load_settings import (
     LOADS,
     NO_CODE,
@@ -133,7 +134,13 @@ class Structure(StructureTable):
     cases: Several[LoadCase]
 
     @property
+    def arranged(self) -> tuple[LoadCase, ...]:
+        """All cases, those of several arrangements in each of them."""
+        return arranged(self.cases)
+
+    @property
     def analysed(self) -> tuple[LoadCase, ...]:
         """The cases that are analysed: those that no other combines."""
-        parts = {name for case in self.cases for name in case.combine}
-        return tuple(case for case in self.cases if case.name not in parts)
+        cases = self.arranged
+        parts = {name for case in cases for name in case.combine}
+        return tuple(case for case in cases if case.name not in parts)
