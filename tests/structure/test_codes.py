@@ -35,8 +35,8 @@ def folded(heights: Sequence[float], length: float = LENGTH, turn: float = 0.0) 
     return Exposure(mesh.facets, mesh.panels, grid, 0, mass, hung, "m", 0.0, SPAN, feet)
 
 
-def load(exposure: Exposure, **asked: Snow | Wind) -> Load:
-    (found,) = case_loads(exposure, LoadCase(name="case", **asked), ())
+def load(exposure: Exposure, snow: Snow | None = None, wind: Wind | None = None) -> Load:
+    (found,) = case_loads(exposure, LoadCase(name="case", snow=snow, wind=wind), ())
     return found
 
 

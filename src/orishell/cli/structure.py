@@ -26,12 +26,13 @@ ROUNDING = 1e-6
 def summarize_structure(report: Analysis, unit: str, written: list[Path]) -> Iterator[str]:
     """Lines that say what was analysed and found, and which files were written."""
     yield from _model(report.model, unit)
-    for each in {case.name: case for case in report.cases}.values():
+    for each in {case.name: case for case in report.told}.values():
         yield from _loads(each)
-    for case in report.cases:
+    for case in report.told:
         yield f"case      {report.name_of(case)}"
         yield from _case(case, unit)
     yield from _governing(report)
+    yield from _envelopes(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
@@ -61,6 +62,8 @@ def _loads(case: CaseResult) -> Iterator[str]:
 
 
 def _case(case: CaseResult, unit: str) -> Iterator[str]:
+    from orishell.structure.envelopes import STRENGTH
+
     if case.stands is None:
         yield f"  moves     it {case.moves}"
         return
@@ -72,7 +75,8 @@ def _case(case: CaseResult, unit: str) -> Iterator[str]:
     )
     yield from _forces(found, unit)
     factor = found.buckling
-    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    if case.limit_state in STRENGTH:
+        yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
@@ -118,6 +122,20 @@ def _governing(report: Analysis) -> Iterator[str]:
     much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
     stiffness = creases_in_words(governs.creases)
     yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
+
+
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code, and how many cases it has."""
+    from orishell.structure.results import creases_in_words
+
+    for each in report.envelopes:
+        what = "it stands under all of them"
+        if each.moves:
+            what = f"it moves under {each.moves} of them, such as {each.case}"
+        elif each.part is not None and each.share is not None:
+            what = f"{each.part} {plain(100 * each.share, 3)} %: {each.case}"
+        stiffness = creases_in_words(each.creases)
+        yield f"{each.limit_state:10}{each.cases} cases; {what}, {stiffness}"
 
 
 def _used(share: float | None) -> str:

@@ -205,15 +205,18 @@ class Equilibrium:
             buckling=None if self.buckling is None else 1 / self.buckling,
         )
 
-    def warnings(self) -> Iterator[str]:
-        """What is too large for linear theory, or for what bears it."""
+    def warnings(self, *, strength: bool = True) -> Iterator[str]:
+        """What is too large for linear theory, or for what bears it.
+
+        strength: Whether strength and buckling are judged.
+        """
         share, used = self.displacement.share, self.utilisation
         if share > LARGE:
             yield (
                 f"the shell is displaced by {plain(100 * share, 3)} % of its height. Linear theory "
                 f"holds up to {100 * LARGE:g} %: forces are wrong by about as much"
             )
-        if self.buckling is not None and self.buckling < LEAST_BUCKLING:
+        if strength and self.buckling is not None and self.buckling < LEAST_BUCKLING:
             yield (
                 f"the shell buckles under {plain(self.buckling, 3)} times its loads by linear "
                 f"theory, and earlier with imperfections: at least {LEAST_BUCKLING:g} times are "
@@ -229,7 +232,7 @@ class Equilibrium:
             ("creases", "moment", used.creases),
             ("ties", "force", used.ties),
         ):
-            if part is not None and part > 1:
+            if strength and part is not None and part > 1:
                 yield f"{name} bear {plain(part, 3)} times the {limit} that they can"
 
 

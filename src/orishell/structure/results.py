@@ -12,6 +12,8 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array
+from orishell.structure.combinations import LimitState
+from orishell.structure.envelopes import MANY, STRENGTH, Envelope, envelopes
 from orishell.structure.equilibrium import Equilibrium, Limiting
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model, Stiffness, stiffness_in_words
@@ -69,7 +71,7 @@ class FreeMotion:
 class CaseResult:
     """A load case with one stiffness of creases."""
 
-    WRITTEN = ("name", "creases", "loads", "load", "moves", "stands")
+    WRITTEN = ("name", "limit_state", "creases", "loads", "load", "moves", "stands")
 
     name: str  # the case
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
@@ -77,6 +79,9 @@ class CaseResult:
     forces: Array  # on nodes (N, 3), of all loads (N)
     motion: FreeMotion | None  # what nothing resists; None if the shell stands
     stands: Equilibrium | None  # how it stands; None if it does not
+    # what a code combines it for: "ULS" is judged by strength and buckling, "EQU" by equilibrium
+    # alone, "SLS" by displacements; None if no code does, then by all
+    limit_state: LimitState | None = None
 
     @property
     def creases(self) -> Stiffness:
@@ -98,13 +103,13 @@ class CaseResult:
         if self.motion is not None:
             yield f"the shell {self.moves}"
         if self.stands is not None:
-            yield from self.stands.warnings()
+            yield from self.stands.warnings(strength=self.limit_state in STRENGTH)
 
     def load_warnings(self) -> Iterator[str]:
         """What an engineer should read of its loads."""
         if all(load.kind != "self_weight" for load in self.loads):
-            yield "own weight is left out (self_weight = true)"
-        yield from dict.fromkeys(load.caution for load in self.loads if load.caution)
+            yield f"{self.name}: own weight is left out (self_weight = true)"
+        yield from (f"{load.case}: {load.caution}" for load in self.loads if load.caution)
 
 
 @record
@@ -122,7 +127,7 @@ class Governing:
 class Analysis:
     """The shell as a structure."""
 
-    WRITTEN = ("model", "cases", "governs", "warnings", "not_covered")
+    WRITTEN = ("model", "cases", "governs", "envelopes", "warnings", "not_covered")
 
     model: Model  # what is analysed
     cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
@@ -139,9 +144,26 @@ class Analysis:
         found = [
             Governing(used.governs, case.name, case.creases, used.shares[used.governs] or 0.0)
             for stands, case in self.standing
+            if case.limit_state in STRENGTH
             if (used := stands.utilisation).governs is not None
         ]
         return max(found, key=lambda each: each.utilisation, default=None)
+
+    @cached_property
+    def envelopes(self) -> tuple[Envelope, ...]:
+        """What governs each limit state of a code; none if no code combines the cases."""
+        return tuple(envelopes(self.cases))
+
+    @property
+    def told(self) -> tuple[CaseResult, ...]:
+        """The cases that are told in full: all, or of many those that govern."""
+        if len({case.name for case in self.cases}) <= MANY:
+            return self.cases
+        names = {each.case for each in self.envelopes if each.moves or each.part is not None}
+        if self.governs is not None:
+            names.add(self.governs.case)
+        own = (case for case in self.cases if case.limit_state is None or case.name in names)
+        return tuple(own)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
@@ -156,8 +178,8 @@ class Analysis:
             )
         for case in self.cases:
             yield from (f"load case {self.name_of(case)}: {text}" for text in case.warnings())
-        for case in {each.name: each for each in self.cases}.values():
-            yield from (f"load case {case.name}: {text}" for text in case.load_warnings())
+        of_loads = dict.fromkeys(text for case in self.cases for text in case.load_warnings())
+        yield from (f"load case {text}" for text in of_loads)
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.
