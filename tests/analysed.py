@@ -129,7 +129,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
 
     opens = FreeMotion(displacements / 0.15, folding=True, opens=True)
     cases = (
-        replace(case("both", 0.0), motion=opens, stands=None),
+        replace(case("both", 0.0), motion=opens, equilibrium=None),
         case("wind", 0.0),
         case("both", np.inf),
         case("wind", np.inf),

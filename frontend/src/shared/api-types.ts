@@ -10,6 +10,8 @@ export interface Advance {
 
 /** The shell as a structure. */
 export interface Analysis {
+  /** Whether it carries all cases; None if the strength of something is not known. */
+  carries: boolean | null;
   /** What is analysed. */
   model: Model;
   /** All load cases, those with the least stiffness of creases first. */
@@ -18,7 +20,7 @@ export interface Analysis {
   governs: Governing | null;
   /** What governs each limit state of a code; none if no code combines the cases. */
   envelopes: Envelope[];
-  /** Sentences an engineer should read. */
+  /** Sentences an engineer should read, beside what speaks against single cases. */
   warnings: string[];
   /** What the analysis says nothing of. */
   not_covered: string[];
@@ -83,14 +85,16 @@ export interface CaseResult {
   limit_state: "ULS" | "EQU" | "SLS" | null;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
+  /** Whether the shell carries these loads; None if the strength of something is not known. */
+  carries: boolean | null;
+  /** What speaks against it, the worst first. */
+  findings: Finding[];
   /** What loads it, kind by kind. */
   loads: Load[];
   /** Sum of all loads. */
   load: [number, number, number];
-  /** How it moves, where nothing resists; None if it stands. */
-  moves: string | null;
-  /** How it stands; None if it does not. */
-  stands: Equilibrium | null;
+  /** What holds it; None if it moves. */
+  equilibrium: Equilibrium | null;
 }
 
 /** The design with the fewest panels, and the others that were looked at. */
@@ -292,7 +296,7 @@ export interface Envelope {
   share: number | null;
 }
 
-/** A shell that stands under its loads. */
+/** A shell in equilibrium with its loads. */
 export interface Equilibrium {
   /** Sum of all reactions. */
   reaction: [number, number, number];
@@ -375,6 +379,18 @@ export interface FileFormat {
   name: string;
   file: string;
   what: string;
+}
+
+/** What speaks against a case, or is in doubt. */
+export interface Finding {
+  /** Whether it fails, or wants attention. */
+  sign: "fails" | "warns" | "holds" | "says";
+  /** How. */
+  kind: "moves" | "gives way" | "exceeds strength" | "buckles" | "displaced" | "unknown";
+  /** By how much: what follows on "the shell". */
+  text: string;
+  /** How many times too much it is; None where nothing resists, or that is not known. */
+  excess: number | null;
 }
 
 /** Two panels that touch. */
@@ -574,10 +590,11 @@ export interface Model {
   supports: Support[];
 }
 
-/** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
+/** A load case: its name, whether the shell fails under it, and whether it is in balance. */
 export interface NamedCase {
   name: string;
-  stands: boolean;
+  sign: "fails" | "warns" | "holds" | "says";
+  balanced: boolean;
 }
 
 /** The design file that the studio was started with. */
@@ -890,6 +907,8 @@ export interface Row {
   subject: string;
   /** What was found, in a line. */
   finding: string;
+  /** What mends it, which has been tried; empty if nothing was found that does. */
+  remedy: string;
 }
 
 /** The last line of the answer: the search has come to its end. */

@@ -142,7 +142,7 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         loads=solved.loads,
         forces=forces,
         motion=motion,
-        stands=_equilibrium(model, solved) if solved.stands else None,
+        equilibrium=_equilibrium(model, solved) if solved.stands else None,
         limit_state=solved.limit_state,
     )
 

@@ -45,7 +45,7 @@ def envelopes(cases: Sequence[CaseResult]) -> Iterator[Envelope]:
     for state in states:
         own = [case for case in cases if case.limit_state == state]
         if own:
-            moving = [case for case in own if case.stands is None]
+            moving = [case for case in own if case.equilibrium is None]
             worst = moving[0] if moving else max(own, key=lambda case: _largest(case)[1] or 0.0)
             part, share = (None, None) if moving else _largest(worst)
             count = len({case.name for case in own})
@@ -55,7 +55,7 @@ def envelopes(cases: Sequence[CaseResult]) -> Iterator[Envelope]:
 
 def _largest(case: CaseResult) -> tuple[str | None, float | None]:
     """What its limit state asks, where it is largest, and how large it is."""
-    found = case.stands
+    found = case.equilibrium
     assert found is not None
     if case.limit_state == "SLS":
         return "displacement", found.displacement.share
