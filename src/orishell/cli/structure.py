@@ -19,7 +19,7 @@ from orishell.cli.files import (
     shortened,
 )
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
@@ -57,7 +57,7 @@ def _model(model: Model, unit: str) -> Iterator[str]:
     yield (
         f"model     {model.triangles} triangles, {model.freedoms} degrees of freedom; "
         f"{plain(model.mass)} kg; panels {plain(model.thickness)} {unit} thick, "
-        f"E = {plain(model.structure.modulus)} N/{unit}2"
+        f"E = {Quantities(unit).stress(model.structure.modulus)}"
     )
     low, high = model.crease_stiffness
     stiffness = f"{low}" if low == high else f"{low} to {high}"
@@ -115,7 +115,7 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
             f"{first} and {second}{_used(used.creases)}"
         )
     yield (
-        f"  panels    {plain(found.stress.size)} N/{unit}2 at most, on the "
+        f"  panels    {Quantities(unit).stress(found.stress.size)} at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
