@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -50,30 +51,37 @@ class CreaseForces:
     moment: AtCrease  # moment about the crease
 
 
-def panel_loads(model: Model, case: LoadCase) -> Array:
-    """Loads (F (cells+1)^2, 3) on panels by nodes of their own, those at vertices left out (N)."""
+def panel_loads(model: Model, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
+    """Loads (F (cells+1)^2, 3) on panels by nodes of their own, those at vertices left out (N).
+
+    cases: All cases, which this one may combine.
+    """
     mesh, exposure = model.mesh, model.exposure
+    # Beside all nodes, so that loads at vertices stay there.
+    points = mesh.facets.points
     apart = replace(
         exposure,
-        mesh=Facets(mesh.facets.points[mesh.nodes.ravel()], mesh.places),
-        hung=np.zeros(mesh.nodes.size),
+        mesh=Facets(
+            np.concatenate([points, points[mesh.nodes.ravel()]]), len(points) + mesh.places
+        ),
+        hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
     )
-    loads = case_loads(apart, case, model.structure.cases)
-    return sum_forces(apart, [each for each in loads if each.kind != "points"])
+    return sum_forces(apart, case_loads(apart, case, cases))[len(points) :]
 
 
 def hold_panels(
-    model: Model, moved: Array, case: LoadCase, stiffness: float, scale: float
+    model: Model, moved: Array, loads: Array, stiffness: float, scale: float
 ) -> tuple[EdgeForces, float]:
     """What holds panels at their edges, and the share of the loads that their balance misses.
 
     moved: Displacements and rotations (D,).
+    loads: On panels, as :func:`panel_loads` has them (N).
     stiffness: Of creases (force per radian): those that are free have no moments, but rounding.
     scale: Sum of the sizes of all loads (N).
     Raises VerificationError: If a panel is not in balance: a fault of the program.
     """
     elements = model.mesh.elements(model.section)
-    found = find_edge_forces(model.mesh, elements, moved, panel_loads(model, case))
+    found = find_edge_forces(model.mesh, elements, moved, loads)
     if not stiffness:
         found.per_length[..., ABOUT] = 0.0
     residual = found.missing / scale if scale else 0.0

@@ -45,9 +45,28 @@ def against_motion(motion: FreeMotion) -> Iterator[Finding]:
     yield Finding("fails", kind, motion.in_words(), None)
 
 
-def against_equilibrium(found: Equilibrium) -> Iterator[Finding]:
-    """What speaks against a shell in equilibrium."""
-    unit, most, used = found.model.site.unit, found.displacement, found.utilisation
+def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterator[Finding]:
+    """What speaks against a shell in equilibrium.
+
+    strength: Whether strength and buckling are judged.
+    """
+    if strength:
+        yield from _against_strength(found)
+    unit, most = found.model.site.unit, found.displacement
+    if most.share > LARGE:
+        row, column = most.panel
+        sign: Sign = "fails" if most.share > COLLAPSED else "warns"
+        text = (
+            f"is displaced by {plain(most.size, 2)} {unit} ({plain(100 * most.share, 2)} % of its "
+            f"height) near panel {row}, {column}"
+        )
+        if sign == "warns":
+            text += ", too far for linear theory"
+        yield Finding(sign, "displaced", text, most.share / COLLAPSED)
+
+
+def _against_strength(found: Equilibrium) -> Iterator[Finding]:
+    used = found.utilisation
     for name, part in (
         ("panels", used.panels),
         ("membrane", used.membrane),
@@ -63,16 +82,6 @@ def against_equilibrium(found: Equilibrium) -> Iterator[Finding]:
         if factor >= 1:
             text += " by linear theory, and earlier with imperfections"
         yield Finding("fails" if factor < 1 else "warns", "buckles", text, 1 / factor)
-    if most.share > LARGE:
-        row, column = most.panel
-        sign: Sign = "fails" if most.share > COLLAPSED else "warns"
-        text = (
-            f"is displaced by {plain(most.size, 2)} {unit} ({plain(100 * most.share, 2)} % of its "
-            f"height) near panel {row}, {column}"
-        )
-        if sign == "warns":
-            text += ", too far for linear theory"
-        yield Finding(sign, "displaced", text, most.share / COLLAPSED)
     if found.unknown:
         text = f"is loaded in {' and '.join(found.unknown)}, whose strength is not given"
         yield Finding("warns", "unknown", text, None)
