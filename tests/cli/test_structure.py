@@ -44,7 +44,7 @@ def test_the_summary(report: Analysis) -> None:
         "model     16 triangles, 99 degrees of freedom; 32.2 kg; panels 0.01 m thick, "
         "E = 270\u00a0MPa",
         "held      [0, 1], [2, 1]: friction 0.5",
-        "load      both: (0, 0, -18.55) kN in all",
+        "load      both: (0, 0, -7747) N in all",
         "  1.35 x dead: self weight (0, 0, -427) N, mass of panels times 9.81 m/s2",
         "case      wind, rigid creases",
         "  ties      2 of 3 pull, 4000 N at most, from [0, 2] to [2, 2]: 80 % of what they bear",

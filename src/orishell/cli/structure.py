@@ -38,16 +38,17 @@ def summarize_structure(
     from orishell.conventions.row import MARKS, Row
 
     yield from lines_of(Row(report.sign, "carries", report.in_words(), remedy))
-    for case in report.ranked:
+    for case in report.told:
         yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
-    for each in {case.name: case for case in report.cases}.values():
+    for each in {case.name: case for case in report.told}.values():
         yield from _loads(each)
-    for case in report.ranked:
+    for case in report.told:
         if case.equilibrium is not None:
             yield f"case      {report.name_of(case)}"
-            yield from _case(case.equilibrium, unit)
+            yield from _case(case, case.equilibrium, unit)
     yield f"most used {report.governing_in_words()}"
+    yield from _envelopes(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
@@ -76,7 +77,9 @@ def _loads(case: CaseResult) -> Iterator[str]:
         yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
 
 
-def _case(found: Equilibrium, unit: str) -> Iterator[str]:
+def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
+    from orishell.structure.envelopes import STRENGTH
+
     most = found.displacement
     yield (
         f"  displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, "
@@ -84,7 +87,8 @@ def _case(found: Equilibrium, unit: str) -> Iterator[str]:
     )
     yield from _forces(found, unit)
     factor = found.buckling
-    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    if case.limit_state in STRENGTH:
+        yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
@@ -115,6 +119,20 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
+
+
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code, and how many cases it has."""
+    from orishell.structure.results import creases_in_words
+
+    for each in report.envelopes:
+        what = "in equilibrium under all of them"
+        if each.moves:
+            what = f"it moves under {each.moves} of them, such as {each.case}"
+        elif each.part is not None and each.share is not None:
+            what = f"{each.part} {plain(100 * each.share, 3)} %: {each.case}"
+        stiffness = creases_in_words(each.creases)
+        yield f"{each.limit_state:10}{each.cases} cases; {what}, {stiffness}"
 
 
 def _used(share: float | None) -> str:

@@ -14,6 +14,8 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
+from orishell.structure.combinations import Combination, LimitState
+from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
@@ -90,6 +92,7 @@ class _Solved:
     """How the structure responds to a load case with one stiffness of creases."""
 
     name: str
+    limit_state: LimitState | None
     stiffness: float
     structure: Factorised
     loads: tuple[Load, ...]
@@ -101,14 +104,18 @@ class _Solved:
 def _solve(model: Model) -> Sequence[_Solved]:
     """All load cases, with the least stiffness of creases first."""
     found, asked = [], model.structure
+    cases, known = asked.analysed, asked.arranged
     for stiffness in dict.fromkeys(asked.crease_stiffness):
         structure = model.factorised(stiffness)
-        for case in asked.analysed:
-            loads = case_loads(model.exposure, case, asked.cases)
+        for case in cases:
+            loads = case_loads(model.exposure, case, known)
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
-            found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
+            state = case.limit_state if isinstance(case, Combination) else None
+            found.append(
+                _Solved(case.name, state, stiffness, structure, loads, forces, response, held)
+            )
     return found
 
 
@@ -136,6 +143,7 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         forces=forces,
         motion=motion,
         equilibrium=_equilibrium(model, solved) if solved.stands else None,
+        limit_state=solved.limit_state,
     )
 
 
@@ -146,17 +154,20 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
-    inverse = Inverse.of(structure, response.active, response.motions)
-    directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
-        mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
-    )
-    free = structure.free
-    buckling = find_buckling(inverse, geometric[free][:, free])
+    buckling = None
     frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
-    if model.site.areal_mass:
-        frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
-        modes = np.stack([_unit(structure, mode) for mode in found.T])
+    if solved.limit_state in STRENGTH:
+        inverse = Inverse.of(structure, response.active, response.motions)
+        directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
+        nodes = structure.conditions.nodes[:straight]
+        geometric = geometric_stiffness(
+            mesh.facets, stresses.forces, mesh.count
+        ) + turning_stiffness(mesh.facets.points, nodes, directed, mesh.count)
+        free = structure.free
+        buckling = find_buckling(inverse, geometric[free][:, free])
+        if model.site.areal_mass:
+            frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
+            modes = np.stack([_unit(structure, mode) for mode in found.T])
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,
