@@ -17,6 +17,7 @@ from orishell.solids import BuiltPanels
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
+from orishell.structure.mesh.geometric import geometric_stiffness
 from orishell.structure.mesh.hinges import crease_moments
 from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.model import Model
@@ -28,12 +29,13 @@ from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
-    geometric_stiffness,
     turning_stiffness,
 )
 
 FREQUENCIES = 3
 """How many frequencies are found."""
+BUCKLING = 3
+"""How many buckling factors are found."""
 FINEST = 32
 """Cells are not halved beyond so many along a side."""
 UNBALANCED = 1e-6
@@ -148,15 +150,14 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
     inverse = Inverse.of(structure, response.active, response.motions)
     directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
+    geometric = geometric_stiffness(mesh, stresses.forces) + turning_stiffness(
         mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
     )
     free = structure.free
-    buckling = find_buckling(inverse, geometric[free][:, free])
-    frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
+    factors, shapes = find_buckling(inverse, geometric[free][:, free], BUCKLING)
+    frequencies, modes = np.zeros(0), np.zeros((len(free), 0))
     if model.site.areal_mass:
-        frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
-        modes = np.stack([_unit(structure, mode) for mode in found.T])
+        frequencies, modes = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,
@@ -170,16 +171,22 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else buckling[0],
-        buckling_mode=None if buckling is None else _unit(structure, buckling[1]),
+        buckling_factors=tuple(factors.tolist()),
+        buckling_modes=_units(structure, shapes),
         frequencies=tuple(frequencies.tolist()),
-        modes=modes,
+        modes=_units(structure, modes),
     )
 
 
 def _unit(structure: Factorised, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
     return structure.shape(mode) / structure.furthest(mode)
+
+
+def _units(structure: Factorised, modes: Array) -> Array:
+    """Displacements (k, N, 3) of modes (n, k), the largest of each is 1."""
+    shapes = [_unit(structure, mode) for mode in modes.T]
+    return np.stack(shapes) if shapes else np.zeros((0, structure.nodes, 3))
 
 
 def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:
