@@ -14,8 +14,8 @@ bending (DKT), by w and its slopes s at both ends:
     int w ds = |d| ((w_i + w_j)/2 + d . (s_i - s_j)/12).
 
 u and v are linear. Slopes at nodes are those of parabolas through w at three nodes in a row, along
-both rows of a panel's nodes. The plate's own rotations would not do: a cell alone bends without any
-displacement of nodes, DKT resists that far too little, and panels would buckle in waves of one cell.
+both rows of a panel's nodes. The plate's own rotations would not do: a cell alone bends without
+displacements of nodes, DKT resists that far too little, and panels would buckle in waves of a cell.
 """
 
 from __future__ import annotations
