@@ -12,8 +12,8 @@ import pytest
 from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
 from orishell.conventions.record import as_table
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.load_settings import NO_CODE, LoadCase
 from orishell.structure.results import Analysis, FreeMotion
-from orishell.structure.settings import NO_CODE, LoadCase
 
 ROOT = np.sqrt(2)
 AREA = SPAN * LENGTH * ROOT

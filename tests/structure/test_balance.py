@@ -14,8 +14,9 @@ from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
+from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.results import Analysis
-from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
+from orishell.structure.settings import Structure, Support
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SMOOTH = Support(at="feet", kind="pinned").having(kind="friction")

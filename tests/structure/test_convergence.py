@@ -11,7 +11,8 @@ from orishell.deployment import Site
 from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
-from orishell.structure.settings import LoadCase, Structure, Support
+from orishell.structure.load_settings import LoadCase
+from orishell.structure.settings import Structure, Support
 from samples import thorough
 
 CASES = (LoadCase(name="own weight", self_weight=True),)
