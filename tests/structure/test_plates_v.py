@@ -67,7 +67,7 @@ def plates(crease: float, cells: int) -> Found:
     moved[held.free] = found.displacements
     inverse = Inverse.of(held, found.active, found.motions)
     forces = facet_stresses(facets, SECTION, moved[mesh.dofs()]).forces
-    geometric = geometric_stiffness(mesh, forces)[held.free][:, held.free]
+    geometric = geometric_stiffness(mesh, forces, np.zeros(0, np.int64))[held.free][:, held.free]
     buckling, _ = find_buckling(inverse, geometric, 1)
     frequencies, _ = find_frequencies(inverse, mass[held.free], 3)
     return Found(float(-1e3 * moved[own[:, 2]].min()), frequencies, buckling[0])

@@ -71,8 +71,8 @@ def _case(case: CaseResult, unit: str) -> Iterator[str]:
         f"of its height, at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    factor = found.buckling
-    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    factors = ", ".join(map(plain, found.buckling_factors))
+    yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)

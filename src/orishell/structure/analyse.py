@@ -150,8 +150,11 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
     inverse = Inverse.of(structure, response.active, response.motions)
     directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh, stresses.forces) + turning_stiffness(
-        mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
+    pairs = structure.conditions.nodes
+    pulled = pairs[response.forces[: len(pairs)] > 0].ravel()
+    points = np.concatenate([model.supports.vertices(), pulled])
+    geometric = geometric_stiffness(mesh, stresses.forces, points) + turning_stiffness(
+        mesh.facets.points, pairs[:straight], directed, mesh.count
     )
     free = structure.free
     factors, shapes = find_buckling(inverse, geometric[free][:, free], BUCKLING)

@@ -16,6 +16,9 @@ bending (DKT), by w and its slopes s at both ends:
 u and v are linear. Slopes at nodes are those of parabolas through w at three nodes in a row, along
 both rows of a panel's nodes. The plate's own rotations would not do: a cell alone bends without
 displacements of nodes, DKT resists that far too little, and panels would buckle in waves of a cell.
+
+Where a force enters at a point, N grows as 1/r towards it. So in triangles there w is linear, too:
+by the integral of N dw/dr dw/dr r, what counts is the slope along r, not its mean over the area.
 """
 
 from __future__ import annotations
@@ -24,7 +27,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import assemble
 from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.mesh.triangle import DOFS
@@ -33,23 +36,26 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
-def geometric_stiffness(mesh: SheetMesh, forces: Array) -> csr_array:
+def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr_array:
     """The matrix (D, D) of triangles that turn under membrane forces.
 
     forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
+    points: Nodes (k,) at which forces enter.
     """
-    from scipy.sparse import eye_array, vstack
+    from scipy.sparse import csr_array, eye_array, vstack
 
     facets = mesh.facets
     x, y, xy = forces.T
     tensor = np.stack([np.stack([x, xy], axis=-1), np.stack([xy, y], axis=-1)], axis=-2)
     slopes = mean_slopes(facets.flat())
+    at_points = np.isin(facets.triangles, points).any(axis=1)
+    slopes.reshape(-1, 3, 2, 3, DOFS)[at_points, ..., 3:] = 0.0
     energy = np.einsum("tadi,tde,taej->tij", slopes, tensor, slopes, optimize=True)
     elements = facets.turned(energy * facets.areas()[:, None, None])
     by_rotations = assemble(elements, mesh.dofs(), mesh.count)
     displaced = eye_array(mesh.count, format="csr")[: mesh.translations().size]
     smooth = vstack([displaced, smooth_rotations(mesh)], format="csr")
-    return (smooth.T @ by_rotations @ smooth).tocsr()
+    return csr_array(smooth.T @ by_rotations @ smooth)
 
 
 def mean_slopes(corners: Array) -> Array:
@@ -114,7 +120,7 @@ def smooth_rotations(mesh: SheetMesh) -> csr_array:
     return coo_array((values.ravel(), places), shape=(3 * nodes.size, mesh.count)).tocsr()
 
 
-def _slope_weights(points: Array, near: Array) -> Array:
+def _slope_weights(points: Array, near: Integers) -> Array:
     """Weights (F, n, n, 3) of three nodes in a column for the slope at every node.
 
     points: Nodes (F, n, n, 3), whose columns are straight.
@@ -128,4 +134,4 @@ def _slope_weights(points: Array, near: Array) -> Array:
         others = [x[:, :, other] for other in range(near.shape[1]) if other != k]
         apart = np.prod([x[:, :, k] - other for other in others], axis=0)
         weights[:, :, k] = (-sum(others) if len(others) == 2 else 1.0) / apart
-    return weights.swapaxes(2, 3)
+    return np.asarray(weights.swapaxes(2, 3))
