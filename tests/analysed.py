@@ -32,7 +32,7 @@ STRUCTURE = Structure(
         LoadCase(name="dead", self_weight=True),
         LoadCase(
             name="snow",
-            snow=Snow(ground=500, shape="cylinder"),
+            snow=Snow(ground=500, shape="cylinder", arrangement="undrifted"),
             points=(PointLoad(at=(1, 1), force=(0, 0, -80)),),
         ),
         LoadCase(name="both", combine={"dead": 1.35, "snow": 1.5}),
@@ -65,7 +65,7 @@ def tent() -> Exposure:
     mesh = mesh_sheet(positions, grid, 2)
     mass = np.full(len(mesh.places), 1.9)
     hung = np.zeros(len(mesh.facets.points))
-    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN)
+    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN, (0, 2))
 
 
 class Tent(Model):
@@ -129,7 +129,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
 
     opens = FreeMotion(displacements / 0.15, folding=True, opens=True)
     cases = (
-        replace(case("both", 0.0), motion=opens, stands=None),
+        replace(case("both", 0.0), motion=opens, equilibrium=None),
         case("wind", 0.0),
         case("both", np.inf),
         case("wind", np.inf),

@@ -9,9 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import bar, directory, say, shortened
+from orishell.cli.files import (
+    CHECK_HELP,
+    bar,
+    directory,
+    lines_of,
+    require_carried,
+    say,
+    shortened,
+)
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
@@ -23,15 +31,24 @@ ROUNDING = 1e-6
 """Components of a vector below this share of the largest are none."""
 
 
-def summarize_structure(report: Analysis, unit: str, written: list[Path]) -> Iterator[str]:
-    """Lines that say what was analysed and found, and which files were written."""
+def summarize_structure(
+    report: Analysis, unit: str, written: list[Path], remedy: str = ""
+) -> Iterator[str]:
+    """Lines that say whether it carries its loads, what was analysed, and what was written."""
+    from orishell.conventions.row import MARKS, Row
+
+    yield from lines_of(Row(report.sign, "carries", report.in_words(), remedy))
+    for case in report.told:
+        yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
-    for each in {case.name: case for case in report.cases}.values():
+    for each in {case.name: case for case in report.told}.values():
         yield from _loads(each)
-    for case in report.cases:
-        yield f"case      {report.name_of(case)}"
-        yield from _case(case, unit)
-    yield from _governing(report)
+    for case in report.told:
+        if case.equilibrium is not None:
+            yield f"case      {report.name_of(case)}"
+            yield from _case(case, case.equilibrium, unit)
+    yield f"most used {report.governing_in_words()}"
+    yield from _envelopes(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
@@ -40,7 +57,7 @@ def _model(model: Model, unit: str) -> Iterator[str]:
     yield (
         f"model     {model.triangles} triangles, {model.freedoms} degrees of freedom; "
         f"{plain(model.mass)} kg; panels {plain(model.thickness)} {unit} thick, "
-        f"E = {plain(model.structure.modulus)} N/{unit}2"
+        f"E = {Quantities(unit).stress(model.structure.modulus)}"
     )
     low, high = model.crease_stiffness
     stiffness = f"{low}" if low == high else f"{low} to {high}"
@@ -60,19 +77,18 @@ def _loads(case: CaseResult) -> Iterator[str]:
         yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
 
 
-def _case(case: CaseResult, unit: str) -> Iterator[str]:
-    if case.stands is None:
-        yield f"  moves     it {case.moves}"
-        return
-    found = case.stands
+def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
+    from orishell.structure.envelopes import STRENGTH
+
     most = found.displacement
     yield (
-        f"  stands    displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % "
-        f"of its height, at panel {list(most.panel)} along {_components(most.vector, 3)}"
+        f"  displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, "
+        f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
     factors = ", ".join(map(plain, found.buckling_factors))
-    yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
+    if case.limit_state in STRENGTH:
+        yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
@@ -99,25 +115,24 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
             f"{first} and {second}{_used(used.creases)}"
         )
     yield (
-        f"  panels    {plain(found.stress.size)} N/{unit}2 at most, on the "
+        f"  panels    {Quantities(unit).stress(found.stress.size)} at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
 
 
-def _governing(report: Analysis) -> Iterator[str]:
-    from orishell.structure.equilibrium import GOVERNING
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code, and how many cases it has."""
     from orishell.structure.results import creases_in_words
 
-    governs = report.governs
-    if governs is None:
-        return
-    share = governs.utilisation
-    buckles = governs.part == "buckling"
-    borne = f"{plain(100 * share, 3)} % of what can be borne"
-    much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
-    stiffness = creases_in_words(governs.creases)
-    yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
+    for each in report.envelopes:
+        what = "in equilibrium under all of them"
+        if each.moves:
+            what = f"it moves under {each.moves} of them, such as {each.case}"
+        elif each.part is not None and each.share is not None:
+            what = f"{each.part} {plain(100 * each.share, 3)} %: {each.case}"
+        stiffness = creases_in_words(each.creases)
+        yield f"{each.limit_state:10}{each.cases} cases; {what}, {stiffness}"
 
 
 def _used(share: float | None) -> str:
@@ -150,8 +165,9 @@ def structure(
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
+    check: Annotated[bool, typer.Option("--check", help=CHECK_HELP)] = False,
 ) -> None:
-    """Analyse a shell as a structure.
+    """Analyse a shell as a structure: whether it carries its loads.
 
     What it finds are displacements, forces, buckling and frequencies under its loads.
     """
@@ -176,10 +192,12 @@ def structure(
         shell = make_shell(asked, progress, clash="unexamined", skip=(*MEASURES, "stock"))
     report = shell.report.structure
     assert report is not None
+    remedy = next(each.remedy for each in shell.report.verdict if each.subject == "carries")
     for warning in report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     written = [] if out is None else write_structure(shell, out)
     if json_report:
         say(json.dumps(as_table(report), indent=2, allow_nan=False))
     else:
-        say("\n".join(summarize_structure(report, shell.report.unit, written)))
+        say("\n".join(summarize_structure(report, shell.report.unit, written, remedy)))
+    require_carried(report, check=check)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ import numpy as np
 
 from orishell.conventions.colours import AMOUNT_MAP, LIGHT
 from orishell.conventions.record import record
+from orishell.conventions.row import Sign
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.plot.scene import (
@@ -42,6 +44,8 @@ BAR = 0.62
 """Height of a bar of colours with its numbers (inches)."""
 CREASE = (0.15, 0.15, 0.18, 0.55)
 UNLOADED = "#4a4d55"
+LINE = 52
+"""Characters of a line above a part, at most."""
 TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
 
 
@@ -55,7 +59,7 @@ class DrawnCase:
 
 
 def plot_structure(
-    path: Path, shell: LoadedShell, cases: Sequence[DrawnCase], *, title: str, unit: str
+    path: Path, shell: LoadedShell, cases: Sequence[DrawnCase], *, title: str, sign: Sign, unit: str
 ) -> None:
     """Write the picture of the loaded shell as PNG: a part for every load case.
 
@@ -67,6 +71,8 @@ def plot_structure(
         The load cases, in the order in which they are drawn; at most :data:`MOST` are.
     title
         Heading.
+    sign
+        What the heading says of the shell: red where it fails.
     unit
         Unit of length.
     """
@@ -83,7 +89,7 @@ def plot_structure(
     width = WIDTH / columns
     height = row_height(0.96 * width, [np.concatenate(pictures)])
     row = BAR + height + 1.4 * TITLE
-    figure = new_figure(LEGEND + rows * row + HEADING, title)
+    figure = new_figure(LEGEND + rows * row + HEADING, title, colour=LIGHT[sign])
     panels = _Panels.of(shell)
     for number, (each, scale, points) in enumerate(zip(drawn, scales, places, strict=True)):
         down, right = divmod(number, columns)
@@ -97,11 +103,10 @@ def plot_structure(
         draw_lines(axes, ties[~each.taut], SLACK, 1.6, (0, (2, 2)))
         _draw_supports(axes, shell, camera)
         frame(axes, np.concatenate(pictures))
-        _say(axes, each, scale)
+        _say(axes, each)
         beside = add_part(figure, (right + 0.2) * width, bottom + BAR - 0.2, 0.6 * width, 0.12)
         bar = figure.colorbar(colours, cax=beside, orientation="horizontal")
-        stands = each.case.stands
-        bar.set_label(f"displacement ({unit})" if stands else "motion, as a share of the largest")
+        bar.set_label(_how(each.case, scale, unit))
     _explain(figure, shell, drawn, len(cases) - len(drawn))
     save(figure, path)
 
@@ -180,14 +185,22 @@ def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
     return nodes, times == 3
 
 
-def _say(axes: Axes, drawn: DrawnCase, scale: float) -> None:
-    """Name of a load case, and a line on how it is drawn, above its part."""
-    how = "drawn as it is" if scale == 1 else f"drawn {scale:g} times as large"
-    if not drawn.case.stands:
-        how = "moves: nothing resists this"
-    note = ", ".join(filter(None, (drawn.note, how)))
-    axes.set_title(f"{drawn.case.name}\n", y=1.0, fontsize=12, fontweight="bold")
+def _say(axes: Axes, drawn: DrawnCase) -> None:
+    """Name of a load case, and what it does to the shell, above its part."""
+    name, note = (
+        textwrap.shorten(text, LINE, placeholder=" ...") for text in (drawn.case.name, drawn.note)
+    )
+    colour = LIGHT[drawn.case.sign]
+    axes.set_title(f"{name}\n", y=1.0, fontsize=12, fontweight="bold", color=colour)
     axes.text(0.5, 1.012, note, transform=axes.transAxes, ha="center", va="bottom", fontsize=10)
+
+
+def _how(case: LoadedCase, scale: float, unit: str) -> str:
+    """What colours mean, and how displacements are drawn."""
+    if not case.balanced:
+        return "motion that nothing resists, by the largest"
+    drawn = "as it is" if scale == 1 else f"{scale:g} times as large"
+    return f"displacement ({unit}), drawn {drawn}"
 
 
 def _explain(figure: Figure, shell: LoadedShell, drawn: Sequence[DrawnCase], missing: int) -> None:

@@ -14,10 +14,12 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
+from orishell.structure.buckling import turned_by_load
+from orishell.structure.combinations import Combination, LimitState
+from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
-from orishell.structure.mesh.geometric import geometric_stiffness
 from orishell.structure.mesh.hinges import crease_moments
 from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.model import Model
@@ -29,7 +31,6 @@ from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
-    turning_stiffness,
 )
 
 FREQUENCIES = 3
@@ -92,6 +93,7 @@ class _Solved:
     """How the structure responds to a load case with one stiffness of creases."""
 
     name: str
+    limit_state: LimitState | None
     stiffness: float
     structure: Factorised
     loads: tuple[Load, ...]
@@ -103,14 +105,18 @@ class _Solved:
 def _solve(model: Model) -> Sequence[_Solved]:
     """All load cases, with the least stiffness of creases first."""
     found, asked = [], model.structure
+    cases, known = asked.analysed, asked.arranged
     for stiffness in dict.fromkeys(asked.crease_stiffness):
         structure = model.factorised(stiffness)
-        for case in asked.analysed:
-            loads = case_loads(model.exposure, case, asked.cases)
+        for case in cases:
+            loads = case_loads(model.exposure, case, known)
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
-            found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
+            state = case.limit_state if isinstance(case, Combination) else None
+            found.append(
+                _Solved(case.name, state, stiffness, structure, loads, forces, response, held)
+            )
     return found
 
 
@@ -137,7 +143,8 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         loads=solved.loads,
         forces=forces,
         motion=motion,
-        stands=_equilibrium(model, solved) if solved.stands else None,
+        equilibrium=_equilibrium(model, solved) if solved.stands else None,
+        limit_state=solved.limit_state,
     )
 
 
@@ -148,19 +155,15 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
-    inverse = Inverse.of(structure, response.active, response.motions)
-    directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    pairs = structure.conditions.nodes
-    pulled = pairs[response.forces[: len(pairs)] > 0].ravel()
-    points = np.concatenate([model.supports.vertices(), pulled])
-    geometric = geometric_stiffness(mesh, stresses.forces, points) + turning_stiffness(
-        mesh.facets.points, pairs[:straight], directed, mesh.count
-    )
-    free = structure.free
-    factors, shapes = find_buckling(inverse, geometric[free][:, free], BUCKLING)
-    frequencies, modes = np.zeros(0), np.zeros((len(free), 0))
-    if model.site.areal_mass:
-        frequencies, modes = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
+    factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
+    frequencies, modes = factors, shapes
+    if solved.limit_state in STRENGTH:
+        inverse = Inverse.of(structure, response.active, response.motions)
+        geometric = turned_by_load(model, structure, response.forces, stresses.forces)
+        factors, shapes = find_buckling(inverse, geometric, BUCKLING)
+        if model.site.areal_mass:
+            mass = model.inertia()[structure.free]
+            frequencies, modes = find_frequencies(inverse, mass, FREQUENCIES)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,

@@ -6,10 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
-from orishell.structure.equilibrium import GOVERNING, Equilibrium, PairForce
+from orishell.structure.envelopes import STRENGTH
+from orishell.structure.equilibrium import Equilibrium, PairForce
 from orishell.structure.loads import KINDS, Vector
 from orishell.structure.model_page import model_parts
-from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.results import Analysis, CaseResult, creases_in_words
+from orishell.structure.verdict import COLLAPSED
 
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
@@ -39,7 +41,8 @@ def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> st
             *_loads(report, said),
             heading(2, "Results"),
             *_results(report, said),
-            *(part for case in report.cases for part in _case(case, report, said)),
+            *_envelopes(report),
+            *(part for case in report.told for part in _case(case, report, said)),
             heading(2, "What is not covered"),
             bullets(report.not_covered),
         ],
@@ -47,32 +50,37 @@ def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> st
 
 
 def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
-    """What governs, how far the shell moves, and whether it stands at all."""
-    moving = [case for case in report.cases if case.moves is not None]
-    if moving:
-        names = "; ".join(report.name_of(case) for case in moving)
-        yield paragraph(f"It does not stand under: {names}.", "lead warning")
-    if report.standing:
-        found, case = max(report.standing, key=lambda each: each[0].displacement.size)
+    """Whether the shell carries its loads, and what every case says to that, the worst first."""
+    words = report.in_words()
+    yield paragraph(
+        f"Does it carry its loads? {words[0].upper()}{words[1:]}.", f"lead {report.sign}"
+    )
+    if report.balanced:
+        found, case = max(report.balanced, key=lambda each: each[0].displacement.size)
         yield paragraph(
             f"The largest displacement is {said.displacement(found.displacement.size)}, "
             f"under {report.name_of(case)}.",
-            "lead answer",
+            "lead",
         )
-    governs = report.governs
-    if governs is not None:
-        yield paragraph(
-            f"{GOVERNING[governs.part].capitalize()} governs, under {report.name_of(governs)}: "
-            f"{_share(governs.utilisation)} of what can be borne.",
-            "lead answer",
-        )
-    elif report.standing:
-        yield paragraph("No strengths are given, so utilisation is not known.", "lead")
+    governs = report.governing_in_words()
+    yield paragraph(f"{governs[0].upper()}{governs[1:]}.", "lead")
+    rows = [
+        (report.name_of(case), CARRIES[case.carries], case.in_words(), case.sign)
+        for case in report.told
+    ]
+    yield table(
+        ("load case", "carries", "the shell"),
+        [row[:-1] for row in rows],
+        classes=[row[-1] for row in rows],
+    )
+
+
+CARRIES = {True: "yes", False: "no", None: "not known"}
 
 
 def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
     """What loads each case, and what bears it; loads are the same for all stiffnesses."""
-    names = dict.fromkeys(case.name for case in report.cases)
+    names = dict.fromkeys(case.name for case in report.told)
     for name in names:
         same = [case for case in report.cases if case.name == name]
         rows = [
@@ -89,11 +97,13 @@ def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
         for case in same:
             words = report.name_of(case).removeprefix(f"{name}, ")
             which = "" if words == name else f", {words}"
-            if case.stands is None:
-                totals.append((f"reactions{which}", "", "none: it moves", "", *3 * [NOTHING]))
+            if case.equilibrium is None:
+                totals.append(
+                    (f"reactions{which}", "", "none: nothing holds it", "", *3 * [NOTHING])
+                )
                 continue
-            missing = f"missing: {figure(case.stands.residual, 2)} of the loads"
-            reaction = _vector(case.stands.reaction, case.load)
+            missing = f"missing: {figure(case.equilibrium.residual, 2)} of the loads"
+            reaction = _vector(case.equilibrium.reaction, case.load)
             totals.append((f"reactions{which}", "", missing, "", *reaction))
         yield table(
             ("", "from", "how", "factor", *AXES),
@@ -117,16 +127,38 @@ def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
-        "Used is the largest share of what panels, creases and ties can bear, and of the load at "
-        "which the shell buckles.",
+        "Used is the largest share of what panels, creases and ties can bear, of the load at which "
+        f"the shell buckles, and of a displacement of {100 * COLLAPSED:g} % of its height.",
+        "soft",
+    )
+
+
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code."""
+    if not report.envelopes:
+        return
+    rows = [
+        (
+            each.limit_state,
+            f"{each.cases}",
+            f"{each.moves}",
+            f"{each.case}, {creases_in_words(each.creases)}",
+            NOTHING if each.share is None else f"{each.part}: {_share(each.share)}",
+        )
+        for each in report.envelopes
+    ]
+    yield table(("limit state", "cases", "move", "governs", "by"), rows, numbers=0)
+    yield paragraph(
+        "ULS is judged by strength and buckling, EQU by equilibrium, SLS by displacements: shares "
+        "of what can be borne, of the friction that there is, and of the shell\u2019s height.",
         "soft",
     )
 
 
 def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
-    found = case.stands
+    found = case.equilibrium
     if found is None:
-        return ("moves", *7 * [NOTHING])
+        return ("no equilibrium", *7 * [NOTHING])
     used = found.utilisation
     known = [share for share in used.shares.values() if share is not None]
     return (
@@ -145,9 +177,9 @@ def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
 
 def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]:
     yield heading(3, report.name_of(case))
-    found = case.stands
+    found = case.equilibrium
     if found is None:
-        yield paragraph(f"The shell {case.moves}. Nothing else was found of it.", "warning")
+        yield paragraph(f"The shell {case.in_words()}. Nothing else was found of it.", case.sign)
         return
     yield table((), _details(case, found, said))
     reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
@@ -185,6 +217,8 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
             f"{said.moment(found.crease.moment)} between panels {one} and {other}",
         )
     buckles = "by linear theory it does not"
+    if case.limit_state not in STRENGTH:
+        buckles = "found for ULS only"
     if found.buckling_factors:
         lowest, *others = map(figure, found.buckling_factors)
         further = f"; in other ways under {' and '.join(others)} times" if others else ""

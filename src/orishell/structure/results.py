@@ -6,15 +6,24 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
 
-import numpy as np
-
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
-from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.conventions.row import ORDER, Sign, worst
+from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
-from orishell.structure.equilibrium import Equilibrium, Limiting
+from orishell.structure.combinations import LimitState
+from orishell.structure.envelopes import MANY, STRENGTH, Envelope, envelopes
+from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
+from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model, Stiffness, stiffness_in_words
+from orishell.structure.verdict import (
+    COLLAPSED,
+    Finding,
+    against_equilibrium,
+    against_motion,
+    ranked,
+)
 
 COARSE = 0.1
 """Displacements that change by more than this share with cells half as large are not near."""
@@ -27,8 +36,8 @@ NOT_COVERED = (
     "creep, fatigue, heat and moisture",
     "anchors, and the ground under the feet",
     "wind and snow on flaps: only their weight counts",
-    "wind inside, and gusts that shake the shell",
-    "snow that drifts, or that a corrugation keeps from sliding off steep panels",
+    "gusts that shake the shell, and local suction at its edges",
+    "exceptional snow, and drifts at obstacles and taller buildings",
     "the way from the pack to the target",
 )
 Remedy = Literal["ties", "pinned"]
@@ -69,14 +78,26 @@ class FreeMotion:
 class CaseResult:
     """A load case with one stiffness of creases."""
 
-    WRITTEN = ("name", "creases", "loads", "load", "moves", "stands")
+    WRITTEN = (
+        "name",
+        "limit_state",
+        "creases",
+        "carries",
+        "findings",
+        "loads",
+        "load",
+        "equilibrium",
+    )
 
     name: str  # the case
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
     loads: tuple[Load, ...]  # what loads it, kind by kind
     forces: Array  # on nodes (N, 3), of all loads (N)
-    motion: FreeMotion | None  # what nothing resists; None if the shell stands
-    stands: Equilibrium | None  # how it stands; None if it does not
+    motion: FreeMotion | None  # what nothing resists; None if there is equilibrium
+    equilibrium: Equilibrium | None  # what holds it; None if it moves
+    # what a code combines it for: "ULS" is judged by strength and buckling, "EQU" by equilibrium
+    # alone, "SLS" by displacements; None if no code does, then by all
+    limit_state: LimitState | None = None
 
     @property
     def creases(self) -> Stiffness:
@@ -88,23 +109,51 @@ class CaseResult:
         """Sum of all loads."""
         return vector(self.forces.sum(axis=0))
 
-    @property
-    def moves(self) -> str | None:
-        """How it moves, where nothing resists; None if it stands."""
-        return None if self.motion is None else self.motion.in_words()
-
-    def warnings(self) -> Iterator[str]:
-        """What an engineer should read of it."""
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """What speaks against it, the worst first."""
         if self.motion is not None:
-            yield f"the shell {self.moves}"
-        if self.stands is not None:
-            yield from self.stands.warnings()
+            return ranked(against_motion(self.motion))
+        assert self.equilibrium is not None
+        strength = self.limit_state in STRENGTH
+        return ranked(against_equilibrium(self.equilibrium, strength=strength))
 
-    def load_warnings(self) -> Iterator[str]:
-        """What an engineer should read of its loads."""
+    @property
+    def sign(self) -> Sign:
+        """Whether it fails, wants attention, or holds."""
+        return worst(each.sign for each in self.findings)
+
+    @property
+    def carries(self) -> bool | None:
+        """Whether the shell carries these loads; None if the strength of something is not known."""
+        if self.sign == "fails":
+            return False
+        return None if any(each.kind == "unknown" for each in self.findings) else True
+
+    @property
+    def used(self) -> float:
+        """The largest share of what is borne: above 1 where it does not carry its loads."""
+        if self.equilibrium is None:
+            return float("inf")
+        if self.limit_state in STRENGTH:
+            return self.equilibrium.used
+        return self.equilibrium.displacement.share / COLLAPSED
+
+    def in_words(self) -> str:
+        """What the shell does under these loads."""
+        said = "; ".join(each.text for each in self.findings if each.sign == self.sign)
+        if self.sign == "fails" or not said:
+            return said or "carries its loads"
+        doubt = (
+            "carries its loads as far as is known" if self.carries is None else "carries its loads"
+        )
+        return f"{doubt}, but {said}"
+
+    def load_warnings(self) -> Iterator[tuple[str, str]]:
+        """Of which case, and what an engineer should read of its loads."""
         if all(load.kind != "self_weight" for load in self.loads):
-            yield "own weight is left out (self_weight = true)"
-        yield from dict.fromkeys(load.caution for load in self.loads if load.caution)
+            yield self.name, "own weight is left out (self_weight = true)"
+        yield from ((load.case, load.caution) for load in self.loads if load.caution)
 
 
 @record
@@ -122,30 +171,93 @@ class Governing:
 class Analysis:
     """The shell as a structure."""
 
-    WRITTEN = ("model", "cases", "governs", "warnings", "not_covered")
+    WRITTEN = ("carries", "model", "cases", "governs", "envelopes", "warnings", "not_covered")
 
     model: Model  # what is analysed
     cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
     not_covered: tuple[str, ...] = NOT_COVERED  # what the analysis says nothing of
 
     @property
-    def standing(self) -> list[tuple[Equilibrium, CaseResult]]:
-        """The cases under which it stands, and how."""
-        return [(case.stands, case) for case in self.cases if case.stands is not None]
+    def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:
+        """The cases in equilibrium, and what holds them."""
+        return [(case.equilibrium, case) for case in self.cases if case.equilibrium is not None]
+
+    @cached_property
+    def ranked(self) -> tuple[CaseResult, ...]:
+        """All cases, the worst first."""
+        order = sorted(self.cases, key=lambda each: (ORDER.index(each.sign), -each.used))
+        return tuple(order)
+
+    @property
+    def sign(self) -> Sign:
+        """That of the worst case."""
+        return self.ranked[0].sign
+
+    @property
+    def carries(self) -> bool | None:
+        """Whether it carries all cases; None if the strength of something is not known."""
+        found = {case.carries for case in self.cases}
+        return False if False in found else None if None in found else True
 
     @cached_property
     def governs(self) -> Governing | None:
         """What is nearest to the end of what it bears; None if that of nothing is known."""
         found = [
             Governing(used.governs, case.name, case.creases, used.shares[used.governs] or 0.0)
-            for stands, case in self.standing
-            if (used := stands.utilisation).governs is not None
+            for balanced, case in self.balanced
+            if case.limit_state in STRENGTH
+            if (used := balanced.utilisation).governs is not None
         ]
         return max(found, key=lambda each: each.utilisation, default=None)
 
+    def in_words(self) -> str:
+        """Whether it carries all cases, and what the worst does: for one line."""
+        first, fails = self.ranked[0], sum(case.sign == "fails" for case in self.cases)
+        under = f"under {self.name_of(first)} it {first.in_words()}"
+        if fails:
+            of = "" if len(self.cases) == 1 else f"{fails} of {len(self.cases)} cases fail; "
+            return f"no: {of}{under}"
+        if first.sign == "warns":
+            return f"{'not known' if self.carries is None else 'not safely'}: {under}"
+        found, case = max(self.balanced, key=lambda each: each[0].displacement.size)
+        most, unit = found.displacement, self.model.site.unit
+        return (
+            f"all cases: {self.governing_in_words()}; it is displaced by {plain(most.size, 2)} "
+            f"{unit} at most ({plain(100 * most.share, 2)} % of its height, under "
+            f"{self.name_of(case)})"
+        )
+
+    def governing_in_words(self) -> str:
+        """What governs, and how near it comes to what it bears."""
+        governs = self.governs
+        if governs is None:
+            return "no strengths are given, and it does not buckle"
+        share = governs.utilisation
+        if governs.part == "buckling":
+            borne = f"under {plain(1 / share, 3)} times the loads of"
+        else:
+            borne = f"{plain(100 * share, 3)} % of what can be borne, under"
+        return f"{GOVERNING[governs.part]} governs, {borne} {self.name_of(governs)}"
+
+    @cached_property
+    def envelopes(self) -> tuple[Envelope, ...]:
+        """What governs each limit state of a code; none if no code combines the cases."""
+        return tuple(envelopes(self.cases))
+
+    @property
+    def told(self) -> tuple[CaseResult, ...]:
+        """The cases that are told in full, the worst first: all, or of many those that govern."""
+        if len({case.name for case in self.cases}) <= MANY:
+            return self.ranked
+        names = {each.case for each in self.envelopes if each.moves or each.part is not None}
+        if self.governs is not None:
+            names.add(self.governs.case)
+        own = (case for case in self.ranked if case.limit_state is None or case.name in names)
+        return tuple(own)
+
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences an engineer should read."""
+        """Sentences an engineer should read, beside what speaks against single cases."""
         return tuple(self._warnings())
 
     def _warnings(self) -> Iterator[str]:
@@ -154,10 +266,14 @@ class Analysis:
                 f"displacements changed by {plain(100 * self.model.change, 3)} % when cells were "
                 "halved: use finer ones (cells, or refine, in [structure])"
             )
+        said: dict[str, dict[str, None]] = {}
         for case in self.cases:
-            yield from (f"load case {self.name_of(case)}: {text}" for text in case.warnings())
-        for case in {each.name: each for each in self.cases}.values():
-            yield from (f"load case {case.name}: {text}" for text in case.load_warnings())
+            for name, text in case.load_warnings():
+                said.setdefault(text, {})[name] = None
+        every = {each.name for each in self.cases}
+        for text, names in said.items():
+            of = "all load cases" if set(names) == every else f"load cases {', '.join(names)}"
+            yield f"{of}: {text}"
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.
@@ -174,34 +290,7 @@ class Analysis:
 
     def loaded(self) -> LoadedShell:
         """The same as files and pages show it."""
-        model, section = self.model, self.model.section
-        facets = model.mesh.facets
-        count = len(facets.triangles)
-        return LoadedShell(
-            points=facets.points,
-            triangles=facets.triangles,
-            panels=model.mesh.panels,
-            membrane=np.broadcast_to(np.asarray(section.membrane, np.float64), count),
-            bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
-            poisson=section.poisson,
-            areal_mass=model.exposure.areal_mass,
-            held=model.supports.as_if_pinned(),
-            ties=model.nodes_of(model.site.ties),
-            tie_stiffness=model.structure.tie_stiffness,
-            cases=tuple(self._loaded(case) for case in self.cases),
-        )
-
-    def _loaded(self, case: CaseResult) -> LoadedCase:
-        shown = case.motion or case.stands
-        assert shown is not None
-        count = len(self.model.mesh.facets.triangles)
-        return LoadedCase(
-            name=self.name_of(case),
-            stands=case.motion is None,
-            forces=case.forces,
-            displacements=shown.displacements,
-            stresses=np.zeros(count) if case.stands is None else case.stands.stresses.max(axis=1),
-        )
+        return loaded_shell(self)
 
 
 def creases_in_words(creases: Stiffness) -> str:

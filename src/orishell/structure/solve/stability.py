@@ -89,7 +89,7 @@ def largest(
     except ArpackNoConvergence as failure:
         if restarts is None:
             raise
-        values, vectors = map(np.real, (failure.eigenvalues, failure.eigenvectors))
+        values, vectors = failure.eigenvalues, failure.eigenvectors  # type: ignore[assignment]
     order = np.argsort(values)[::-1]
     return values[order], vectors[:, order]
 
