@@ -24,6 +24,8 @@ def turned_by_load(
     forces: Of all rows (M,) of the structure: ties pull, flaps push.
     membrane: Membrane forces xx, yy, xy (T, 3) of triangles, in their own axes.
     """
+    from scipy.sparse import csr_array
+
     mesh, ties = model.mesh, len(model.site.ties)
     straight = ties + len(model.flaps)
     pairs = structure.conditions.nodes
@@ -33,4 +35,4 @@ def turned_by_load(
     geometric = geometric_stiffness(mesh, membrane, points)
     turning = turning_stiffness(mesh.facets.points, pairs[:straight], pulls, mesh.count)
     free = structure.free
-    return (geometric + turning)[free][:, free]
+    return csr_array((geometric + turning)[free][:, free])
