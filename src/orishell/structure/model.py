@@ -44,7 +44,8 @@ class Model:
     WRITTEN = (
         "nodes", "triangles", "freedoms", "change", "mass", "height", "thickness",
         "structure.material", "structure.modulus", "structure.poisson",
-        "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness", "crease_stiffness", "tie_stiffness",
+        "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
+        "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.supports",
     )  # fmt: skip
