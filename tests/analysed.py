@@ -120,8 +120,8 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             crease_moments=moments,
             stresses=stresses,
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),
-            buckling=2.5,
-            buckling_mode=displacements,
+            buckling_factors=(2.5,),
+            buckling_modes=displacements[None],
             frequencies=(3.0, 4.0, 7.0),
             modes=np.zeros((3, count, 3)),
         )

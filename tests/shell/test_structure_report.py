@@ -123,7 +123,7 @@ def test_a_strength_that_is_not_known_governs_nothing() -> None:
     found = analysed(bare)
     assert found.governs is not None
     assert found.governs.part == "buckling"
-    assert changed(found, lambda stands: replace(stands, buckling=None)).governs is None
+    assert changed(found, lambda stands: replace(stands, buckling_factors=())).governs is None
 
 
 def test_what_moves_is_an_answer(report: Analysis) -> None:
@@ -198,7 +198,7 @@ def test_a_sound_structure_is_warned_of_nothing() -> None:
     dead = LoadCase(name="wind", self_weight=True)
     found = analysed(STRUCTURE.having(cases=(*STRUCTURE.cases[:3], dead)))
     stands, case = found.balanced[-1]
-    sound = replace(stands, displacements=0.1 * stands.displacements, buckling=4.0)
+    sound = replace(stands, displacements=0.1 * stands.displacements, buckling_factors=(4.0,))
     found = replace(found, cases=(replace(case, equilibrium=sound),))
     assert not found.warnings
     assert (found.sign, found.carries) == ("holds", True)

@@ -318,8 +318,10 @@ export interface Equilibrium {
   stress: Stress;
   /** Of panels, creases and ties. */
   utilisation: Utilisation;
-  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
+  /** The lowest buckling factor; None if it does not buckle. */
   buckling: number | null;
+  /** The lowest factors by which all loads grow until the shell buckles, by linear theory; none if it does not. */
+  buckling_factors: number[];
   /** The lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and free motions, which have none. */
   frequencies: number[];
 }

@@ -86,9 +86,9 @@ def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
         f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    factor = found.buckling
+    factors = ", ".join(map(plain, found.buckling_factors))
     if case.limit_state in STRENGTH:
-        yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+        yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)

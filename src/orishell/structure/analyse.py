@@ -14,6 +14,7 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
+from orishell.structure.buckling import turned_by_load
 from orishell.structure.combinations import Combination, LimitState
 from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
@@ -30,12 +31,12 @@ from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
-    geometric_stiffness,
-    turning_stiffness,
 )
 
 FREQUENCIES = 3
 """How many frequencies are found."""
+BUCKLING = 3
+"""How many buckling factors are found."""
 FINEST = 32
 """Cells are not halved beyond so many along a side."""
 UNBALANCED = 1e-6
@@ -154,20 +155,15 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
-    buckling = None
-    frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
+    factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
+    frequencies, modes = factors, shapes
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
-        directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-        nodes = structure.conditions.nodes[:straight]
-        geometric = geometric_stiffness(
-            mesh.facets, stresses.forces, mesh.count
-        ) + turning_stiffness(mesh.facets.points, nodes, directed, mesh.count)
-        free = structure.free
-        buckling = find_buckling(inverse, geometric[free][:, free])
+        geometric = turned_by_load(model, structure, response.forces, stresses.forces)
+        factors, shapes = find_buckling(inverse, geometric, BUCKLING)
         if model.site.areal_mass:
-            frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
-            modes = np.stack([_unit(structure, mode) for mode in found.T])
+            mass = model.inertia()[structure.free]
+            frequencies, modes = find_frequencies(inverse, mass, FREQUENCIES)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,
@@ -181,16 +177,22 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else buckling[0],
-        buckling_mode=None if buckling is None else _unit(structure, buckling[1]),
+        buckling_factors=tuple(factors.tolist()),
+        buckling_modes=_units(structure, shapes),
         frequencies=tuple(frequencies.tolist()),
-        modes=modes,
+        modes=_units(structure, modes),
     )
 
 
 def _unit(structure: Factorised, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
     return structure.shape(mode) / structure.furthest(mode)
+
+
+def _units(structure: Factorised, modes: Array) -> Array:
+    """Displacements (k, N, 3) of modes (n, k), the largest of each is 1."""
+    shapes = [_unit(structure, mode) for mode in modes.T]
+    return np.stack(shapes) if shapes else np.zeros((0, structure.nodes, 3))
 
 
 def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:

@@ -106,7 +106,7 @@ class Equilibrium:
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
-        "crease", "stress", "utilisation", "buckling", "frequencies",
+        "crease", "stress", "utilisation", "buckling", "buckling_factors", "frequencies",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -128,14 +128,19 @@ class Equilibrium:
     stresses: Array
     # the larger and the smaller principal stress (T, 2) of both faces (force per area)
     principal: Array
-    # by what factor all loads may grow until the shell buckles, by linear theory; None if it does
-    # not
-    buckling: float | None
-    buckling_mode: Array | None  # of nodes (N, 3), the largest displacement is 1
+    # the lowest factors by which all loads grow until the shell buckles, by linear theory; none if
+    # it does not
+    buckling_factors: tuple[float, ...]
+    buckling_modes: Array  # their modes (B, N, 3), the largest displacement is 1
     # the lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and
     # free motions, which have none
     frequencies: tuple[float, ...]
     modes: Array  # their modes (M, N, 3), the largest displacement is 1
+
+    @property
+    def buckling(self) -> float | None:
+        """The lowest buckling factor; None if it does not buckle."""
+        return self.buckling_factors[0] if self.buckling_factors else None
 
     @cached_property
     def displacement(self) -> Displacement:

@@ -219,8 +219,10 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
     buckles = "by linear theory it does not"
     if case.limit_state not in STRENGTH:
         buckles = "found for ULS only"
-    if found.buckling is not None:
-        buckles = f"under {figure(found.buckling)} times these loads, by linear theory"
+    if found.buckling_factors:
+        lowest, *others = map(figure, found.buckling_factors)
+        further = f"; in other ways under {' and '.join(others)} times" if others else ""
+        buckles = f"under {lowest} times these loads{further}, by linear theory"
     yield "Buckling", buckles
     if found.frequencies:
         yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"
