@@ -600,7 +600,9 @@ export interface Model {
   height: number;
   /** Of panels. */
   thickness: number;
-  /** Young's modulus of panels or boards, of their section as a whole (force per area). */
+  /** What panels are made of, by its name in materials.toml: what is not given is taken from there. */
+  material: string | null;
+  /** Young's modulus of panels or boards, of their section as a whole; None if it is that of the material (force per area). */
   modulus: number;
   /** Poisson's ratio of panels. */
   poisson: number;

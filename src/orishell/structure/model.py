@@ -43,8 +43,9 @@ class Model:
 
     WRITTEN = (
         "nodes", "triangles", "freedoms", "change", "mass", "height", "thickness",
-        "structure.modulus", "structure.poisson", "structure.membrane_modulus",
-        "membrane_stiffness", "bending_stiffness", "crease_stiffness", "tie_stiffness",
+        "structure.material", "structure.modulus", "structure.poisson",
+        "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
+        "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
         "structure.membrane_strength",
         "structure.supports",

@@ -31,6 +31,8 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Height between its flaps", said.length(model.height)
     yield "Mass of panels", quantity(model.mass, "kg")
     yield "Thickness of panels, t", said.displacement(model.thickness)
+    if asked.material is not None:
+        yield "Material", asked.material
     yield "Young\u2019s modulus, E", said.stress(asked.modulus)
     yield "Poisson\u2019s ratio, \u03bd", figure(asked.poisson)
     if asked.membrane_modulus:
