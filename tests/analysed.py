@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
+from types import MappingProxyType, SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
@@ -14,6 +14,7 @@ from orishell.motion.grid import Grid
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
+from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
@@ -32,7 +33,7 @@ STRUCTURE = Structure(
         LoadCase(name="dead", self_weight=True),
         LoadCase(
             name="snow",
-            snow=Snow(ground=500, shape="cylinder"),
+            snow=Snow(ground=500, shape="cylinder", arrangement="undrifted"),
             points=(PointLoad(at=(1, 1), force=(0, 0, -80)),),
         ),
         LoadCase(name="both", combine={"dead": 1.35, "snow": 1.5}),
@@ -65,7 +66,7 @@ def tent() -> Exposure:
     mesh = mesh_sheet(positions, grid, 2)
     mass = np.full(len(mesh.places), 1.9)
     hung = np.zeros(len(mesh.facets.points))
-    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN)
+    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN, (0, 2))
 
 
 class Tent(Model):
@@ -77,6 +78,7 @@ class Tent(Model):
     mesh: Any = mesh_sheet(exposure.mesh.points[:6].reshape(3, 2, 3), grid, 2)
     section: Any = Section.solid(STRUCTURE.modulus, THICKNESS, STRUCTURE.poisson)
     supported: Any = ((0, 1), (2, 1))
+    grounded: Any = MappingProxyType({})
     flaps: Any = (((0, 0), (1, 0)), ((1, 0), (2, 0)))
     mass: Any = 32.2
 
@@ -101,6 +103,9 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
     crease = int(np.intersect1d(*model.grid.faces_edges())[0])
     moments = np.zeros(len(model.grid.edges_vertices()))
     moments[crease] = -5.0
+    per_length = np.zeros((2, 4, 4, 4))
+    per_length[0, 1, 1], per_length[1, 3, 2] = [600.0, 30.0, -20.0, -5.0], [-90.0, 30.0, 7.0, -5.0]
+    edges = EdgeForces(per_length, np.zeros((2, 4, 6)), np.zeros((2, 4, 6)), 0.0)
 
     def case(name: str, stiffness: float) -> CaseResult:
         asked = next((each for each in structure.cases if each.name == name), STRUCTURE.cases[0])
@@ -114,14 +119,16 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             support_forces=np.array([-total / 2, -total / 2]),
             reaction=vector(-total),
             residual=1e-12,
+            panel_residual=1e-13,
             feet=(),
             tie_forces=np.array([1000.0, 4000.0, 0.0]),
             flap_forces=np.array([0.0, 30.0]),
+            edges=edges,
             crease_moments=moments,
             stresses=stresses,
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),
-            buckling=2.5,
-            buckling_mode=displacements,
+            buckling_factors=(2.5,),
+            buckling_modes=displacements[None],
             frequencies=(3.0, 4.0, 7.0),
             modes=np.zeros((3, count, 3)),
         )

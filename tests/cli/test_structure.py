@@ -44,7 +44,7 @@ def test_the_summary(report: Analysis) -> None:
         "model     16 triangles, 99 degrees of freedom; 32.2 kg; panels 0.01 m thick, "
         "E = 270\u00a0MPa",
         "held      [0, 1], [2, 1]: friction 0.5",
-        "load      both: (0, 0, -18.55) kN in all",
+        "load      both: (0, 0, -7747) N in all",
         "  1.35 x dead: self weight (0, 0, -427) N, mass of panels times 9.81 m/s2",
         "case      wind, rigid creases",
         "  ties      2 of 3 pull, 4000 N at most, from [0, 2] to [2, 2]: 80 % of what they bear",
@@ -100,9 +100,9 @@ def test_what_is_written(tmp_path: Path) -> None:
     (tmp_path / "arch.toml").write_text(ARCH)
     first = orishell("structure", "arch.toml", "--out", "one", cwd=tmp_path)
     assert first.returncode == 0, first.stderr
-    files = ["structure.html", "structure.json", "structure.png"]
+    files = ["anchors.csv", "creases.csv", "structure.html", "structure.json", "structure.png"]
     assert sorted(path.name for path in (tmp_path / "one").iterdir()) == files
-    assert first.stdout.splitlines()[-3:] == [f"wrote     one/{name}" for name in files]
+    assert first.stdout.splitlines()[-5:] == [f"wrote     one/{name}" for name in files]
     printed = orishell("structure", "arch.toml", "--out", "two", "--json", cwd=tmp_path)
     written = json.loads((tmp_path / "one" / "structure.json").read_text())
     assert json.loads(printed.stdout) == written

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from pathlib import Path
 
@@ -82,6 +83,7 @@ def test_every_key(tmp_path: Path) -> None:
         poisson = 0.25
         strength = 5.5e6
         membrane_modulus = 1e9
+        membrane_strength = 5e7
         crease_stiffness = [5.0, "rigid"]
         crease_strength = 20
         tie_stiffness = 1.2e6
@@ -96,7 +98,7 @@ def test_every_key(tmp_path: Path) -> None:
         [[load_case]]
         name = "gusts"
         pressure = 100
-        snow = {{ ground = 500, shape = "cylinder" }}
+        snow = {{ ground = 500, shape = "cylinder", arrangement = "undrifted" }}
         {WIND}, height = 4, coefficients = [[0, 0.8], [90, -0.8], [180, -0.4]] }}
         points = [{{ at = [5, 4], force = [0, 0, -1000] }}]
         """,
@@ -121,13 +123,14 @@ def test_every_key(tmp_path: Path) -> None:
             LoadCase(
                 name="gusts",
                 pressure=100,
-                snow=Snow(ground=500, shape="cylinder"),
+                snow=Snow(ground=500, shape="cylinder", arrangement="undrifted"),
                 wind=wind,
                 points=(PointLoad(at=(5, 4), force=(0, 0, -1000)),),
             ),
         ),
         strength=5.5e6,
         membrane_modulus=1e9,
+        membrane_strength=5e7,
         crease_strength=20,
         tie_stiffness=1.2e6,
         tie_strength=5000,
@@ -180,6 +183,8 @@ def test_the_starter_explains_every_key(tmp_path: Path) -> None:
     asked = tomllib.loads(structure)["structure"]
     assert set(asked) == set(StructureTable.model_fields)
     assert set(tomllib.loads(case)["load_case"][0]) == set(LoadCase.model_fields)
+    # There is no membrane without [panel].
+    structure = re.sub("membrane_strength.*", "", structure)
     found = read(tmp_path, f"{structure}\n{loads}")
     assert found.crease_stiffness == (0, math.inf)
     for key in ("poisson", "cells", "refine", "membrane_modulus"):
@@ -258,6 +263,11 @@ BAD = {
         "[structure] membrane_modulus: ",
         'construction = "sandwich"',
     ),
+    "no membrane to be strong": (
+        f"{STRUCTURE}membrane_strength = 5e7",
+        "[structure] membrane_strength: ",
+        'construction = "sandwich"',
+    ),
     "loads on nothing": (CASE, "[[load_case]]: ", "add the table [structure]"),
     "no load": (with_case(""), "[[load_case]][0]: ", "self_weight, pressure, snow"),
     "no name": (STRUCTURE + CASE.replace('name = "dead"', ""), "[[load_case]][0] name", "missing"),
@@ -297,7 +307,7 @@ BAD = {
     "shape of snow": (
         with_case('snow = { ground = 5, shape = "ball" }'),
         "[[load_case]][0] snow shape: ",
-        "'slope' or 'cylinder'",
+        "'slope', 'cylinder' or 'valleys'",
     ),
     "terrain": (
         with_case('wind = { speed = 9, terrain = "V", direction_deg = 0 }'),
@@ -329,7 +339,7 @@ BAD = {
             "coefficients = [[0, 1], [180, 1]], zones = [{ rows = [0, 5], coefficient = 1 }]"
         ),
         "[[load_case]][0] wind zones: ",
-        "either coefficients or zones",
+        "one of coefficients, zones and vault",
     ),
     "zone turned round": (
         with_wind("zones = [{ rows = [4, 0], coefficient = 1 }]"),

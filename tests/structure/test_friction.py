@@ -74,7 +74,7 @@ def survey(seeds: range) -> dict[str, int]:
             continue
         ends["holds"] += 1
         require_coulomb(held, loads, found)
-        feet = find_feet(held, found, model.grounded)
+        feet = find_feet(held, found, tuple(model.grounded))
         assert all((each.used or 0.0) <= 1 + 1e-9 for each in feet)
         assert all((each.state == "slips") == (each.slipped > 0) for each in feet)
     return ends

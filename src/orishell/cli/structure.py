@@ -22,7 +22,8 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
-    from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.crease_forces import AtCrease
+    from orishell.structure.equilibrium import CreaseMoment, Equilibrium
     from orishell.structure.loads import Vector
     from orishell.structure.model import Model
     from orishell.structure.results import Analysis, CaseResult
@@ -36,18 +37,21 @@ def summarize_structure(
 ) -> Iterator[str]:
     """Lines that say whether it carries its loads, what was analysed, and what was written."""
     from orishell.conventions.row import MARKS, Row
+    from orishell.structure.anchors import anchors_in_words
 
     yield from lines_of(Row(report.sign, "carries", report.in_words(), remedy))
-    for case in report.ranked:
+    for case in report.told:
         yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
-    for each in {case.name: case for case in report.cases}.values():
+    for each in {case.name: case for case in report.told}.values():
         yield from _loads(each)
-    for case in report.ranked:
+    for case in report.told:
         if case.equilibrium is not None:
             yield f"case      {report.name_of(case)}"
-            yield from _case(case.equilibrium, unit)
+            yield from _case(case, case.equilibrium, unit)
+    yield f"anchors   {anchors_in_words(report.anchors)}"
     yield f"most used {report.governing_in_words()}"
+    yield from _envelopes(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
@@ -76,15 +80,18 @@ def _loads(case: CaseResult) -> Iterator[str]:
         yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
 
 
-def _case(found: Equilibrium, unit: str) -> Iterator[str]:
+def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
+    from orishell.structure.envelopes import STRENGTH
+
     most = found.displacement
     yield (
         f"  displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, "
         f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    factor = found.buckling
-    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    factors = ", ".join(map(plain, found.buckling_factors))
+    if case.limit_state in STRENGTH:
+        yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
@@ -105,16 +112,44 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
         pairs = f"{len(pressing)} of {len(found.flaps)} pairs"
         yield f"  flaps     {pairs} press, {plain(pressing[0].force)} N at most"
     if found.crease is not None:
-        first, second = (list(panel) for panel in found.crease.panels)
         yield (
-            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, between panels "
-            f"{first} and {second}{_used(used.creases)}"
+            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, "
+            f"{_between(found.crease)}{_used(used.creases)}"
+        )
+    if found.membrane is not None:
+        yield (
+            f"  membrane  {plain(found.membrane.size)} N/{unit}2 at most, "
+            f"{_between(found.membrane)}{_used(used.membrane)}"
+        )
+    if found.lone_board is not None:
+        yield (
+            f"  one board {plain(found.lone_board.size)} N/{unit}2 at most, where it is alone, "
+            f"{_between(found.lone_board)}"
         )
     yield (
         f"  panels    {Quantities(unit).stress(found.stress.size)} at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
+
+
+def _between(found: AtCrease | CreaseMoment) -> str:
+    first, second = (list(panel) for panel in found.panels)
+    return f"between panels {first} and {second}"
+
+
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code, and how many cases it has."""
+    from orishell.structure.results import creases_in_words
+
+    for each in report.envelopes:
+        what = "in equilibrium under all of them"
+        if each.moves:
+            what = f"it moves under {each.moves} of them, such as {each.case}"
+        elif each.part is not None and each.share is not None:
+            what = f"{each.part} {plain(100 * each.share, 3)} %: {each.case}"
+        stiffness = creases_in_words(each.creases)
+        yield f"{each.limit_state:10}{each.cases} cases; {what}, {stiffness}"
 
 
 def _used(share: float | None) -> str:
@@ -140,7 +175,8 @@ def structure(
         Path | None,
         typer.Option(
             parser=directory,
-            help="Directory for structure.html, structure.png and structure.json; made if needed.",
+            help="Directory for structure.html, structure.png, structure.json, creases.csv and "
+            "anchors.csv; made if needed.",
         ),
     ] = None,
     *,

@@ -14,27 +14,30 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
+from orishell.structure.buckling import turned_by_load
+from orishell.structure.combinations import Combination, LimitState
+from orishell.structure.crease_forces import hold_panels, moments, panel_loads
+from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.feet import find_feet
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
-from orishell.structure.mesh.hinges import crease_moments
-from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult
-from orishell.structure.settings import Structure
+from orishell.structure.settings import LoadCase, Structure
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
-    geometric_stiffness,
-    turning_stiffness,
 )
 
 FREQUENCIES = 3
 """How many frequencies are found."""
+BUCKLING = 3
+"""How many buckling factors are found."""
 FINEST = 32
 """Cells are not halved beyond so many along a side."""
 SLIDES = 0.5
@@ -83,7 +86,7 @@ def analyse(
     rest = stretch(progress, 0.5, 1.0)
     results = []
     for number, each in enumerate(solved):
-        rest(number / len(solved), f"loading {each.name}")
+        rest(number / len(solved), f"loading {each.case.name}")
         results.append(_result(model, each))
     return Analysis(model, tuple(results))
 
@@ -92,7 +95,9 @@ def analyse(
 class _Solved:
     """How the structure responds to a load case with one stiffness of creases."""
 
-    name: str
+    case: LoadCase
+    known: Sequence[LoadCase]
+    limit_state: LimitState | None
     stiffness: float
     structure: Factorised
     loads: tuple[Load, ...]
@@ -104,14 +109,18 @@ class _Solved:
 def _solve(model: Model) -> Sequence[_Solved]:
     """All load cases, with the least stiffness of creases first."""
     found, asked = [], model.structure
+    cases, known = asked.analysed, asked.arranged
     for stiffness in dict.fromkeys(asked.crease_stiffness):
         structure = model.factorised(stiffness)
-        for case in asked.analysed:
-            loads = case_loads(model.exposure, case, asked.cases)
+        for case in cases:
+            loads = case_loads(model.exposure, case, known)
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
-            found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
+            state = case.limit_state if isinstance(case, Combination) else None
+            found.append(
+                _Solved(case, known, state, stiffness, structure, loads, forces, response, held)
+            )
     return found
 
 
@@ -137,12 +146,13 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
             model, solved.stiffness, shape, forces, soft=soft and not slides, slides=slides
         )
     return CaseResult(
-        name=solved.name,
+        name=solved.case.name,
         stiffness=solved.stiffness,
         loads=solved.loads,
         forces=forces,
         motion=motion,
         equilibrium=_equilibrium(model, solved) if solved.stands else None,
+        limit_state=solved.limit_state,
     )
 
 
@@ -152,18 +162,20 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     support_forces, reaction, residual = _reactions(model, solved)
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
-    stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
-    inverse = Inverse.of(structure, response.active, response.motions)
-    directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
-        mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
-    )
-    free = structure.free
-    buckling = find_buckling(inverse, geometric[free][:, free])
-    frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
-    if model.site.areal_mass:
-        frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
-        modes = np.stack([_unit(structure, mode) for mode in found.T])
+    borne = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
+    stresses = panel_stresses(mesh, model.section, borne)
+    total = float(np.linalg.norm(solved.forces, axis=1).sum())
+    on_panels = panel_loads(model, solved.case, solved.known)
+    edges, panel_residual = hold_panels(model, moved, on_panels, solved.stiffness, total)
+    factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
+    frequencies, modes = factors, shapes
+    if solved.limit_state in STRENGTH:
+        inverse = Inverse.of(structure, response.active, response.motions)
+        geometric = turned_by_load(model, structure, response.forces, borne.forces)
+        factors, shapes = find_buckling(inverse, geometric, BUCKLING)
+        if model.site.areal_mass:
+            mass = model.inertia()[structure.free]
+            frequencies, modes = find_frequencies(inverse, mass, FREQUENCIES)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,
@@ -171,22 +183,30 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         support_forces=support_forces,
         reaction=vector(reaction),
         residual=residual,
-        feet=find_feet(structure, response, model.grounded),
+        panel_residual=panel_residual,
+        feet=find_feet(structure, response, tuple(model.grounded)),
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
-        crease_moments=crease_moments(mesh, model.grid, model.section, moved),
+        edges=edges,
+        crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else buckling[0],
-        buckling_mode=None if buckling is None else _unit(structure, buckling[1]),
+        buckling_factors=tuple(factors.tolist()),
+        buckling_modes=_units(structure, shapes),
         frequencies=tuple(frequencies.tolist()),
-        modes=modes,
+        modes=_units(structure, modes),
     )
 
 
 def _unit(structure: Factorised, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
     return structure.shape(mode) / structure.furthest(mode)
+
+
+def _units(structure: Factorised, modes: Array) -> Array:
+    """Displacements (k, N, 3) of modes (n, k), the largest of each is 1."""
+    shapes = [_unit(structure, mode) for mode in modes.T]
+    return np.stack(shapes) if shapes else np.zeros((0, structure.nodes, 3))
 
 
 def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:

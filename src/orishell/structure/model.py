@@ -43,9 +43,11 @@ class Model:
 
     WRITTEN = (
         "nodes", "triangles", "freedoms", "change", "mass", "height", "thickness",
-        "structure.modulus", "structure.poisson", "structure.membrane_modulus",
-        "membrane_stiffness", "bending_stiffness", "crease_stiffness", "tie_stiffness",
+        "structure.material", "structure.modulus", "structure.poisson",
+        "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
+        "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
+        "structure.membrane_strength",
         "structure.supports",
     )  # fmt: skip
 
@@ -155,10 +157,12 @@ class Model:
         flat = mesh_sheet(self.sheet.positions(0.0), self.grid, self.cells).facets
         corners = flat.points[flat.triangles][..., :2]
         return panel_sections(
-            self.structure, self.design.panel, self._boards(), corners, self.mesh.panels
+            self.structure, self.design.panel, self.boards, corners, self.mesh.panels
         )
 
-    def _boards(self) -> Boards | None:
+    @property
+    def boards(self) -> Boards | None:
+        """Boards between its flaps, by panels of this grid."""
         built = self.built
         if built is None:
             return None
@@ -187,6 +191,7 @@ class Model:
             unit=self.site.unit,
             ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
             span=span if standing else None,
+            feet=self.site.rows,
         )
 
     def _hung(self) -> Array:
@@ -240,10 +245,11 @@ class Model:
         return tuple(zip(rows.tolist(), (columns + self.before).tolist(), strict=True))
 
     @property
-    def grounded(self) -> tuple[Vertex, ...]:
-        """Vertices of the folding sheet that stand on the ground."""
+    def grounded(self) -> dict[Vertex, float]:
+        """Vertices of the folding sheet that stand on the ground, and its friction there."""
         rows, columns = np.divmod(self.supports.ground, self.grid.columns)
-        return tuple(zip(rows.tolist(), (columns + self.before).tolist(), strict=True))
+        at = zip(rows.tolist(), (columns + self.before).tolist(), strict=True)
+        return dict(zip(at, self.supports.friction.tolist(), strict=True))
 
     @cached_property
     def supports(self) -> Supports:

@@ -1,0 +1,60 @@
+"""Anchors in files: ``anchors.csv``, and the table of the page."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+
+from orishell.conventions.quantities import figure
+from orishell.io.html_pages import heading, paragraph, table
+from orishell.structure.anchors import ASSUMED, Anchor, Worst
+from orishell.structure.results import Analysis
+
+KINDS = ("push", "pull", "sideways", "ballast")
+HEAD = (
+    "row", "column",
+    "push_N", "push_case", "pull_N", "pull_case", "sideways_N", "sideways_case",
+    "ballast_N", "ballast_case", "ballast_kg", "friction", "friction_assumed",
+)  # fmt: skip
+RULE = (
+    "Push is down on the ground, pull up from it, sideways along it: the largest of all cases in "
+    "equilibrium, each by itself. A peg holds pull and sideways force. Ballast instead is the "
+    "weight W at the foot with which W + R is never negative and sideways force is no more than "
+    "friction times W + R, R being the force of the ground upwards. Ground with friction has its "
+    f"own; elsewhere {ASSUMED:g} is assumed."
+)
+
+
+def anchor_csv(report: Analysis) -> str:
+    """The text of ``anchors.csv``: a line for every support, forces in newtons."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(HEAD)
+    for each in report.anchors:
+        forces = [cell for kind in KINDS for cell in _cells(getattr(each, kind))]
+        friction = (f"{each.friction:g}", "yes" if each.assumed else "no")
+        writer.writerow((*each.at, *forces, f"{each.ballast_mass:.6g}", *friction))
+    return text.getvalue()
+
+
+def _cells(worst: Worst) -> tuple[str, str]:
+    return f"{worst.force:.6g}", worst.case or ""
+
+
+def anchor_parts(report: Analysis) -> Iterator[str]:
+    """The part of the page on anchors; nothing where nothing is in equilibrium."""
+    if not report.anchors:
+        return
+    yield heading(2, "Supports and anchors")
+    yield table(
+        ("vertex", "push (N)", "pull (N)", "sideways (N)", "ballast (N)", "ballast (kg)"),
+        [_row(each) for each in report.anchors],
+        numbers=5,
+    )
+    yield paragraph(f"{RULE} The load case of every figure is in anchors.csv.", "soft")
+
+
+def _row(anchor: Anchor) -> tuple[str, ...]:
+    forces = (figure(getattr(anchor, kind).force) for kind in KINDS)
+    return (f"{anchor.at[0]},{anchor.at[1]}", *forces, figure(anchor.ballast_mass))

@@ -1,0 +1,158 @@
+"""What supports ask of the ground: the worst push, pull and sideways force on each, and ballast.
+
+Ballast at a foot, of the weight W, holds it without an anchor if it is pulled up by no more than W
+and pushed aside by no more than friction on what presses then: with the vertical force R on the
+shell (upwards) and H aside,
+
+    W + R >= 0,        H <= mu (W + R).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.quantities import GRAVITY, plain
+from orishell.conventions.record import record
+from orishell.motion.grid import Vertex
+
+if TYPE_CHECKING:
+    from orishell.structure.results import Analysis
+
+ASSUMED = 0.3
+"""Coefficient of friction under ballast where a support has none of its own."""
+ROUNDING = 1e-9
+"""Forces below this share of a case's loads are none."""
+NAMED = 4
+"""So many feet are named in a sentence."""
+
+
+@record
+class Worst:
+    """The largest of a force, and the load case that has it."""
+
+    force: float  # how large (N)
+    case: str | None  # the load case; None where the force is 0 in all
+
+
+@record
+class Anchor:
+    """What a supported vertex asks of the ground, of all cases in equilibrium."""
+
+    WRITTEN = ("at", "push", "pull", "sideways", "ballast", "ballast_mass", "friction", "assumed")
+
+    at: Vertex  # the vertex
+    push: Worst  # down on the ground
+    pull: Worst  # up: what a peg has to hold
+    sideways: Worst  # along the ground: what a peg has to hold
+    ballast: Worst  # weight at the foot that holds it without a peg
+    # coefficient of friction under the ballast: that of the ground there, or else one that is
+    # assumed
+    friction: float
+    assumed: bool
+
+    @property
+    def ballast_mass(self) -> float:
+        """The mass of the ballast (kg)."""
+        return self.ballast.force / GRAVITY
+
+
+def find_anchors(report: Analysis) -> tuple[Anchor, ...]:
+    """What every support asks of the ground."""
+    if not report.balanced:
+        return ()
+    model = report.model
+    names = [report.name_of(case) for _, case in report.balanced]
+    forces = np.stack([found.support_forces for found, _ in report.balanced])
+    loads = np.array([np.abs(case.forces).sum() for _, case in report.balanced])
+    least = ROUNDING * loads[:, None]
+    up, aside = forces[..., 2], np.linalg.norm(forces[..., :2], axis=-1)
+    up, aside = (np.where(np.abs(each) > least, each, 0.0) for each in (up, aside))
+    ground = model.grounded
+    found = []
+    for number, at in enumerate(model.supported):
+        own = ground.get(at, 0.0)
+        friction = own or ASSUMED
+        rises, slides = up[:, number], aside[:, number]
+        ballast = np.maximum(np.maximum(-rises, slides / friction - rises), 0.0)
+        ballast = np.where(ballast > least[:, 0], ballast, 0.0)
+        kinds = (np.maximum(rises, 0.0), np.maximum(-rises, 0.0), slides, ballast)
+        push, pull, sideways, weight = (_worst(each, names) for each in kinds)
+        found.append(Anchor(at, push, pull, sideways, weight, friction, not own))
+    return tuple(found)
+
+
+def _worst(forces: np.ndarray, names: list[str]) -> Worst:
+    most = int(forces.argmax())
+    force = float(forces[most])
+    return Worst(force, names[most] if force else None)
+
+
+def anchors_in_words(anchors: tuple[Anchor, ...]) -> str:
+    """The worst pull, the worst sideways force, and the heaviest ballast: for one line."""
+    if not anchors:
+        return "not known: nothing is in equilibrium"
+    pull, aside, heavy = (
+        max(anchors, key=lambda each: getattr(each, name).force)
+        for name in ("pull", "sideways", "ballast")
+    )
+    words = ["no foot is pulled up"]
+    if pull.pull.force:
+        words = [f"pulled up by {plain(pull.pull.force)} N at most at {_at(pull)} "]
+        words[0] += f"({pull.pull.case})"
+    if aside.sideways.force:
+        words.append(
+            f"pushed aside by {plain(aside.sideways.force)} N at most at {_at(aside)} "
+            f"({aside.sideways.case})"
+        )
+    if heavy.ballast.force:
+        assumed = "assumed " if heavy.assumed else ""
+        words.append(
+            f"without pegs ballast of {plain(heavy.ballast_mass, 3)} kg at most a foot, with "
+            f"{assumed}friction of {heavy.friction:g}"
+        )
+    return "; ".join(words)
+
+
+def ground_warnings(report: Analysis) -> Iterator[str]:
+    """Which feet lift off the ground, which slip, and which supports have to hold down."""
+    lifted: dict[Vertex, list[str]] = {}
+    for found, case in report.balanced:
+        for foot in found.feet:
+            if foot.state == "lifted":
+                lifted.setdefault(foot.at, []).append(report.name_of(case))
+    if lifted:
+        cases = list(dict.fromkeys(name for names in lifted.values() for name in names))
+        yield (
+            f"{_number(len(lifted), 'foot lifts', 'feet lift')} off the ground "
+            f"({_several(map(_vertex, lifted))}), under {_several(cases)}: others bear their share"
+        )
+    held = set(report.model.supported) - set(report.model.grounded)
+    pulled = [each for each in report.anchors if each.pull.force and each.at in held]
+    if pulled:
+        most = max(pulled, key=lambda each: each.pull.force)
+        yield (
+            f"{_number(len(pulled), 'support is', 'supports are')} pulled up, by "
+            f"{plain(most.pull.force)} N at most at {_at(most)} under {most.pull.case}: anchors or "
+            "ballast must hold them down"
+        )
+
+
+def _several(names: Iterator[str] | list[str]) -> str:
+    every = list(names)
+    more = f" and {len(every) - NAMED} more" if len(every) > NAMED else ""
+    return ", ".join(every[:NAMED]) + more
+
+
+def _at(anchor: Anchor) -> str:
+    return _vertex(anchor.at)
+
+
+def _vertex(at: Vertex) -> str:
+    return str(list(at))
+
+
+def _number(count: int, one: str, more: str) -> str:
+    return f"{count} {one if count == 1 else more}"
