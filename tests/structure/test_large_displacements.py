@@ -19,7 +19,7 @@ from orishell.structure.mesh.rotations import exponentials, logarithms
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import DOFS, Facets
 from orishell.structure.solve.moving import Moving
-from orishell.structure.solve.path import Point, settle, trace
+from orishell.structure.solve.path import Point, trace
 
 
 def lattice(
@@ -47,9 +47,8 @@ def movable(
 
 
 def at_full_load(moving: Moving, loads: Array, first: float) -> Point:
-    points = trace(moving, loads, first=first, done=lambda points: points[-1].factor >= 1)
-    last = settle(moving, points[-1].moved, loads, 1.0)
-    assert last is not None
+    last = trace(moving, loads, first=first)[-1]
+    assert last.factor == 1
     assert last.negative == 0
     return last
 
@@ -205,9 +204,7 @@ def roof(thickness: float, cells: int) -> tuple[Array, Array, Array]:
     moving = movable(facets, Section.solid(3102.75, thickness, 0.3), held)
     loads = np.zeros(moving.count)
     loads[DOFS * nodes[0, 0] + 2] = -750.0
-    points = trace(
-        moving, loads, first=0.02, done=lambda points: points[-1].factor > 1, longest=0.1
-    )
+    points = trace(moving, loads, first=0.02, longest=0.1)
     sinks = [-float(each.moved.displacements[DOFS * nodes[0, 0] + 2]) for each in points]
     factors, unstable = (
         [getattr(each, name) for each in points] for name in ("factor", "negative")

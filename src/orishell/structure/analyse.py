@@ -20,6 +20,7 @@ from orishell.structure.loads import Load, case_loads, sum_forces, vector
 from orishell.structure.mesh.hinges import crease_moments
 from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.model import Model
+from orishell.structure.nonlinear import follow
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import Structure
 from orishell.structure.solve.active_set import Response, respond, stands
@@ -108,6 +109,8 @@ def _solve(model: Model) -> Sequence[_Solved]:
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
+            if asked.nonlinear:  # far too soft by linear theory is not so by itself
+                held = response.moves is None
             found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
     return found
 
@@ -135,8 +138,15 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         loads=solved.loads,
         forces=forces,
         motion=motion,
-        stands=_equilibrium(model, solved) if solved.stands else None,
+        stands=_stands(model, solved) if solved.stands else None,
     )
+
+
+def _stands(model: Model, solved: _Solved) -> Equilibrium:
+    linear = _equilibrium(model, solved)
+    if not model.structure.nonlinear:
+        return linear
+    return follow(model, linear, solved.forces, solved.response)
 
 
 def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:

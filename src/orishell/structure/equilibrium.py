@@ -15,6 +15,7 @@ from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
+from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
 from orishell.structure.model import Model
 
@@ -111,7 +112,7 @@ class Equilibrium:
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
-        "crease", "stress", "utilisation", "buckling", "frequencies",
+        "crease", "stress", "utilisation", "buckling", "frequencies", "path",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -141,6 +142,9 @@ class Equilibrium:
     # free motions, which have none
     frequencies: tuple[float, ...]
     modes: Array  # their modes (M, N, 3), the largest displacement is 1
+    # the way there, where large displacements are followed: then all but frequencies is of the
+    # shell as it is moved, at the end of the path
+    path: LoadPath | None = None
 
     @cached_property
     def displacement(self) -> Displacement:

@@ -20,6 +20,8 @@ A hinge turns by the part along the crease of log(R_1^T R_2), which is the same 
 
 from __future__ import annotations
 
+from typing import Self
+
 import numpy as np
 
 from orishell.conventions.record import record
@@ -55,11 +57,29 @@ class Change:
         """Forces f (T, k) that are expected after a step (T, k)."""
         if self.borne is None or self.slope is None:
             return None
-        return self.borne + np.einsum("tij,tj->ti", self.slope, step)
+        return np.asarray(self.borne + np.einsum("tij,tj->ti", self.slope, step))
+
+
+class Elastic:
+    """What keeps no memory of the way."""
+
+    __slots__ = ()
+
+    def settled(self, moved: Moved) -> Self:
+        """The same after a step that ends here."""
+        return self
+
+    def taken_over(self, moved: Moved) -> Self:
+        """The same, what gives though it should not taken over."""
+        return self
+
+    def missing(self, moved: Moved) -> float:
+        """Norm of the forces by which what should not give does: none."""
+        return 0.0
 
 
 @record
-class Corotational:
+class Corotational(Elastic):
     """Triangles that may be moved far."""
 
     corners: Array  # corners (T, 3, 3) as designed
@@ -227,7 +247,7 @@ def _turned(frame: Array, local: Array) -> Array:
 
 
 @record
-class Folds:
+class Folds(Elastic):
     """Springs about creases that may be turned far."""
 
     stiffness: Array  # moment by angle (m,)

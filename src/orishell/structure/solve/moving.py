@@ -16,7 +16,8 @@ Computer Methods in Applied Mechanics and Engineering 313 (2017). In balance bot
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from dataclasses import replace
+from typing import Any, Protocol, Self
 
 import numpy as np
 
@@ -25,6 +26,9 @@ from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.corotational import Change, Moved
 from orishell.structure.mesh.rotations import exponentials
 from orishell.structure.solve.sparsity import Sparsity
+
+SEED, SOFTENING = 0, 8
+"""Of the shape from which the softest motion is sought, in so many inverse iterations."""
 
 
 class Part(Protocol):
@@ -41,6 +45,15 @@ class Part(Protocol):
     def forces(self, moved: Moved) -> Array:
         """Forces (T, k) that move them."""
 
+    def settled(self, moved: Moved) -> Self:
+        """The same after a step that ends here."""
+
+    def taken_over(self, moved: Moved) -> Self:
+        """The same, what gives though it should not taken over."""
+
+    def missing(self, moved: Moved) -> float:
+        """Norm of the forces by which what should not give does."""
+
     def tangent(self, moved: Moved, expected: Array | None = None) -> Change:
         """These forces, and how they change, with the forces that are expected to turn."""
 
@@ -55,13 +68,31 @@ class Factors:
     _factors: Any
 
     def solve(self, loads: Array) -> Array:
-        """Steps (n, ...) by loads (n, ...)."""
+        """Steps (n, ...) by loads (n, ...); not numbers if the tangent is singular."""
+        if self._factors is None:
+            return np.full(loads.shape, np.nan)
         return np.asarray(self._factors.solve(loads))
+
+    def forces(self, step: Array) -> Array:
+        """Forces (n,) of a small step (n,)."""
+        structure, every = self.structure, self.structure.every(step)
+        total = np.zeros(structure.count)
+        for part, change in zip(structure.parts, self.changes, strict=True):
+            forces = np.einsum("tij,tj->ti", change.matrices, every[part.dofs])
+            total += np.bincount(part.dofs.ravel(), forces.ravel(), structure.count)
+        return np.asarray(total[structure.free])
+
+    def softest(self) -> Array:
+        """About the motion (n,) that takes the least force, the largest displacement 1."""
+        shape = np.random.default_rng(SEED).standard_normal(len(self.structure.free))
+        for _ in range(SOFTENING):
+            shape = self.solve(shape)
+            shape /= np.abs(shape[self.structure.straight]).max()
+        return shape
 
     def expected(self, step: Array) -> list[Array | None]:
         """Forces of all parts that are expected after a step (n,)."""
-        every = np.zeros(self.structure.count)
-        every[self.structure.free] = step
+        every = self.structure.every(step)
         both = zip(self.structure.parts, self.changes, strict=True)
         return [change.expected(every[part.dofs]) for part, change in both]
 
@@ -77,15 +108,27 @@ class Moving:
     lever: float  # moments over this length count like forces (length)
     count: int  # number of all dofs
     uncertain: float  # norm of what forces are uncertain by, where displacements are by a length
+    # stiffness that the tangent has beyond its own on displacements, so that motions which nothing
+    # resists and nothing drives have one (force per length): balance is without it
+    steady: float
     _sparsity: Sparsity
 
     @classmethod
-    def of(cls, parts: Sequence[Part], held: Integers, spins: Integers, lever: float) -> Moving:
+    def of(
+        cls,
+        parts: Sequence[Part],
+        held: Integers,
+        spins: Integers,
+        lever: float,
+        *,
+        steady: float = 0.0,
+    ) -> Moving:
         """A structure of parts.
 
         held: Dofs (H,) that are held.
         spins: Dofs (r, 3) of every rotation; all others are displacements.
         lever: Moments over this length count like forces.
+        steady: Stiffness that the tangent has beyond its own on displacements.
         """
         count = 1 + max(int(each.dofs.max(initial=0)) for each in parts)
         free = np.setdiff1d(np.arange(count), held)
@@ -97,19 +140,38 @@ class Moving:
             square += np.bincount(part.dofs.ravel(), part.rounding.ravel() ** 2, count)
         square[spins] /= lever**2
         uncertain = float(np.sqrt(square[free].sum()))
-        return cls(tuple(parts), free, spins, straight[free], lever, count, uncertain, sparsity)
+        return cls(
+            tuple(parts), free, spins, straight[free], lever, count, uncertain, steady, sparsity
+        )
 
     def start(self) -> Moved:
         """As designed."""
         return Moved(np.zeros(self.count), np.tile(np.eye(3), (len(self.spins), 1, 1)))
 
-    def after(self, moved: Moved, step: Array) -> Moved:
-        """After one more step of free dofs (n,)."""
+    def every(self, step: Array) -> Array:
+        """Steps of all dofs (D,) by those of free ones (n,)."""
         every = np.zeros(self.count)
         every[self.free] = step
+        return every
+
+    def after(self, moved: Moved, step: Array) -> Moved:
+        """After one more step of free dofs (n,)."""
+        every = self.every(step)
         turns = exponentials(every[self.spins])
         every[self.spins] = 0.0
         return Moved(moved.displacements + every, turns @ moved.rotations)
+
+    def settled(self, moved: Moved) -> Moving:
+        """The same after a step that ends here."""
+        return replace(self, parts=tuple(part.settled(moved) for part in self.parts))
+
+    def taken_over(self, moved: Moved) -> Moving:
+        """The same, what gives though it should not taken over."""
+        return replace(self, parts=tuple(part.taken_over(moved) for part in self.parts))
+
+    def missing(self, moved: Moved) -> float:
+        """Norm of the forces by which what should not give does."""
+        return float(np.linalg.norm([part.missing(moved) for part in self.parts]))
 
     def forces(self, moved: Moved) -> Array:
         """Forces (D,) of all parts."""
@@ -131,8 +193,9 @@ class Moving:
         total = np.zeros(self.count)
         for part, each in zip(self.parts, changes, strict=True):
             total += np.bincount(part.dofs.ravel(), each.forces.ravel(), self.count)
-        factors = _factorised(self._sparsity.matrix([each.matrices for each in changes]))
-        negative = int((factors.U.diagonal() < 0).sum())
+        matrix = self._sparsity.matrix([each.matrices for each in changes])
+        factors = _factorised(matrix, np.where(self.straight, self.steady, 0.0))
+        negative = 0 if factors is None else int((factors.U.diagonal() < 0).sum())
         return total, Factors(negative, self, changes, factors)
 
     def noise(self, moved: Moved) -> float:
@@ -145,9 +208,19 @@ class Moving:
         return float(np.linalg.norm(np.where(self.straight, forces, forces / self.lever)))
 
 
-def _factorised(matrix: Any) -> Any:
+def _factorised(matrix: Any, steady: Array) -> Any:
+    """The factors of a matrix with more on its diagonal (n,); None if it is singular."""
+    from scipy.sparse import diags_array
     from scipy.sparse.linalg import splu
 
-    return splu(
-        matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-    )
+    if steady.any():
+        matrix = (matrix + diags_array(steady)).tocsc()
+    try:
+        return splu(
+            matrix,
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+    except RuntimeError:  # "Factor is exactly singular"
+        return None

@@ -1,0 +1,227 @@
+"""Large displacements: what a case does to the shell as it is moved, step by step.
+
+Loads keep their directions and their sizes, those of wind and pressure, too: they are those on the
+shell as designed. Where the shell would move on by itself from a point of the path though the load
+goes on growing, the path has branched: it is followed again from before with a nudge along the
+softest motion, as small as an imperfection of :data:`IMPERFECT` of the thickness of panels, which is
+left out again under the full load.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from orishell.numerics.arrays import Array
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.load_path import Ending, LoadPath
+from orishell.structure.loads import vector
+from orishell.structure.mesh.corotational import Corotational, Folds
+from orishell.structure.mesh.hinges import crease_springs, moments_about, rigid_stiffness
+from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.model import Model
+from orishell.structure.solve.active_set import Response
+from orishell.structure.solve.contacts import Feet, Links
+from orishell.structure.solve.moving import Moving
+from orishell.structure.solve.path import Point, trace
+
+FIRST, LONGEST = 0.2, 0.5
+"""The factor of the loads that the first step is aimed at; steps are no longer than by this one."""
+MOST, PAST = 60, 3
+"""Points of a path at most, and those that are kept behind a limit."""
+IMPERFECT, BRANCHES = 0.01, 3
+"""The nudge by the thickness of panels, and how many branches are taken at most."""
+PENALTY, STEADY = 100.0, 1e-9
+"""What does not give has this stiffness by that of nodes, until it is taken over; motions that
+nothing drives have the other."""
+TOUCHING = 1e-6
+"""What bears in linear theory bears this share of it at the start."""
+
+
+def follow(model: Model, linear: Equilibrium, loads: Array, response: Response) -> Equilibrium:
+    """A case with large displacements.
+
+    linear: How it stands by linear theory.
+    loads: Forces (N, 3) on nodes.
+    response: What they do by linear theory.
+    """
+    moving = movable(model, linear.stiffness, response)
+    every = np.zeros(moving.count)
+    every[: loads.size] = loads.ravel()
+    path, ending = _path(moving, every, model.thickness)
+    last = max(path, key=lambda point: point.factor)
+    return _deformed(model, linear, last, loads, _told(model, linear, path, ending))
+
+
+def movable(model: Model, stiffness: float, response: Response) -> Moving:
+    """The model, with creases of a stiffness (force per radian), as it may be moved far.
+
+    response: What loads do by linear theory: who touches at the start.
+    """
+    mesh, points = model.mesh, model.mesh.facets.points
+    translations, lever = mesh.translations(), float(np.sqrt(mesh.facets.areas().mean()))
+    panels = Corotational.of(mesh.facets, model.section, mesh.dofs(), mesh.places)
+    parts: list[Corotational | Folds | Links | Feet] = [panels]
+    if stiffness:
+        least = min(stiffness, rigid_stiffness(mesh, model.section))
+        parts.append(Folds(*crease_springs(mesh, model.grid, least)))
+    diagonal = np.einsum("tii->ti", panels.stiffness).reshape(-1, 3, 6)[..., :3]
+    typical = float(diagonal.sum() / (3 * len(points)))
+    ties, flaps = model.nodes_of(model.site.ties), model.nodes_of(model.flaps)
+    pairs, ground = np.concatenate([ties, flaps]), model.supports.ground
+    bears = TOUCHING * np.maximum(response.forces, 0.0)
+    if len(pairs):
+        tie = np.arange(len(pairs)) < len(ties)
+        length = np.linalg.norm(points[pairs[:, 1]] - points[pairs[:, 0]], axis=1)
+        own = model.structure.tie_stiffness / length
+        hard = ~tie | ~np.isfinite(own)
+        parts.append(
+            Links(
+                points=points[pairs],
+                dofs=translations[pairs].reshape(-1, 6),
+                sign=np.where(tie, 1.0, -1.0),
+                stiffness=np.where(hard, PENALTY * typical, own),
+                hard=hard,
+                borne=bears[: len(pairs)],
+            )
+        )
+    if len(ground):
+        none = np.zeros((len(ground), 2))
+        pressed = bears[len(pairs) :][: len(ground)]
+        friction = model.supports.friction
+        own_dofs = translations[ground]
+        parts.append(Feet(own_dofs, PENALTY * typical, friction, pressed, none, none))
+    loose = len(pairs) or len(ground) or not stiffness or response.motions.shape[1]
+    return Moving.of(
+        parts,
+        model.supports.dofs(mesh),
+        mesh.rotations().reshape(-1, 3),
+        lever,
+        steady=STEADY * typical if loose else 0.0,
+    )
+
+
+def _path(moving: Moving, loads: Array, thickness: float) -> tuple[list[Point], Ending]:
+    """The path, and how it ends."""
+    path = trace(moving, loads, first=FIRST, longest=LONGEST, done=_enough)
+    nudge = np.zeros(moving.count)
+    for _ in range(BRANCHES):
+        branch = _branch(path)
+        if branch is None:
+            break
+        nudge += _nudge(moving, path, branch, thickness)
+        start = path[branch - 1]
+        step = min(FIRST, 0.5 * (path[branch].factor - start.factor))
+        path = path[: branch - 1] + trace(
+            moving, loads, first=step, start=start, nudge=nudge, longest=LONGEST, done=_enough
+        )
+    branch, top = _branch(path), max(point.factor for point in path)
+    if branch is not None:
+        return path[:branch], "branches"
+    if path[-1].factor == 1:
+        return path, "carries"
+    return path, "snaps" if path[-1].factor < top else "lost"
+
+
+def _enough(points: Sequence[Point]) -> bool:
+    """Whether the load has fallen for some points, the path has branched, or it is too long."""
+    factors = [point.factor for point in points]
+    fallen = len(factors) - 1 - int(np.argmax(factors))
+    return fallen >= PAST or len(points) >= MOST or _branch(points) is not None
+
+
+def _branch(points: Sequence[Point]) -> int | None:
+    """The first point with a motion that goes on by itself, where the load grows on beyond it."""
+    for number, (one, other) in enumerate(pairwise(points)):
+        if number and one.negative and other.negative and other.factor > one.factor:
+            return number
+    if len(points) > 1 and points[-1].negative and points[-1].factor == 1:
+        return len(points) - 1
+    return None
+
+
+def _nudge(moving: Moving, path: Sequence[Point], branch: int, thickness: float) -> Array:
+    """Loads (D,) like an imperfection of the softest motion at a branch of the path."""
+    here, before = path[branch], path[branch - 1]
+    shape = here.moving.tangent(here.moved)[1].softest()
+    _, first = moving.tangent(moving.start())
+    way = (here.moved.displacements - before.moved.displacements)[moving.free]
+    along = float(way @ np.where(moving.straight, shape, 0.0))
+    if along < 0:
+        shape = -shape
+    return moving.every(IMPERFECT * thickness / here.factor * first.forces(shape))
+
+
+def _told(model: Model, linear: Equilibrium, path: Sequence[Point], ending: Ending) -> LoadPath:
+    size = 3 * len(model.mesh.facets.points)
+    moved = [point.moved.displacements[:size].reshape(-1, 3) for point in path]
+    return LoadPath(
+        ending=ending,
+        reached=max(point.factor for point in path),
+        factors=tuple(point.factor for point in path),
+        displacements=tuple(float(np.linalg.norm(each, axis=1).max()) for each in moved),
+        linear_displacement=linear.displacement.size,
+        linear_buckling=linear.buckling,
+    )
+
+
+def _deformed(
+    model: Model, linear: Equilibrium, point: Point, loads: Array, path: LoadPath
+) -> Equilibrium:
+    """What there is in the shell at a point of its path."""
+    mesh, moved, moving = model.mesh, point.moved, point.moving
+    panels, *others = moving.parts
+    assert isinstance(panels, Corotational)
+    shape = moved.displacements[mesh.translations()]
+    places = mesh.facets.points + shape
+    strained = panels.seen(moved)[2].reshape(-1, 6, 3)
+    in_place = np.einsum("tji,tkj->tki", panels.axes, strained).reshape(-1, 18)
+    stresses = facet_stresses(mesh.facets, model.section, in_place)
+    at_nodes, reaction, residual = _reactions(model, point, loads, places)
+    borne, used = np.zeros(len(model.site.ties) + len(model.flaps)), None
+    for part in others:
+        if isinstance(part, Links):
+            borne = part.bears(moved)
+        if isinstance(part, Feet):
+            used = part.used(moved)
+    ties = len(model.site.ties)
+    return replace(
+        linear,
+        displacements=shape,
+        support_forces=at_nodes[model.supports.vertices()],
+        reaction=vector(reaction),
+        residual=residual,
+        friction=used,
+        tie_forces=borne[:ties],
+        flap_forces=borne[ties:],
+        crease_moments=moments_about(mesh, model.grid, panels.forces(moved), places),
+        stresses=stresses.von_mises(),
+        principal=stresses.principal(),
+        buckling=None if path.carries else path.reached,
+        path=path,
+    )
+
+
+def _reactions(
+    model: Model, point: Point, loads: Array, places: Array
+) -> tuple[Array, Array, float]:
+    """Forces (N, 3) of supports, their sum, and the share of the loads that they miss."""
+    mesh, moved = model.mesh, point.moved
+    taken = point.moving.forces(moved)
+    taken[: loads.size] -= point.factor * loads.ravel()
+    supported = model.supports.dofs(mesh)
+    bearing = np.zeros(mesh.count)
+    bearing[supported] = taken[supported]
+    at_nodes = bearing[mesh.translations()]
+    for part in point.moving.parts:
+        if isinstance(part, Feet):
+            at_nodes[model.supports.ground] += part.pushes(moved)
+    turning = bearing[mesh.rotations().reshape(-1, 3)].sum(axis=0)
+    both = point.factor * loads + at_nodes
+    moment = np.cross(places - places.mean(axis=0), both).sum(axis=0) + turning
+    worst = max(float(np.linalg.norm(both.sum(axis=0))), float(np.linalg.norm(moment)) / model.size)
+    scale = point.factor * float(np.linalg.norm(loads, axis=1).sum())
+    return at_nodes, at_nodes.sum(axis=0), worst / scale if scale else 0.0
