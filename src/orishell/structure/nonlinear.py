@@ -3,7 +3,7 @@
 Loads keep their directions and their sizes, those of wind and pressure, too: they are those on the
 shell as designed. Where the shell would move on by itself from a point of the path though the load
 goes on growing, the path has branched: it is followed again from before with a nudge along the
-softest motion, as small as an imperfection of :data:`IMPERFECT` of the thickness of panels, which is
+softest motion, as small as an imperfection of :data:`IMPERFECT` of the thickness of panels; it is
 left out again under the full load.
 """
 
@@ -21,6 +21,7 @@ from orishell.structure.load_path import Ending, LoadPath
 from orishell.structure.loads import vector
 from orishell.structure.mesh.corotational import Corotational, Folds
 from orishell.structure.mesh.hinges import crease_springs, moments_about, rigid_stiffness
+from orishell.structure.mesh.rotations import logarithms
 from orishell.structure.mesh.stresses import facet_stresses
 from orishell.structure.model import Model
 from orishell.structure.solve.active_set import Response
@@ -53,7 +54,20 @@ def follow(model: Model, linear: Equilibrium, loads: Array, response: Response) 
     every[: loads.size] = loads.ravel()
     path, ending = _path(moving, every, model.thickness)
     last = max(path, key=lambda point: point.factor)
-    return _deformed(model, linear, last, loads, _told(model, linear, path, ending))
+    still = _still(last, response.motions)
+    return _deformed(model, linear, last, loads, _told(model, linear, path, ending), still)
+
+
+def _still(point: Point, motions: Array) -> Array:
+    """Displacements (D,) at a point, less those along motions (n, k) that nothing resists.
+
+    Linear theory leaves them out in the same way.
+    """
+    moving, moved = point.moving, point.moved
+    every = moved.displacements.copy()
+    every[moving.spins] = logarithms(moved.rotations)
+    every[moving.free] -= motions @ (motions.T @ every[moving.free])
+    return every
 
 
 def movable(model: Model, stiffness: float, response: Response) -> Moving:
@@ -169,14 +183,13 @@ def _told(model: Model, linear: Equilibrium, path: Sequence[Point], ending: Endi
 
 
 def _deformed(
-    model: Model, linear: Equilibrium, point: Point, loads: Array, path: LoadPath
+    model: Model, linear: Equilibrium, point: Point, loads: Array, path: LoadPath, still: Array
 ) -> Equilibrium:
-    """What there is in the shell at a point of its path."""
+    """What there is in the shell at a point of its path, displaced (D,) as is told."""
     mesh, moved, moving = model.mesh, point.moved, point.moving
     panels, *others = moving.parts
     assert isinstance(panels, Corotational)
-    shape = moved.displacements[mesh.translations()]
-    places = mesh.facets.points + shape
+    places = mesh.facets.points + moved.displacements[mesh.translations()]
     strained = panels.seen(moved)[2].reshape(-1, 6, 3)
     in_place = np.einsum("tji,tkj->tki", panels.axes, strained).reshape(-1, 18)
     stresses = facet_stresses(mesh.facets, model.section, in_place)
@@ -190,7 +203,7 @@ def _deformed(
     ties = len(model.site.ties)
     return replace(
         linear,
-        displacements=shape,
+        displacements=still[mesh.translations()],
         support_forces=at_nodes[model.supports.vertices()],
         reaction=vector(reaction),
         residual=residual,
