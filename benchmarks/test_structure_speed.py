@@ -14,7 +14,8 @@ from orishell.design_file import read_design_file
 from orishell.shell.analyse import analyse_structure
 from orishell.shell.make import Shell, make_shell
 from orishell.shell.steps import MEASURES
-from orishell.structure.settings import NO_CODE, LoadCase, Snow, Structure, Support, Wind
+from orishell.structure.load_settings import NO_CODE, LoadCase, Snow, Wind
+from orishell.structure.settings import Structure, Support
 
 SHELTER = Path(__file__).parents[1] / "examples" / "shelter.toml"
 CASES = (

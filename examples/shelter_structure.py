@@ -145,7 +145,10 @@ def judge(shell: Shell, analysis: Analysis) -> Verdict:
     assert shell.file.structure is not None
     strength = shell.file.structure.strength
     assert strength is not None
-    mass, found = analysis.model.mass, [case.stands for case in analysis.cases if case.stands]
+    mass, found = (
+        analysis.model.mass,
+        [case.equilibrium for case in analysis.cases if case.equilibrium],
+    )
     if len(found) < len(analysis.cases):
         return Verdict(mass, inf, 0.0, inf)
     moved = max(each.displacement.share for each in found)

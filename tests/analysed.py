@@ -12,12 +12,13 @@ from orishell.deployment import Site
 from orishell.deployment.feet import Feet
 from orishell.motion.grid import Grid
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult, FreeMotion
-from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
+from orishell.structure.settings import Structure, Support
 
 SPAN, LENGTH, RISE, THICKNESS = 4.0, 3.0, 2.0, 0.01
 STRUCTURE = Structure(
@@ -128,7 +129,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
 
     opens = FreeMotion(displacements / 0.15, folding=True, opens=True)
     cases = (
-        replace(case("both", 0.0), motion=opens, stands=None),
+        replace(case("both", 0.0), motion=opens, equilibrium=None),
         case("wind", 0.0),
         case("both", np.inf),
         case("wind", np.inf),

@@ -64,9 +64,11 @@ def loaded_document(family: str = "parallel-repeating", cells: int = 1) -> Docum
         ties=corners[[[0, 1], [2, 3]]],
         tie_stiffness=np.inf,
         cases=(
-            LoadedCase("snow, free creases", False, down, up, np.full(len(triangles), np.nan)),
-            LoadedCase("wind", True, up, 0.001 * up, stress),
-            LoadedCase("snow, rigid creases", True, down, 0.002 * down, 2 * stress),
+            LoadedCase(
+                "snow, free creases", "fails", False, down, up, np.full(len(triangles), np.nan)
+            ),
+            LoadedCase("wind", "holds", True, up, 0.001 * up, stress),
+            LoadedCase("snow, rigid creases", "warns", True, down, 0.002 * down, 2 * stress),
         ),
     )
     return replace(document, loaded=shell)

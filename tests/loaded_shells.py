@@ -58,4 +58,6 @@ def loaded_document(family: str = "orthodiagonal", cells: int = 2) -> Document:
 def _case(name: str, stands: bool, displacements: Array, triangles: Integers) -> LoadedCase:
     amounts = np.linalg.norm(displacements, axis=-1)[triangles].mean(axis=1)
     stresses = 1e6 * amounts if stands else np.full(len(triangles), np.nan)
-    return LoadedCase(name, stands, 2.0 * displacements, displacements, stresses)
+    return LoadedCase(
+        name, "holds" if stands else "fails", stands, 2.0 * displacements, displacements, stresses
+    )

@@ -340,11 +340,11 @@ def test_plywood_stands_with_creases_of_some_stiffness_and_on_the_ground() -> No
     ground = module["on_the_ground"](plywood, 0.0).cases
     assert [case.name for case in ground if case.motion] == ["storm across", "storm along"]
     (snow,) = (case for case in ground if not case.motion)
-    pulls = snow.stands.tie_forces
+    pulls = snow.equilibrium.tie_forces
     assert pulls.max() == pytest.approx(1738, abs=1)
     assert pulls.argmax() in {0, len(pulls) - 1}  # at a gable
     (rough,) = (case for case in module["on_the_ground"](plywood, 0.3).cases if not case.motion)
-    assert rough.stands.friction == pytest.approx(3.08, abs=0.01)
+    assert rough.equilibrium.friction == pytest.approx(3.08, abs=0.01)
 
 
 def test_loads_of_the_shelter_by_hand() -> None:
@@ -381,8 +381,8 @@ def test_loads_of_the_shelter_by_hand() -> None:
     for name, load in expected.items():
         case = by_name[name]
         assert case.load == pytest.approx(load, rel=1e-6, abs=1e-3)
-        assert case.stands.reaction == pytest.approx(-load, rel=1e-6, abs=1e-3)
-        assert case.stands.residual < 1e-9
+        assert case.equilibrium.reaction == pytest.approx(-load, rel=1e-6, abs=1e-3)
+        assert case.equilibrium.residual < 1e-9
     # Panels and flaps, 10.2 kg per square metre; wind alone lifts more than that weighs.
     assert found.model.mass > 10.2 * size.sum()
     assert wind(0, 1)[2] > -weight[2]

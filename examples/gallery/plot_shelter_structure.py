@@ -118,6 +118,6 @@ print("\n".join(summarize_structure(report, "m", [])))
 # so they slip until ties carry nearly as much.
 
 for case in on_the_ground(plywood, 0.0).cases:
-    found = case.stands
+    found = case.equilibrium
     answer = f"stands, ties bear {found.tie_forces.max():.0f} N" if found else "is carried off"
     print(f"{case.name}: {answer}")

@@ -6,7 +6,7 @@ import type { Loaded } from "../src/shared/view.ts";
 /** Two unit squares side by side, of two triangles each. */
 const points = Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0]);
 const loaded: Loaded = {
-  cases: [{ name: "snow", stands: true }, { name: "own weight", stands: false }],
+  cases: [{ name: "snow", sign: "holds", balanced: true }, { name: "own weight", sign: "fails", balanced: false }],
   points,
   triangles: Uint32Array.from([0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4]),
   panels: Uint32Array.from([0, 0, 1, 1]),
@@ -51,6 +51,6 @@ test("colours are shares of the most, at corners or for whole triangles", () => 
   expect(stresses.most).toBe(4);
   expect([...stresses.shares]).toEqual([1, 1, 1, 2, 2, 2, 4, 4, 4, 3, 3, 3].map((each) => each / 4));
   const moves = deflectionOf(loaded, 1);
-  expect(moves.stands).toBe(false);
+  expect(moves.balanced).toBe(false);
   expect(amountsOf(loaded, moves, "stress").shares.every(Number.isNaN)).toBe(true);
 });

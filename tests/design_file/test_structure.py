@@ -10,16 +10,8 @@ import pytest
 
 from command_line import orishell
 from orishell.design_file import read_design_file, starter_file
-from orishell.structure.settings import (
-    LoadCase,
-    PointLoad,
-    Snow,
-    Structure,
-    StructureTable,
-    Support,
-    Wind,
-    Zone,
-)
+from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind, Zone
+from orishell.structure.settings import Structure, StructureTable, Support
 
 DESIGN = """
 [shell]

@@ -33,10 +33,11 @@ from orishell.structure.equilibrium import (
     Stress,
     Utilisation,
 )
+from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult, Governing
-from orishell.structure.settings import LoadCase, Snow, StructureTable, Support, Wind
+from orishell.structure.settings import StructureTable, Support
 from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]

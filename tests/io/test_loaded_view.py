@@ -37,7 +37,9 @@ def test_the_view_has_the_mesh_and_all_cases_in_single_precision() -> None:
         ).reshape(place["shape"])
         for name, place in header["arrays"].items()
     }
-    assert header["cases"] == [{"name": each.name, "stands": each.stands} for each in loaded.cases]
+    assert header["cases"] == [
+        {"name": each.name, "sign": each.sign, "balanced": each.balanced} for each in loaded.cases
+    ]
     np.testing.assert_array_equal(arrays["loaded_triangles"], loaded.triangles)
     np.testing.assert_array_equal(arrays["loaded_panels"], loaded.panels)
     np.testing.assert_array_equal(arrays["loaded_ties"], loaded.ties)

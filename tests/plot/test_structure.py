@@ -31,7 +31,7 @@ def picture(path: Path, *, taut: bool = True, cases: int = 3, still: bool = Fals
     if still:
         rest = replace(loaded.cases[0], displacements=0 * loaded.points)
         drawn = [DrawnCase(rest, np.array([taut]), "")]
-    plot_structure(path, loaded, drawn, title="Title", unit="m")
+    plot_structure(path, loaded, drawn, title="Title", sign="fails", unit="m")
     return np.asarray(Image.open(path).convert("RGB")).astype(int)
 
 

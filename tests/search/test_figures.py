@@ -60,7 +60,9 @@ def test_figures_with_a_name_are_those_of_the_report(report: Report) -> None:
     assert report.deviation is not None
     assert report.deviation.surface is not None
     height = max(packed.height, packed.layers * 0.01)  # panels of 10 mm
-    standing = [(case.name, case.stands) for case in structure.cases if case.stands is not None]
+    standing = [
+        (case.name, case.equilibrium) for case in structure.cases if case.equilibrium is not None
+    ]
     moved = [(name, stands.displacement.size) for name, stands in standing]
     expected = {
         "panels": report.quantities.panels,

@@ -15,7 +15,8 @@ from orishell.locking import find_lock
 from orishell.motion import diagonal
 from orishell.shell import make_shell
 from orishell.shell.steps import MEASURES, STEPS, Step
-from orishell.structure.settings import LoadCase, Structure, Support
+from orishell.structure.load_settings import LoadCase
+from orishell.structure.settings import Structure, Support
 from orishell.workshop import Workshop
 from planted import clear
 

@@ -60,15 +60,15 @@ def winter() -> Analysis:
 
 def test_reactions_balance_loads(winter: Analysis) -> None:
     for found in winter.cases:
-        assert found.stands is not None
+        assert found.equilibrium is not None
         np.testing.assert_allclose(
-            np.array(found.load) + found.stands.reaction,
+            np.array(found.load) + found.equilibrium.reaction,
             0.0,
             atol=1e-9 * float(np.linalg.norm(found.load)),
         )
-        assert found.stands.residual < 1e-9
-        total = np.sum([each.force for each in found.stands.reactions], axis=0)
-        np.testing.assert_allclose(total, found.stands.reaction, rtol=1e-12, atol=1e-9)
+        assert found.equilibrium.residual < 1e-9
+        total = np.sum([each.force for each in found.equilibrium.reactions], axis=0)
+        np.testing.assert_allclose(total, found.equilibrium.reaction, rtol=1e-12, atol=1e-9)
 
 
 def test_own_weight_is_that_of_all_panels(winter: Analysis) -> None:
@@ -79,9 +79,9 @@ def test_own_weight_is_that_of_all_panels(winter: Analysis) -> None:
 def test_stiffer_creases_give_less(winter: Analysis) -> None:
     free, rigid = winter.cases
     assert (free.creases, rigid.creases) == ("free", "rigid")
-    assert free.stands is not None
-    assert rigid.stands is not None
-    assert rigid.stands.displacement.size < free.stands.displacement.size
+    assert free.equilibrium is not None
+    assert rigid.equilibrium is not None
+    assert rigid.equilibrium.displacement.size < free.equilibrium.displacement.size
 
 
 @pytest.mark.parametrize("creases", ["free", "rigid"])
@@ -91,9 +91,8 @@ def test_wind_along_the_ground_drives_a_shell_on_sliding_feet(creases: str, flap
     design = arch("sliding", pattern={"flap": flap}, load_case=case(wind=STORM))
     design["structure"]["crease_stiffness"] = creases
     (found,) = analysed(design).cases
-    assert found.stands is None
-    assert found.moves is not None
-    assert found.moves.startswith("slides or tips as a whole")
+    assert found.equilibrium is None
+    assert found.in_words().startswith("slides or tips as a whole")
 
 
 @pytest.mark.parametrize(
@@ -102,7 +101,9 @@ def test_wind_along_the_ground_drives_a_shell_on_sliding_feet(creases: str, flap
     [("pinned", {"self_weight": True, "wind": STORM}), ("sliding", {"self_weight": True})],
 )
 def test_flaps_that_part_hold_nothing(supports: str, loads: dict[str, Any]) -> None:
-    standing = [each.stands for each in analysed(arch(supports, load_case=case(**loads))).cases]
+    standing = [
+        each.equilibrium for each in analysed(arch(supports, load_case=case(**loads))).cases
+    ]
     assert any(standing)
     for found in filter(None, standing):
         pressing = [each.force for each in found.flaps if each.force]

@@ -24,9 +24,9 @@ def test_nothing_is_displaced_nor_buckles(tmp_path: Path) -> None:
     assert shell.analysis is not None
     assert shell.report.structure is not None
     (case,) = shell.report.structure.cases
-    assert case.stands is not None
+    assert case.equilibrium is not None
     assert case.load == (0, 0, 0)
-    assert case.stands.displacement.size == 0
-    assert case.stands.buckling is None
+    assert case.equilibrium.displacement.size == 0
+    assert case.equilibrium.buckling is None
     write_structure_files(tmp_path, shell.document, shell.analysis)
     assert "by linear theory it does not" in (tmp_path / "structure.html").read_text("utf-8")

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from orishell.conventions.row import ORDER, Sign
 from orishell.design_file import read_design_file
 from orishell.shell import make_shell
 from orishell.shell.make import Shell
 from orishell.shell.report import Report
-from orishell.shell.row import Sign
-from orishell.shell.verdict import ORDER, find_verdict
+from orishell.shell.verdict import find_verdict
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -43,6 +43,7 @@ def test_the_worst_comes_first_and_the_report_has_it() -> None:
         "sign": "warns",
         "subject": "held",
         "finding": "at 180 degrees: its flaps stop it closing; only its supports stop it opening",
+        "remedy": "",
     }
 
 
@@ -76,11 +77,11 @@ def test_a_shell_carries_what_it_bears_without_sinking(
     """Of a shell that was analysed, with another utilisation and another displacement."""
     report = shell("shelter_structure").report
     assert report.structure is not None
-    standing = next(case for case in report.structure.cases if case.stands is not None)
-    assert standing.stands is not None
-    found, model = standing.stands, report.structure.model
+    standing = next(case for case in report.structure.cases if case.equilibrium is not None)
+    assert standing.equilibrium is not None
+    found, model = standing.equilibrium, report.structure.model
     asked = model.structure.having(
-        strength=found.stress.size / used, crease_strength=None, tie_strength=None
+        strength=found.stress.size / used, crease_strength=1e9, tie_strength=1e9
     )
     stands = replace(
         found,
@@ -89,7 +90,7 @@ def test_a_shell_carries_what_it_bears_without_sinking(
         buckling=None,
         friction=None,
     )
-    structure = replace(report.structure, cases=(replace(standing, stands=stands),))
+    structure = replace(report.structure, cases=(replace(standing, equilibrium=stands),))
     assert rows(replace(report, structure=structure))["carries"][0] == sign
 
 

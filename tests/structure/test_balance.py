@@ -14,8 +14,9 @@ from orishell.deployment.feet import find_feet
 from orishell.design import Design
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
+from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.results import Analysis
-from orishell.structure.settings import LoadCase, PointLoad, Snow, Structure, Support, Wind
+from orishell.structure.settings import Structure, Support
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SMOOTH = Support(at="feet", kind="pinned").having(kind="friction")
@@ -85,16 +86,16 @@ def test_reactions_balance_loads(
     structure = STRUCTURE.having(supports=(support,), crease_stiffness=stiffness)
     found = analysed(structure, shell, tied=tied)
     for case in found.cases:
-        if case.stands is not None:
-            assert case.stands.residual < 1e-12, case.name
+        if case.equilibrium is not None:
+            assert case.equilibrium.residual < 1e-12, case.name
             np.testing.assert_allclose(
-                case.stands.reaction,
+                case.equilibrium.reaction,
                 -case.forces.sum(axis=0),
                 atol=1e-12 * np.abs(case.forces).sum(),
             )
             least = -1e-7 * np.abs(case.forces).sum()
-            assert (case.stands.tie_forces >= least).all()
-            assert (case.stands.flap_forces >= least).all()
+            assert (case.equilibrium.tie_forces >= least).all()
+            assert (case.equilibrium.flap_forces >= least).all()
         elif support.kind in ("pinned", "fixed"):
             pytest.fail(f"{case.name} moves on feet that are held")
         else:
@@ -111,7 +112,7 @@ def test_wind_pushes_aside_what_nothing_holds() -> None:
 
 def test_a_case_without_loads_is_one() -> None:
     found = analysed(STRUCTURE.having(cases=(NOTHING, LoadCase(name="dead", self_weight=True))))
-    nothing = found.cases[0].stands
+    nothing = found.cases[0].equilibrium
     assert nothing is not None
     assert nothing.buckling is None
     assert np.abs(nothing.displacements).max() == 0
@@ -123,10 +124,10 @@ def test_linear_cases_superpose() -> None:
     parts = STRUCTURE.having(crease_stiffness=(np.inf, np.inf))
     whole = parts.having(cases=(*CASES, both))
     a, b = analysed(parts), analysed(whole)
-    assert all(len(stands.flap_forces) == len(a.model.flaps) for stands, _ in a.standing)
-    if all((stands.flap_forces == 0).all() for stands, _ in (*a.standing, *b.standing)):
-        named = {case.name: stands.displacements for stands, case in a.standing}
-        found = {case.name: stands.displacements for stands, case in b.standing}["both"]
+    assert all(len(stands.flap_forces) == len(a.model.flaps) for stands, _ in a.balanced)
+    if all((stands.flap_forces == 0).all() for stands, _ in (*a.balanced, *b.balanced)):
+        named = {case.name: stands.displacements for stands, case in a.balanced}
+        found = {case.name: stands.displacements for stands, case in b.balanced}["both"]
         np.testing.assert_allclose(
             found, 2 * named["dead"] - 3 * named["wind"], atol=1e-9 * np.abs(found).max()
         )
@@ -152,8 +153,8 @@ def test_a_symmetric_shell_is_displaced_symmetrically(support: Support) -> None:
     away, other = cKDTree(points).query(np.asarray(middle + (points - middle) * mirror))
     unlike = np.max(away) / np.ptp(points)
     assert unlike < 1e-14  # 2e-15 seen
-    assert len(found.standing) == len(found.cases)
-    for stands, case in found.standing:
+    assert len(found.balanced) == len(found.cases)
+    for stands, case in found.balanced:
         moved = stands.displacements
         difference = np.abs(moved[other] - moved * mirror).max()
         # What a matrix whose entries differ by so much may do: its stiffest node, where some six
@@ -176,7 +177,7 @@ def test_forces_of_a_shell_without_conditions_are_superposed() -> None:
         structure = STRUCTURE.having(cases=cases, crease_stiffness=(20.0, 20.0))
         site = Site("m", feet, (), 1.9)
         found = analyse(pattern.design(file.f, file.g), structure, site)
-        return np.stack([stands.displacements for stands, _ in found.standing])
+        return np.stack([stands.displacements for stands, _ in found.balanced])
 
     dead, wind = CASES[0], CASES[2]
     alone = moved(dead, wind)

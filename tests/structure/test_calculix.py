@@ -50,8 +50,8 @@ def rigid_shell(
     shell = design_shell(file, clash="unexamined")
     assert shell.analysis is not None
     (case,) = shell.analysis.cases
-    assert case.stands is not None
-    return shell, case.stands
+    assert case.equilibrium is not None
+    return shell, case.equilibrium
 
 
 def asked_of_calculix(shell: Shell, path: Path, *, static: bool = False) -> Answers:

@@ -11,7 +11,8 @@ from orishell.deployment import Site
 from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
-from orishell.structure.settings import LoadCase, Structure, Support
+from orishell.structure.load_settings import LoadCase
+from orishell.structure.settings import Structure, Support
 from samples import thorough
 
 CASES = (LoadCase(name="own weight", self_weight=True),)
@@ -32,8 +33,8 @@ def largest(cells: int, refine: float = 0.0) -> tuple[float, float, int]:
     asked = STRUCTURE.having(cells=cells, refine=refine)
     found = analyse(design, asked, Site("m", feet, (), 6.0))
     (case,) = found.cases
-    assert case.stands is not None
-    size = float(np.linalg.norm(case.stands.displacements, axis=1).max())
+    assert case.equilibrium is not None
+    size = float(np.linalg.norm(case.equilibrium.displacements, axis=1).max())
     return size, found.model.change, found.model.triangles
 
 

@@ -11,9 +11,9 @@ import pytest
 from orishell.conventions.errors import InputError
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array
+from orishell.structure.load_settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone
 from orishell.structure.loads import Exposure, case_loads, gusts, peak_pressure, sum_forces
 from orishell.structure.mesh.sheet import mesh_sheet
-from orishell.structure.settings import NO_CODE, LoadCase, PointLoad, Snow, Terrain, Wind, Zone
 
 SLOPE = np.deg2rad(40)
 SPAN, LENGTH = 4.0, 3.0

@@ -19,10 +19,11 @@ from orishell.deployment import Site, feet_ties, measure_weight
 from orishell.deployment.feet import find_feet
 from orishell.design_file import check_design
 from orishell.numerics.arrays import Array
+from orishell.structure.load_settings import LoadCase
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
-from orishell.structure.settings import LoadCase, Structure, Support
+from orishell.structure.settings import Structure, Support
 from orishell.structure.solve.active_set import respond
 
 MASS = 2.0

@@ -68,7 +68,7 @@ def test_a_case_is_chosen_and_stays_while_the_shell_changes(page: Page) -> None:
     assert page.evaluate("window.__orishell.fold") == 1
     assert (np.abs(before - pixels(page, "canvas")).max(axis=2) > 0.1).mean() > 0.02
     keep_picture(page, "studio-loads")
-    report = "window.__orishell.report.structure.cases[1].stands.displacement.size"
+    report = "window.__orishell.report.structure.cases[1].equilibrium.displacement.size"
     most = page.evaluate(f"{SHOWN}.most")
     assert most == pytest.approx(page.evaluate(report), rel=1e-5)
     page.keyboard.press("Space")  # plays the motion, but not of a loaded shell

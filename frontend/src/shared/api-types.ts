@@ -10,13 +10,15 @@ export interface Advance {
 
 /** The shell as a structure. */
 export interface Analysis {
+  /** Whether it carries all cases; None if the strength of something is not known. */
+  carries: boolean | null;
   /** What is analysed. */
   model: Model;
   /** All load cases, those with the least stiffness of creases first. */
   cases: CaseResult[];
   /** What is nearest to the end of what it bears; None if that of nothing is known. */
   governs: Governing | null;
-  /** Sentences an engineer should read. */
+  /** Sentences an engineer should read, beside what speaks against single cases. */
   warnings: string[];
   /** What the analysis says nothing of. */
   not_covered: string[];
@@ -79,14 +81,16 @@ export interface CaseResult {
   name: string;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
+  /** Whether the shell carries these loads; None if the strength of something is not known. */
+  carries: boolean | null;
+  /** What speaks against it, the worst first. */
+  findings: Finding[];
   /** What loads it, kind by kind. */
   loads: Load[];
   /** Sum of all loads. */
   load: [number, number, number];
-  /** How it moves, where nothing resists; None if it stands. */
-  moves: string | null;
-  /** How it stands; None if it does not. */
-  stands: Equilibrium | null;
+  /** What holds it; None if it moves. */
+  equilibrium: Equilibrium | null;
 }
 
 /** The design with the fewest panels, and the others that were looked at. */
@@ -270,7 +274,7 @@ export interface DroppedCurve {
   note: string;
 }
 
-/** A shell that stands under its loads. */
+/** A shell in equilibrium with its loads. */
 export interface Equilibrium {
   /** Sum of all reactions. */
   reaction: [number, number, number];
@@ -353,6 +357,18 @@ export interface FileFormat {
   name: string;
   file: string;
   what: string;
+}
+
+/** What speaks against a case, or is in doubt. */
+export interface Finding {
+  /** Whether it fails, or wants attention. */
+  sign: "fails" | "warns" | "holds" | "says";
+  /** How. */
+  kind: "moves" | "gives way" | "exceeds strength" | "buckles" | "displaced" | "unknown";
+  /** By how much: what follows on "the shell". */
+  text: string;
+  /** How many times too much it is; None where nothing resists, or that is not known. */
+  excess: number | null;
 }
 
 /** Two panels that touch. */
@@ -552,10 +568,11 @@ export interface Model {
   supports: Support[];
 }
 
-/** A load case: its name, and whether it is in balance; else the shell moves as it is shown. */
+/** A load case: its name, whether the shell fails under it, and whether it is in balance. */
 export interface NamedCase {
   name: string;
-  stands: boolean;
+  sign: "fails" | "warns" | "holds" | "says";
+  balanced: boolean;
 }
 
 /** The design file that the studio was started with. */
@@ -868,6 +885,8 @@ export interface Row {
   subject: string;
   /** What was found, in a line. */
   finding: string;
+  /** What mends it, which has been tried; empty if nothing was found that does. */
+  remedy: string;
 }
 
 /** The last line of the answer: the search has come to its end. */

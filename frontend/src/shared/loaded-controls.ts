@@ -1,5 +1,6 @@
 // The choice of a load case, of what colours mean, and of how large displacements are drawn.
 
+import { SIGNS } from "./verdict.ts";
 import { threeDigits } from "./colours.ts";
 import { deflectionOf, scalesOf, type Deflection, type Measure } from "./loaded.ts";
 import type { Shell3D } from "./shell3d.ts";
@@ -50,8 +51,14 @@ export class LoadedControls {
     if (!this.shell.atTarget) this.wanted = NONE;
     const { wanted } = this;
     this.loaded = view.loaded ?? null;
-    const names = this.loaded?.cases.map(({ name }) => name) ?? [];
-    this.cases.replaceChildren(new Option("Without loads", NONE), ...names.map((name) => new Option(name, name)));
+    const cases = this.loaded?.cases ?? [];
+    const names = cases.map(({ name }) => name);
+    const options = cases.map(({ name, sign }) => {
+      const option = new Option(sign === "says" ? name : `${SIGNS[sign]} ${name}`, name);
+      option.style.color = `var(--${sign})`;
+      return option;
+    });
+    this.cases.replaceChildren(new Option("Without loads", NONE), ...options);
     this.cases.value = names.includes(wanted) ? wanted : NONE;
     this.element.hidden = !this.loaded;
     this.choose();
@@ -65,7 +72,7 @@ export class LoadedControls {
       this.scales = scalesOf(this.deflection.scale);
       this.slider.max = String(this.scales.length - 1);
       this.slider.value = String(this.scales.indexOf(this.deflection.scale));
-      if (!this.deflection.stands) this.measures.value = "displacement";
+      if (!this.deflection.balanced) this.measures.value = "displacement";
     }
     this.hold(this.deflection !== null);
     this.draw();
@@ -75,7 +82,7 @@ export class LoadedControls {
     const { deflection, measures, slider, reading } = this;
     for (const each of [measures, slider]) each.hidden = !deflection;
     // What moves freely has no stresses, and goes as far as one likes.
-    measures.disabled = reading.hidden = !deflection?.stands;
+    measures.disabled = reading.hidden = !deflection?.balanced;
     const scale = this.scales[slider.valueAsNumber] ?? 1;
     reading.textContent = `\u00d7 ${threeDigits(scale)}`;
     slider.setAttribute("aria-valuetext", `${threeDigits(scale)} times`);

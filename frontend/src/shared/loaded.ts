@@ -1,6 +1,7 @@
 // The shell under load, as numbers: which case, coloured by what, drawn how many times as large.
 
 import { largest } from "./colours.ts";
+import type * as Api from "./api-types.ts";
 import type { Loaded } from "./view.ts";
 
 export type Measure = "displacement" | "stress";
@@ -12,7 +13,8 @@ export const DRAWN = 0.06;
 export interface Deflection {
   number: number;
   name: string;
-  stands: boolean;
+  sign: Api.NamedCase["sign"];
+  balanced: boolean;
   /** (N, 3) */
   displacements: Float32Array;
   /** Largest displacement. */
@@ -22,11 +24,11 @@ export interface Deflection {
 }
 
 export function deflectionOf(loaded: Loaded, number: number): Deflection {
-  const { name, stands } = loaded.cases[number]!;
+  const { name, sign, balanced } = loaded.cases[number]!;
   const size = loaded.points.length;
   const displacements = loaded.displacements.subarray(number * size, (number + 1) * size);
   const most = largest(sizes(displacements));
-  return { number, name, stands, displacements, most, scale: exaggeration(diagonal(loaded.points), most) };
+  return { number, name, sign, balanced, displacements, most, scale: exaggeration(diagonal(loaded.points), most) };
 }
 
 /** 1, 2 or 5 times a power of ten, as in orishell.plot.structure. */

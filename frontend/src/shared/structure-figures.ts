@@ -1,4 +1,4 @@
-// The structure's answer in a few lines: what moves, how far the shell is displaced, and what governs.
+// The structure's figures in a few lines: how far the shell is displaced, and what governs.
 
 import type { CaseResult, Analysis } from "./api-types.ts";
 import { GOVERNING } from "./api-words.ts";
@@ -14,12 +14,10 @@ export function structureFigures(report: Analysis | null, unit: string): Figure[
   if (!report) return [];
   const { cases, governs } = report;
   const figures: Figure[] = [];
-  const moving = cases.filter(({ moves }) => moves !== null);
-  if (moving.length) figures.push({ name: "Moves", value: namesOf(moving, cases), note: `the shell ${moving[0]!.moves}` });
-  const standing = cases.filter(({ stands }) => stands !== null);
-  if (standing.length) {
-    const size = (each: CaseResult): number => each.stands!.displacement.size;
-    const worst = standing.reduce((most, each) => (size(each) > size(most) ? each : most));
+  const held = cases.filter(({ equilibrium }) => equilibrium !== null);
+  if (held.length) {
+    const size = (each: CaseResult): number => each.equilibrium!.displacement.size;
+    const worst = held.reduce((most, each) => (size(each) > size(most) ? each : most));
     figures.push({ name: "Displaced", value: length(size(worst), unit), note: `at most, under ${namesOf([worst], cases)}` });
   }
   if (governs) {

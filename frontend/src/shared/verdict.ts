@@ -2,14 +2,14 @@
 
 import type { Row } from "./api-types.ts";
 
-const SIGNS = { fails: "\u2715", warns: "!", holds: "\u2713" } as const;
+export const SIGNS = { fails: "\u2715", warns: "!", holds: "\u2713" } as const;
 const MEANS = { fails: "fails", warns: "attention", holds: "holds" } as const;
 
 /** A list of findings, worst first; what only informs stands among the figures. */
 export function verdictList(rows: readonly Row[]): HTMLElement {
   const list = document.createElement("ul");
   list.className = "orishell-verdict";
-  for (const { sign, subject, finding } of rows) {
+  for (const { sign, subject, finding, remedy } of rows) {
     if (sign === "says") continue;
     const row = document.createElement("li");
     row.dataset["sign"] = sign;
@@ -20,6 +20,11 @@ export function verdictList(rows: readonly Row[]): HTMLElement {
     const name = document.createElement("b");
     name.textContent = subject;
     row.append(mark, name, ` ${finding}`);
+    if (remedy) {
+      const mends = document.createElement("i");
+      mends.textContent = ` \u2192 ${remedy}`;
+      row.append(mends);
+    }
     list.append(row);
   }
   return list;

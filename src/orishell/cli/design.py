@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import STATE_HELP, WRITE_HELP, bar, directory, say, state_named
+from orishell.cli.files import (
+    CHECK_HELP,
+    STATE_HELP,
+    WRITE_HELP,
+    bar,
+    directory,
+    require_carried,
+    say,
+    state_named,
+)
 from orishell.cli.summary import summarize
 from orishell.conventions.errors import ClashError, InputError
 
@@ -37,6 +46,7 @@ def design(
     ] = False,
     write: Annotated[str, typer.Option(help=WRITE_HELP)] = "",
     state: Annotated[str | None, typer.Option(help=STATE_HELP)] = None,
+    check: Annotated[bool, typer.Option("--check", help=CHECK_HELP)] = False,
 ) -> None:
     """Design a shell, verify its motion and write its files.
 
@@ -71,6 +81,7 @@ def design(
     else:
         removed = [path for path in earlier if not path.exists()]
         say("\n".join(summarize(shell, written, removed)))
+    require_carried(shell.report.structure, check=check)
 
 
 def _require_formats(names: str) -> None:

@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -16,10 +17,43 @@ from orishell.conventions.errors import InputError, printable
 from orishell.conventions.progress import Progress, no_progress
 from orishell.io.formats import ALL, format_modules
 
+if TYPE_CHECKING:
+    from orishell.conventions.row import Row
+    from orishell.structure.results import Analysis
+
 
 def say(text: str, *, err: bool = False) -> None:
     """Print lines, with all control characters but line breaks escaped."""
     typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
+
+
+def lines_of(row: Row) -> Iterator[str]:
+    """A row of the verdict, and what mends it."""
+    from orishell.conventions.row import MARKS
+
+    yield f"{MARKS[row.sign]} {row.subject:<9} {row.finding}"
+    if row.remedy:
+        yield f"            -> {row.remedy}"
+
+
+CHECK_HELP = "End with status 1 if it is not known to carry all its load cases."
+
+
+def require_carried(report: Analysis | None, *, check: bool) -> None:
+    """End with status 1, if that is asked for, where a shell does not carry its load cases.
+
+    Raises InputError: If the shell was not analysed.
+    """
+    if not check:
+        return
+    if report is None:
+        raise InputError(
+            "there are no loads to check",
+            where="--check",
+            remedy="add the tables [structure] and [[load_case]] to the design file",
+        )
+    if not report.carries:
+        raise typer.Exit(1)
 
 
 WAIT = 1.0

@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from orishell.cli.files import bar, directory, say, shortened
+from orishell.cli.files import (
+    CHECK_HELP,
+    bar,
+    directory,
+    lines_of,
+    require_carried,
+    say,
+    shortened,
+)
 from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import plain
 
@@ -23,15 +31,23 @@ ROUNDING = 1e-6
 """Components of a vector below this share of the largest are none."""
 
 
-def summarize_structure(report: Analysis, unit: str, written: list[Path]) -> Iterator[str]:
-    """Lines that say what was analysed and found, and which files were written."""
+def summarize_structure(
+    report: Analysis, unit: str, written: list[Path], remedy: str = ""
+) -> Iterator[str]:
+    """Lines that say whether it carries its loads, what was analysed, and what was written."""
+    from orishell.conventions.row import MARKS, Row
+
+    yield from lines_of(Row(report.sign, "carries", report.in_words(), remedy))
+    for case in report.ranked:
+        yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
     for each in {case.name: case for case in report.cases}.values():
         yield from _loads(each)
-    for case in report.cases:
-        yield f"case      {report.name_of(case)}"
-        yield from _case(case, unit)
-    yield from _governing(report)
+    for case in report.ranked:
+        if case.equilibrium is not None:
+            yield f"case      {report.name_of(case)}"
+            yield from _case(case.equilibrium, unit)
+    yield f"most used {report.governing_in_words()}"
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
@@ -60,15 +76,11 @@ def _loads(case: CaseResult) -> Iterator[str]:
         yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
 
 
-def _case(case: CaseResult, unit: str) -> Iterator[str]:
-    if case.stands is None:
-        yield f"  moves     it {case.moves}"
-        return
-    found = case.stands
+def _case(found: Equilibrium, unit: str) -> Iterator[str]:
     most = found.displacement
     yield (
-        f"  stands    displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % "
-        f"of its height, at panel {list(most.panel)} along {_components(most.vector, 3)}"
+        f"  displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, "
+        f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
     factor = found.buckling
@@ -105,21 +117,6 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
     )
 
 
-def _governing(report: Analysis) -> Iterator[str]:
-    from orishell.structure.equilibrium import GOVERNING
-    from orishell.structure.results import creases_in_words
-
-    governs = report.governs
-    if governs is None:
-        return
-    share = governs.utilisation
-    buckles = governs.part == "buckling"
-    borne = f"{plain(100 * share, 3)} % of what can be borne"
-    much = f"under {plain(1 / share, 3)} times the loads" if buckles else borne
-    stiffness = creases_in_words(governs.creases)
-    yield f"governs   {GOVERNING[governs.part]}, {much}: {governs.case}, {stiffness}"
-
-
 def _used(share: float | None) -> str:
     return "" if share is None else f": {plain(100 * share, 3)} % of what they bear"
 
@@ -150,8 +147,9 @@ def structure(
     json_report: Annotated[
         bool, typer.Option("--json", help="Print the report as JSON instead of a summary.")
     ] = False,
+    check: Annotated[bool, typer.Option("--check", help=CHECK_HELP)] = False,
 ) -> None:
-    """Analyse a shell as a structure.
+    """Analyse a shell as a structure: whether it carries its loads.
 
     What it finds are displacements, forces, buckling and frequencies under its loads.
     """
@@ -176,10 +174,12 @@ def structure(
         shell = make_shell(asked, progress, clash="unexamined", skip=(*MEASURES, "stock"))
     report = shell.report.structure
     assert report is not None
+    remedy = next(each.remedy for each in shell.report.verdict if each.subject == "carries")
     for warning in report.warnings:
         say(f"orishell: warning: {warning}", err=True)
     written = [] if out is None else write_structure(shell, out)
     if json_report:
         say(json.dumps(as_table(report), indent=2, allow_nan=False))
     else:
-        say("\n".join(summarize_structure(report, shell.report.unit, written)))
+        say("\n".join(summarize_structure(report, shell.report.unit, written, remedy)))
+    require_carried(report, check=check)

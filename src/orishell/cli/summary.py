@@ -6,12 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from orishell.cli.files import shortened
+from orishell.cli.files import lines_of, shortened
 
 if TYPE_CHECKING:
     from orishell.shell.make import Shell
-
-SIGNS = {"fails": "x", "warns": "!", "holds": "v", "says": " "}
 
 
 def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterator[str]:
@@ -25,7 +23,7 @@ def summarize(shell: Shell, written: list[Path], removed: list[Path]) -> Iterato
             f"fewest panels of {report.chosen.designs_tried} designs tried{_on_stock(shell)}"
         )
     for row in report.verdict:
-        yield f"{SIGNS[row.sign]} {row.subject:<9} {row.finding}"
+        yield from lines_of(row)
     yield from (f"wrote     {text}" for text in shortened(written))
     yield from (f"removed   {text}, from an earlier run" for text in shortened(removed))
 

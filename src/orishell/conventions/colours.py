@@ -23,6 +23,9 @@ LIGHT: Mapping[str, str] = {
     "flap": "#7a4fb3",
     "tie": "#7b4a12",
     "foot": "#20242a",
+    "fails": "#a8281e",
+    "warns": "#8a5a00",
+    "holds": "#14656d",
 }
 """Colour of every meaning on light ground, as "#rrggbb"."""
 
@@ -40,6 +43,9 @@ DARK: Mapping[str, str] = {
     "flap": "#bfa2f0",
     "tie": "#e0b070",
     "foot": "#f4f1ea",
+    "fails": "#ff8e82",
+    "warns": "#f2c063",
+    "holds": "#6fc7c3",
 }
 """The same on dark ground."""
 

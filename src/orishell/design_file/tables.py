@@ -22,7 +22,8 @@ from orishell.design_file.target import Targets
 from orishell.families.pattern import Tolerance
 from orishell.families.registry import FAMILIES
 from orishell.locking import CONTACT_TOLERANCE
-from orishell.structure.settings import OWN_WEIGHT, LoadCase, Structure, StructureTable
+from orishell.structure.load_settings import OWN_WEIGHT, LoadCase
+from orishell.structure.settings import Structure, StructureTable
 from orishell.workshop import DEFAULT, Workshop
 
 Values = dict[str, Any]

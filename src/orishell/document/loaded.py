@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from orishell.conventions.record import record
+from orishell.conventions.row import Sign
 from orishell.numerics.arrays import Array, Integers
 
 
@@ -11,9 +12,10 @@ class LoadedCase:
     """One load case with one stiffness of creases."""
 
     name: str  # what it is called, the stiffness of creases said where there are two
+    sign: Sign  # whether the shell fails under it, wants attention, or carries it
     # whether it is in balance; displacements are those of its free motion otherwise, the largest is
     # 1
-    stands: bool
+    balanced: bool
     forces: Array  # loads on nodes (N, 3) (N)
     displacements: Array  # of nodes (N, 3) (length)
     stresses: Array  # the larger of von Mises' stresses (T,) at both faces (force per area)

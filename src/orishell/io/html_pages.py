@@ -9,6 +9,7 @@ from html import escape
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
+from orishell.conventions.colours import DARK, LIGHT
 from orishell.conventions.errors import InputError
 
 BUILD_PAGES = (
@@ -87,10 +88,10 @@ def program_page(
 
 _STATIC_STYLE = """
 :root { color-scheme: light; --bg: #fff; --text: #1d2126; --soft: #5a5f67; --line: #d5d1c8;
-  --head: #f1eee7; --warn: #8a5a00; --good: #14656d; }
+  --head: #f1eee7; LIGHT }
 @media screen and (prefers-color-scheme: dark) {
   :root { color-scheme: dark; --bg: #14171b; --text: #e6e3dc; --soft: #a9afb8; --line: #343a43;
-    --head: #22272e; --warn: #f2c063; --good: #6fc7c3; }
+    --head: #22272e; DARK }
 }
 body { margin: 0 auto; padding: 12mm 6mm; max-width: 190mm; background: var(--bg);
   color: var(--text); font: 10.5pt/1.45 system-ui, sans-serif; }
@@ -102,8 +103,12 @@ p, ul { margin: 1.5mm 0; }
 ul { padding-left: 5mm; }
 .lead { font-size: 12pt; }
 .soft, caption { color: var(--soft); }
-.warning { border-left: 3px solid var(--warn); padding-left: 3mm; }
-.answer { border-left: 3px solid var(--good); padding-left: 3mm; }
+p.warns, p.fails, p.holds { border-left: 3px solid var(--sign); padding-left: 3mm; }
+.warns { --sign: var(--warns); }
+.fails { --sign: var(--fails); }
+.holds { --sign: var(--holds); }
+tr.warns :nth-child(2), tr.fails :nth-child(2), tr.holds :nth-child(2), p.fails {
+  color: var(--sign); font-weight: 600; }
 figure { margin: 4mm 0; break-inside: avoid; }
 figure img { display: block; width: 100%; background: #fff; border-radius: 2mm; }
 table { border-collapse: collapse; width: 100%; margin: 2mm 0 4mm; font-size: 9.5pt;
@@ -122,6 +127,9 @@ thead { display: table-header-group; }
 @page { size: A4; margin: 15mm 12mm; }
 @media print { body { padding: 0; max-width: none; font-size: 9.5pt; } table { font-size: 8.5pt; } }
 """
+for _name, _colours in (("LIGHT", LIGHT), ("DARK", DARK)):
+    _inks = (f"--{sign}: {_colours[sign]};" for sign in ("fails", "warns", "holds"))
+    _STATIC_STYLE = _STATIC_STYLE.replace(f"{_name} }}", f"{' '.join(_inks)} }}")
 
 _STATIC_PAGE = """\
 <!DOCTYPE html>
@@ -189,11 +197,13 @@ def table(
     caption: str = "",
     numbers: int = 0,
     totals: int = 0,
+    classes: Sequence[str] = (),
 ) -> str:
     """A table; nothing where there are no rows.
 
     The first cell of each row is its name, the last ``numbers`` of them are set to the right. The
-    last ``totals`` rows are totals. A list of names and values has no ``head``.
+    last ``totals`` rows are totals; rows may have ``classes``. A list of names and values has no
+    ``head``.
     """
     lines = list(rows)
     if not lines:
@@ -211,7 +221,8 @@ def table(
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
     above = f"<thead>{row(head, 'th')}</thead>" if head else ""
     first = len(lines) - totals
-    body = "\n".join(row(line, "td", "total" if k >= first else "") for k, line in enumerate(lines))
+    kinds = [*classes] or ["total" if k >= first else "" for k in range(len(lines))]
+    body = "\n".join(row(line, "td", kind) for line, kind in zip(lines, kinds, strict=True))
     return f"<table>{title}{above}<tbody>{body}</tbody></table>"
 
 

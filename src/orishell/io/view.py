@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from orishell.conventions.quantities import MILLIMETRES
+from orishell.conventions.row import Sign
 from orishell.document import Document, DocumentState, FirstContact
 from orishell.numerics.arrays import Array
 
@@ -40,10 +41,14 @@ class Curves(TypedDict):
 
 
 class NamedCase(TypedDict):
-    """A load case: its name, and whether it is in balance; else the shell moves as it is shown."""
+    """A load case: its name, whether the shell fails under it, and whether it is in balance.
+
+    Without balance the shell moves as it is shown.
+    """
 
     name: str
-    stands: bool
+    sign: Sign
+    balanced: bool
 
 
 class ArrayPlace(TypedDict):
@@ -112,7 +117,8 @@ def _dump_about(origin: Array, document: Document, curves: Curves | None) -> byt
         header["curves"] = curves
     if document.loaded is not None:
         header["cases"] = [
-            {"name": case.name, "stands": case.stands} for case in document.loaded.cases
+            {"name": case.name, "sign": case.sign, "balanced": case.balanced}
+            for case in document.loaded.cases
         ]
     text = orjson.dumps(header)
     text += b" " * (-len(text) % 4)

@@ -76,13 +76,15 @@ def row_height(width: float, pictures: list[Array]) -> float:
     return float(np.clip(width * max(span[1] / span[0] for span in spans), 1.6, 7.0))
 
 
-def new_figure(height: float, heading: str) -> Figure:
+def new_figure(height: float, heading: str, colour: str = "black") -> Figure:
     """An empty picture of a height (inches) with a heading."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(WIDTH, height), dpi=DPI, facecolor="white")
     middle = 1 - 0.5 * HEADING / height
-    figure.text(0.5, middle, heading, fontsize=15, fontweight="bold", ha="center", va="center")
+    figure.text(
+        0.5, middle, heading, fontsize=15, fontweight="bold", ha="center", va="center", color=colour
+    )
     return figure
 
 

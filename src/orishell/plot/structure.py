@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ import numpy as np
 
 from orishell.conventions.colours import AMOUNT_MAP, LIGHT
 from orishell.conventions.record import record
+from orishell.conventions.row import Sign
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.plot.scene import (
@@ -42,6 +44,8 @@ BAR = 0.62
 """Height of a bar of colours with its numbers (inches)."""
 CREASE = (0.15, 0.15, 0.18, 0.55)
 UNLOADED = "#4a4d55"
+NAME, LINE = 46, 70
+"""Characters of a name and of a line above a part, at most."""
 TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
 
 
@@ -55,7 +59,7 @@ class DrawnCase:
 
 
 def plot_structure(
-    path: Path, shell: LoadedShell, cases: Sequence[DrawnCase], *, title: str, unit: str
+    path: Path, shell: LoadedShell, cases: Sequence[DrawnCase], *, title: str, sign: Sign, unit: str
 ) -> None:
     """Write the picture of the loaded shell as PNG: a part for every load case.
 
@@ -67,6 +71,8 @@ def plot_structure(
         The load cases, in the order in which they are drawn; at most :data:`MOST` are.
     title
         Heading.
+    sign
+        What the heading says of the shell: red where it fails.
     unit
         Unit of length.
     """
@@ -83,7 +89,7 @@ def plot_structure(
     width = WIDTH / columns
     height = row_height(0.96 * width, [np.concatenate(pictures)])
     row = BAR + height + 1.4 * TITLE
-    figure = new_figure(LEGEND + rows * row + HEADING, title)
+    figure = new_figure(LEGEND + rows * row + HEADING, title, colour=LIGHT[sign])
     panels = _Panels.of(shell)
     for number, (each, scale, points) in enumerate(zip(drawn, scales, places, strict=True)):
         down, right = divmod(number, columns)
@@ -100,8 +106,8 @@ def plot_structure(
         _say(axes, each, scale)
         beside = add_part(figure, (right + 0.2) * width, bottom + BAR - 0.2, 0.6 * width, 0.12)
         bar = figure.colorbar(colours, cax=beside, orientation="horizontal")
-        stands = each.case.stands
-        bar.set_label(f"displacement ({unit})" if stands else "motion, as a share of the largest")
+        moved = f"displacement ({unit})" if each.case.balanced else "motion, by the largest"
+        bar.set_label(moved)
     _explain(figure, shell, drawn, len(cases) - len(drawn))
     save(figure, path)
 
@@ -183,10 +189,12 @@ def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
 def _say(axes: Axes, drawn: DrawnCase, scale: float) -> None:
     """Name of a load case, and a line on how it is drawn, above its part."""
     how = "drawn as it is" if scale == 1 else f"drawn {scale:g} times as large"
-    if not drawn.case.stands:
-        how = "moves: nothing resists this"
-    note = ", ".join(filter(None, (drawn.note, how)))
-    axes.set_title(f"{drawn.case.name}\n", y=1.0, fontsize=12, fontweight="bold")
+    if not drawn.case.balanced:
+        how = "nothing resists this"
+    colour = LIGHT[drawn.case.sign]
+    name = textwrap.shorten(drawn.case.name, NAME, placeholder=" ...")
+    axes.set_title(f"{name}\n", y=1.0, fontsize=12, fontweight="bold", color=colour)
+    note = textwrap.shorten(f"{drawn.note}; {how}", LINE, placeholder=" ...")
     axes.text(0.5, 1.012, note, transform=axes.transAxes, ha="center", va="bottom", fontsize=10)
 
 

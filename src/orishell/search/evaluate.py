@@ -110,7 +110,7 @@ def _read(job: Job, values: Values, report: Report) -> Outcome:
     """The figures of a design, if it has all that are asked for."""
     moving = _moving(report)
     if moving:
-        return Outcome(values, {}, "the shell does not stand under its loads", moving)
+        return Outcome(values, {}, "nothing holds the shell under its loads", moving)
     found = {name: figure(name).read(report) for name in job.figures}
     figures = {
         key: value for key, value in found.items() if value is not None and math.isfinite(value)
@@ -122,11 +122,11 @@ def _read(job: Job, values: Values, report: Report) -> Outcome:
 
 
 def _moving(report: Report) -> str:
-    """How it moves under a load case that it does not bear; empty if it bears all."""
-    if report.structure is None:
-        return ""
+    """How it moves under a load case that nothing holds it in; empty if there is none."""
+    cases = () if report.structure is None else report.structure.cases
     return next(
-        (f"under {case.name!r}: {case.moves}" for case in report.structure.cases if case.moves), ""
+        (f"under {each.name!r}: {each.in_words()}" for each in cases if each.equilibrium is None),
+        "",
     )
 
 

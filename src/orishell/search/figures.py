@@ -76,10 +76,9 @@ def _deviation(report: Report) -> float | None:
 
 
 def _utilisation(report: Report) -> float | None:
+    """Above 1 exactly where a case does not carry its loads."""
     found = report.structure
-    if found is None:
-        return None
-    return 0.0 if found.governs is None else found.governs.utilisation  # it does not buckle
+    return None if found is None else max(case.used for case in found.cases)
 
 
 def _packed_volume(report: Report) -> float | None:
@@ -110,9 +109,9 @@ def _worst(share: Share, case: str) -> Read:
     def read(report: Report) -> float | None:
         cases = () if report.structure is None else report.structure.cases
         shares = [
-            share(each.stands) or 0.0
+            share(each.equilibrium) or 0.0
             for each in cases
-            if each.stands is not None and case in ("", each.name)
+            if each.equilibrium is not None and case in ("", each.name)
         ]
         return max(shares, default=None)
 

@@ -35,7 +35,8 @@ from orishell.shell.report import (
     describe_assignment,
 )
 from orishell.shell.size_trials import Choice
-from orishell.shell.steps import Clock, Step, require_steps
+from orishell.shell.steps import MEASURES, Clock, Step, require_steps
+from orishell.shell.stronger import find_stronger
 from orishell.shell.tolerance import meet_tolerance
 from orishell.shell.verdict import find_verdict
 from orishell.structure.analyse import analyse
@@ -136,6 +137,11 @@ def _tried(file: DesignFile, progress: Progress) -> Shell:
     return _made(file, progress, "refused", ("remedies", "deviation"))
 
 
+def _analysed(file: DesignFile, progress: Progress) -> Analysis | None:
+    """The structure of a file that is tried, whose boards must reach its target."""
+    return _made(file, progress, "refused", (*MEASURES, "remedies", "stock")).analysis
+
+
 def _made(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
@@ -230,7 +236,11 @@ def _step_by_step(
         structure=analysis,
         quantities=quantities,
     )
-    report = replace(report, verdict=find_verdict(report))
+    stronger = ""
+    if analysis is not None and analysis.sign == "fails" and "remedies" not in skip:
+        stronger = find_stronger(file, analysis, _analysed, progress)
+        clock.lap("remedies")
+    report = replace(report, verdict=find_verdict(report, stronger))
     document = replace(document, report=report.as_dict(), contact=_first_contact(design, lock))
     return Shell(
         file=file,

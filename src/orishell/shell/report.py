@@ -11,6 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from orishell.conventions.record import as_table, record
+from orishell.conventions.row import Row
 from orishell.deployment.feet import Feet
 from orishell.deployment.report import DeploymentReport
 from orishell.design import Design, Parameter
@@ -18,7 +19,6 @@ from orishell.deviation.report import DeviationReport
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
-from orishell.shell.row import Row
 from orishell.shell.size_trials import Choice
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import AssignmentCheck, Residuals

@@ -6,17 +6,13 @@ from collections.abc import Iterator
 
 from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.quantities import plain
+from orishell.conventions.row import ORDER, Row, Sign
 from orishell.deployment.report import DeploymentReport
 from orishell.deviation.report import DeviationReport
 from orishell.locking import Contact
 from orishell.shell.report import Report
-from orishell.shell.row import Row, Sign
-from orishell.structure.equilibrium import GOVERNING, LARGE, LEAST_BUCKLING
-from orishell.structure.results import Analysis, creases_in_words
+from orishell.structure.results import Analysis
 
-ORDER: tuple[Sign, ...] = ("fails", "warns", "holds", "says")
-COLLAPSED = 0.25
-"""A shell displaced by this share of its height is no longer the shell that was analysed."""
 SAME = 1e-6
 """Drives that differ by less than this share are the same."""
 SLIM = 0.03
@@ -32,10 +28,13 @@ CLOSING = {
 }
 
 
-def find_verdict(report: Report) -> tuple[Row, ...]:
-    """The findings of a report, worst first."""
+def find_verdict(report: Report, stronger: str = "") -> tuple[Row, ...]:
+    """The findings of a report, worst first.
+
+    stronger: What would carry its loads, which has been tried.
+    """
     rows = [
-        *_carries(report.structure, report.unit),
+        *_carries(report.structure, stronger),
         *_reaches(report),
         *_folds(report),
         *_held(report),
@@ -49,45 +48,10 @@ def find_verdict(report: Report) -> tuple[Row, ...]:
     return tuple(sorted(rows, key=lambda row: ORDER.index(row.sign)))
 
 
-def _carries(structure: Analysis | None, unit: str) -> Iterator[Row]:
-    """Whether the shell carries its load cases: what moves, breaks, buckles, or sinks."""
-    if structure is None:
-        return
-    moving = [case for case in structure.cases if case.moves is not None]
-    if moving:
-        first = structure.name_of(moving[0])
-        yield Row("fails", "carries", f"no: under {first} it {moving[0].moves}")
-        return
-    standing = structure.standing
-    found, case = max(standing, key=lambda each: each[0].displacement.share)
-    most = found.displacement
-    row, column = most.panel
-    moved = (
-        f"moves by {plain(most.size, 2)} {unit}, {plain(100 * most.share, 2)} % of its height, "
-        f"near panel {row}, {column} under {structure.name_of(case)}"
-    )
-    governs = structure.governs
-    share = 0.0 if governs is None else governs.utilisation
-    if governs is None:
-        borne = "what its panels, creases and ties bear is not known"
-    else:
-        where = f"{governs.case}, {creases_in_words(governs.creases)}"
-        if governs.part == "buckling":
-            borne = f"it buckles under {plain(1 / share, 3)} times the loads of {where}"
-        else:
-            limit = f"{plain(100 * share, 3)} % of what can be borne"
-            borne = f"{GOVERNING[governs.part]} is {limit}, under {where}"
-    factors = [each.buckling for each, _ in standing if each.buckling is not None]
-    friction = max((each.friction or 0.0 for each, _ in standing), default=0.0)
-    slips = f"; a foot needs {plain(friction, 3)} times its friction" if friction > 1 else ""
-    if share > 1 or most.share > COLLAPSED:
-        yield Row("fails", "carries", f"no: {borne if share > 1 else moved}{slips}")
-    elif most.share > LARGE or slips or min(factors, default=LEAST_BUCKLING) < LEAST_BUCKLING:
-        yield Row("warns", "carries", f"not safely: {borne}; it {moved}{slips}")
-    elif governs is None:
-        yield Row("warns", "carries", f"not known: {borne}; it {moved}")
-    else:
-        yield Row("holds", "carries", f"all cases, by linear analysis: {borne}; it {moved}")
+def _carries(structure: Analysis | None, stronger: str) -> Iterator[Row]:
+    """Whether the shell carries its load cases."""
+    if structure is not None:
+        yield Row(structure.sign, "carries", structure.in_words(), stronger)
 
 
 def _reaches(report: Report) -> Iterator[Row]:

@@ -9,16 +9,9 @@ from orishell.conventions.imports import import_on_demand
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind, Zone
     from orishell.structure.results import Analysis, CaseResult, FreeMotion
-    from orishell.structure.settings import (
-        LoadCase,
-        PointLoad,
-        Snow,
-        Structure,
-        Support,
-        Wind,
-        Zone,
-    )
+    from orishell.structure.settings import Structure, Support
 
 __all__ = [
     "Analysis",
@@ -39,14 +32,7 @@ __getattr__, __dir__ = import_on_demand(
     {
         "orishell.structure.equilibrium": ("Equilibrium",),
         "orishell.structure.results": ("Analysis", "CaseResult", "FreeMotion"),
-        "orishell.structure.settings": (
-            "LoadCase",
-            "PointLoad",
-            "Snow",
-            "Structure",
-            "Support",
-            "Wind",
-            "Zone",
-        ),
+        "orishell.structure.load_settings": ("LoadCase", "PointLoad", "Snow", "Wind", "Zone"),
+        "orishell.structure.settings": ("Structure", "Support"),
     },
 )

@@ -138,11 +138,11 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         loads=solved.loads,
         forces=forces,
         motion=motion,
-        stands=_stands(model, solved) if solved.stands else None,
+        equilibrium=_balanced(model, solved) if solved.stands else None,
     )
 
 
-def _stands(model: Model, solved: _Solved) -> Equilibrium:
+def _balanced(model: Model, solved: _Solved) -> Equilibrium:
     linear = _equilibrium(model, solved)
     if not model.structure.nonlinear:
         return linear

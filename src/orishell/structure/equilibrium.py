@@ -1,23 +1,23 @@
-"""A shell that stands under its loads: all that was found of it, and what is largest in it.
+"""A shell in equilibrium with its loads: all that was found of it, and what is largest in it.
 
 Forces are in newtons; vertices and panels are rows and columns of the folding sheet, from 0.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
-from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
 from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
 from orishell.structure.model import Model
+from orishell.structure.verdict import COLLAPSED
 
 Limiting = Literal["panels", "creases", "ties", "buckling"]
 """What may be at the end of what it bears."""
@@ -28,11 +28,6 @@ GOVERNING: Mapping[Limiting, str] = {
     "buckling": "buckling",
 }
 """What governs, in the words of terminal, page and studio."""
-LARGE = 0.05
-"""Displacements above this share of the shell's height are too large for linear theory: the thrust
-of an arch is a moment of its loads over its height, so it is wrong by about as much."""
-LEAST_BUCKLING = 3.0
-"""Below this factor a shell may well buckle: imperfect ones do before linear theory says so."""
 
 
 @record
@@ -108,7 +103,7 @@ class Utilisation:
 
 @record
 class Equilibrium:
-    """A shell that stands under its loads."""
+    """A shell in equilibrium with its loads."""
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
@@ -209,32 +204,23 @@ class Equilibrium:
             buckling=None if self.buckling is None else 1 / self.buckling,
         )
 
-    def warnings(self) -> Iterator[str]:
-        """What is too large for linear theory, or for what bears it."""
-        share, used = self.displacement.share, self.utilisation
-        if share > LARGE:
-            yield (
-                f"the shell is displaced by {plain(100 * share, 3)} % of its height. Linear theory "
-                f"holds up to {100 * LARGE:g} %: forces are wrong by about as much"
-            )
-        if self.buckling is not None and self.buckling < LEAST_BUCKLING:
-            yield (
-                f"the shell buckles under {plain(self.buckling, 3)} times its loads by linear "
-                f"theory, and earlier with imperfections: at least {LEAST_BUCKLING:g} times are "
-                "asked for"
-            )
-        if self.friction is not None and self.friction > 1:
-            yield (
-                f"a foot needs {plain(self.friction, 3)} times its friction: it slips until others "
-                "bear more, which is not analysed"
-            )
-        for name, limit, part in (
-            ("panels", "stress", used.panels),
-            ("creases", "moment", used.creases),
-            ("ties", "force", used.ties),
-        ):
-            if part is not None and part > 1:
-                yield f"{name} bear {plain(part, 3)} times the {limit} that they can"
+    @property
+    def used(self) -> float:
+        """The largest share of what is borne, and of a displacement that makes it another shell."""
+        known = (share or 0.0 for share in self.utilisation.shares.values())
+        return max(self.displacement.share / COLLAPSED, *known)
+
+    @property
+    def unknown(self) -> tuple[Limiting, ...]:
+        """What bears something, and nobody said how much it can."""
+        bears: dict[Limiting, bool] = {
+            "panels": True,
+            "creases": self.crease is not None,
+            "ties": bool(self.tie_forces.any()),
+        }
+        return tuple(
+            part for part, any_ in bears.items() if any_ and self.utilisation.shares[part] is None
+        )
 
 
 def _pairs(ends: tuple[VertexPair, ...], forces: Array) -> tuple[PairForce, ...]:

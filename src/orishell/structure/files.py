@@ -10,9 +10,8 @@ from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.plot import DrawnCase, plot_structure
-from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.page import structure_page
-from orishell.structure.results import Analysis
+from orishell.structure.results import Analysis, CaseResult
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:
@@ -26,30 +25,34 @@ def write_structure_files(directory: Path, document: Document, analysis: Analysi
 
 
 def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: str) -> None:
-    """Draw the shell under its loads, the case that governs first.
+    """Draw the shell under its loads, the worst case first.
 
     loaded: The shell, in the document's frame, with the load cases of the analysis.
     """
-    said, governs = Quantities(unit), analysis.governs
+    said = Quantities(unit)
+    shown = {case: each for each, case in zip(loaded.cases, analysis.cases, strict=True)}
     drawn = []
-    for shown, case in zip(loaded.cases, analysis.cases, strict=True):
+    for case in analysis.ranked:
         taut = np.zeros(len(loaded.ties), dtype=bool)
-        if case.stands is not None:
-            taut = case.stands.tie_forces > 0
-        first = governs is not None and (governs.case, governs.creases) == (case.name, case.creases)
-        drawn.append((not first, DrawnCase(shown, taut, _note(case.stands, said))))
-    drawn.sort(key=lambda each: each[0])
-    title = "Structure: it moves under all loads"
-    if analysis.standing:
-        found, case = max(analysis.standing, key=lambda each: each[0].displacement.size)
-        most = said.displacement(found.displacement.size)
-        title = f"Structure: displaced by {most} at most, under {analysis.name_of(case)}"
-    plot_structure(path, loaded, [each for _, each in drawn], title=title, unit=unit)
+        if case.equilibrium is not None:
+            taut = case.equilibrium.tie_forces > 0
+        drawn.append(DrawnCase(shown[case], taut, _note(case, said)))
+    title = f"Structure: {VERDICTS[analysis.sign]}"
+    plot_structure(path, loaded, drawn, title=title, sign=analysis.sign, unit=unit)
 
 
-def _note(found: Equilibrium | None, said: Quantities) -> str:
-    """How far the shell is displaced, and where most."""
-    if found is None:
-        return ""
-    row, column = found.displacement.panel
-    return f"{said.displacement(found.displacement.size)} at panel {row},{column}"
+VERDICTS = {
+    "fails": "it does not carry its loads",
+    "warns": "it carries its loads, but not safely, or not as far as is known",
+    "holds": "it carries its loads",
+}
+"""What an analysis found, as a heading says it."""
+
+
+def _note(case: CaseResult, said: Quantities) -> str:
+    """Why it fails, or how far the shell is displaced, and where most."""
+    if case.findings:
+        return case.findings[0].text
+    assert case.equilibrium is not None
+    most = case.equilibrium.displacement
+    return f"{said.displacement(most.size)} at panel {most.panel[0]}, {most.panel[1]}"

@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
-from orishell.structure.equilibrium import GOVERNING, Equilibrium, PairForce
+from orishell.structure.equilibrium import Equilibrium, PairForce
 from orishell.structure.loads import KINDS, Vector
 from orishell.structure.model_page import model_parts
 from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.verdict import COLLAPSED
 
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
@@ -47,27 +48,32 @@ def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> st
 
 
 def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
-    """What governs, how far the shell moves, and whether it stands at all."""
-    moving = [case for case in report.cases if case.moves is not None]
-    if moving:
-        names = "; ".join(report.name_of(case) for case in moving)
-        yield paragraph(f"It does not stand under: {names}.", "lead warning")
-    if report.standing:
-        found, case = max(report.standing, key=lambda each: each[0].displacement.size)
+    """Whether the shell carries its loads, and what every case says to that, the worst first."""
+    words = report.in_words()
+    yield paragraph(
+        f"Does it carry its loads? {words[0].upper()}{words[1:]}.", f"lead {report.sign}"
+    )
+    if report.balanced:
+        found, case = max(report.balanced, key=lambda each: each[0].displacement.size)
         yield paragraph(
             f"The largest displacement is {said.displacement(found.displacement.size)}, "
             f"under {report.name_of(case)}.",
-            "lead answer",
+            "lead",
         )
-    governs = report.governs
-    if governs is not None:
-        yield paragraph(
-            f"{GOVERNING[governs.part].capitalize()} governs, under {report.name_of(governs)}: "
-            f"{_share(governs.utilisation)} of what can be borne.",
-            "lead answer",
-        )
-    elif report.standing:
-        yield paragraph("No strengths are given, so utilisation is not known.", "lead")
+    governs = report.governing_in_words()
+    yield paragraph(f"{governs[0].upper()}{governs[1:]}.", "lead")
+    rows = [
+        (report.name_of(case), CARRIES[case.carries], case.in_words(), case.sign)
+        for case in report.ranked
+    ]
+    yield table(
+        ("load case", "carries", "the shell"),
+        [row[:-1] for row in rows],
+        classes=[row[-1] for row in rows],
+    )
+
+
+CARRIES = {True: "yes", False: "no", None: "not known"}
 
 
 def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
@@ -89,11 +95,13 @@ def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
         for case in same:
             words = report.name_of(case).removeprefix(f"{name}, ")
             which = "" if words == name else f", {words}"
-            if case.stands is None:
-                totals.append((f"reactions{which}", "", "none: it moves", "", *3 * [NOTHING]))
+            if case.equilibrium is None:
+                totals.append(
+                    (f"reactions{which}", "", "none: nothing holds it", "", *3 * [NOTHING])
+                )
                 continue
-            missing = f"missing: {figure(case.stands.residual, 2)} of the loads"
-            reaction = _vector(case.stands.reaction, case.load)
+            missing = f"missing: {figure(case.equilibrium.residual, 2)} of the loads"
+            reaction = _vector(case.equilibrium.reaction, case.load)
             totals.append((f"reactions{which}", "", missing, "", *reaction))
         yield table(
             ("", "from", "how", "factor", *AXES),
@@ -117,16 +125,16 @@ def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
-        "Used is the largest share of what panels, creases and ties can bear, and of the load at "
-        "which the shell buckles.",
+        "Used is the largest share of what panels, creases and ties can bear, of the load at which "
+        f"the shell buckles, and of a displacement of {100 * COLLAPSED:g} % of its height.",
         "soft",
     )
 
 
 def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
-    found = case.stands
+    found = case.equilibrium
     if found is None:
-        return ("moves", *7 * [NOTHING])
+        return ("no equilibrium", *7 * [NOTHING])
     used = found.utilisation
     known = [share for share in used.shares.values() if share is not None]
     return (
@@ -145,9 +153,9 @@ def _figures(case: CaseResult, said: Quantities) -> Sequence[str]:
 
 def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]:
     yield heading(3, report.name_of(case))
-    found = case.stands
+    found = case.equilibrium
     if found is None:
-        yield paragraph(f"The shell {case.moves}. Nothing else was found of it.", "warning")
+        yield paragraph(f"The shell {case.in_words()}. Nothing else was found of it.", case.sign)
         return
     yield table((), _details(case, found, said))
     reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]

@@ -10,11 +10,13 @@ import numpy as np
 
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
+from orishell.conventions.row import ORDER, Sign, worst
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.numerics.arrays import Array
-from orishell.structure.equilibrium import Equilibrium, Limiting
+from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model, Stiffness, stiffness_in_words
+from orishell.structure.verdict import Finding, against_equilibrium, against_motion, ranked
 
 COARSE = 0.1
 """Displacements that change by more than this share with cells half as large are not near."""
@@ -69,14 +71,14 @@ class FreeMotion:
 class CaseResult:
     """A load case with one stiffness of creases."""
 
-    WRITTEN = ("name", "creases", "loads", "load", "moves", "stands")
+    WRITTEN = ("name", "creases", "carries", "findings", "loads", "load", "equilibrium")
 
     name: str  # the case
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
     loads: tuple[Load, ...]  # what loads it, kind by kind
     forces: Array  # on nodes (N, 3), of all loads (N)
-    motion: FreeMotion | None  # what nothing resists; None if the shell stands
-    stands: Equilibrium | None  # how it stands; None if it does not
+    motion: FreeMotion | None  # what nothing resists; None if there is equilibrium
+    equilibrium: Equilibrium | None  # what holds it; None if it moves
 
     @property
     def creases(self) -> Stiffness:
@@ -88,17 +90,40 @@ class CaseResult:
         """Sum of all loads."""
         return vector(self.forces.sum(axis=0))
 
-    @property
-    def moves(self) -> str | None:
-        """How it moves, where nothing resists; None if it stands."""
-        return None if self.motion is None else self.motion.in_words()
-
-    def warnings(self) -> Iterator[str]:
-        """What an engineer should read of it."""
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """What speaks against it, the worst first."""
         if self.motion is not None:
-            yield f"the shell {self.moves}"
-        if self.stands is not None:
-            yield from self.stands.warnings()
+            return ranked(against_motion(self.motion))
+        assert self.equilibrium is not None
+        return ranked(against_equilibrium(self.equilibrium))
+
+    @property
+    def sign(self) -> Sign:
+        """Whether it fails, wants attention, or holds."""
+        return worst(each.sign for each in self.findings)
+
+    @property
+    def carries(self) -> bool | None:
+        """Whether the shell carries these loads; None if the strength of something is not known."""
+        if self.sign == "fails":
+            return False
+        return None if any(each.kind == "unknown" for each in self.findings) else True
+
+    @property
+    def used(self) -> float:
+        """The largest share of what is borne: above 1 where it does not carry its loads."""
+        return float("inf") if self.equilibrium is None else self.equilibrium.used
+
+    def in_words(self) -> str:
+        """What the shell does under these loads."""
+        said = "; ".join(each.text for each in self.findings if each.sign == self.sign)
+        if self.sign == "fails" or not said:
+            return said or "carries its loads"
+        doubt = (
+            "carries its loads as far as is known" if self.carries is None else "carries its loads"
+        )
+        return f"{doubt}, but {said}"
 
     def load_warnings(self) -> Iterator[str]:
         """What an engineer should read of its loads."""
@@ -122,30 +147,76 @@ class Governing:
 class Analysis:
     """The shell as a structure."""
 
-    WRITTEN = ("model", "cases", "governs", "warnings", "not_covered")
+    WRITTEN = ("carries", "model", "cases", "governs", "warnings", "not_covered")
 
     model: Model  # what is analysed
     cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
     not_covered: tuple[str, ...] = NOT_COVERED  # what the analysis says nothing of
 
     @property
-    def standing(self) -> list[tuple[Equilibrium, CaseResult]]:
-        """The cases under which it stands, and how."""
-        return [(case.stands, case) for case in self.cases if case.stands is not None]
+    def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:
+        """The cases in equilibrium, and what holds them."""
+        return [(case.equilibrium, case) for case in self.cases if case.equilibrium is not None]
+
+    @cached_property
+    def ranked(self) -> tuple[CaseResult, ...]:
+        """All cases, the worst first."""
+        order = sorted(self.cases, key=lambda each: (ORDER.index(each.sign), -each.used))
+        return tuple(order)
+
+    @property
+    def sign(self) -> Sign:
+        """That of the worst case."""
+        return self.ranked[0].sign
+
+    @property
+    def carries(self) -> bool | None:
+        """Whether it carries all cases; None if the strength of something is not known."""
+        found = {case.carries for case in self.cases}
+        return False if False in found else None if None in found else True
 
     @cached_property
     def governs(self) -> Governing | None:
         """What is nearest to the end of what it bears; None if that of nothing is known."""
         found = [
             Governing(used.governs, case.name, case.creases, used.shares[used.governs] or 0.0)
-            for stands, case in self.standing
-            if (used := stands.utilisation).governs is not None
+            for balanced, case in self.balanced
+            if (used := balanced.utilisation).governs is not None
         ]
         return max(found, key=lambda each: each.utilisation, default=None)
 
+    def in_words(self) -> str:
+        """Whether it carries all cases, and what the worst does: for one line."""
+        first, fails = self.ranked[0], sum(case.sign == "fails" for case in self.cases)
+        under = f"under {self.name_of(first)} it {first.in_words()}"
+        if fails:
+            of = "" if len(self.cases) == 1 else f"{fails} of {len(self.cases)} cases fail; "
+            return f"no: {of}{under}"
+        if first.sign == "warns":
+            return f"{'not known' if self.carries is None else 'not safely'}: {under}"
+        found, case = max(self.balanced, key=lambda each: each[0].displacement.size)
+        most, unit = found.displacement, self.model.site.unit
+        return (
+            f"all cases: {self.governing_in_words()}; it is displaced by {plain(most.size, 2)} "
+            f"{unit} at most ({plain(100 * most.share, 2)} % of its height, under "
+            f"{self.name_of(case)})"
+        )
+
+    def governing_in_words(self) -> str:
+        """What governs, and how near it comes to what it bears."""
+        governs = self.governs
+        if governs is None:
+            return "no strengths are given, and it does not buckle"
+        share = governs.utilisation
+        if governs.part == "buckling":
+            borne = f"under {plain(1 / share, 3)} times the loads of"
+        else:
+            borne = f"{plain(100 * share, 3)} % of what can be borne, under"
+        return f"{GOVERNING[governs.part]} governs, {borne} {self.name_of(governs)}"
+
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences an engineer should read."""
+        """Sentences an engineer should read, beside what speaks against single cases."""
         return tuple(self._warnings())
 
     def _warnings(self) -> Iterator[str]:
@@ -154,10 +225,13 @@ class Analysis:
                 f"displacements changed by {plain(100 * self.model.change, 3)} % when cells were "
                 "halved: use finer ones (cells, or refine, in [structure])"
             )
-        for case in self.cases:
-            yield from (f"load case {self.name_of(case)}: {text}" for text in case.warnings())
+        said: dict[str, list[str]] = {}
         for case in {each.name: each for each in self.cases}.values():
-            yield from (f"load case {case.name}: {text}" for text in case.load_warnings())
+            for text in case.load_warnings():
+                said.setdefault(text, []).append(case.name)
+        for text, names in said.items():
+            every = len(names) == len({each.name for each in self.cases})
+            yield f"{'all load cases' if every else 'load cases ' + ', '.join(names)}: {text}"
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.
@@ -192,15 +266,19 @@ class Analysis:
         )
 
     def _loaded(self, case: CaseResult) -> LoadedCase:
-        shown = case.motion or case.stands
+        held = case.equilibrium
+        shown = case.motion or held
         assert shown is not None
         count = len(self.model.mesh.facets.triangles)
         return LoadedCase(
             name=self.name_of(case),
-            stands=case.motion is None,
+            sign=case.sign,
+            balanced=case.motion is None,
             forces=case.forces,
             displacements=shown.displacements,
-            stresses=np.zeros(count) if case.stands is None else case.stands.stresses.max(axis=1),
+            stresses=np.zeros(count)
+            if case.equilibrium is None
+            else case.equilibrium.stresses.max(axis=1),
         )
 
 

@@ -67,10 +67,10 @@ def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None
     point_data: dict[str, Array] = {}
     cell_data: dict[str, list[Any]] = {"panel": [shell.panels.astype(np.int32)]}
     for case in shell.cases:
-        moved = "displacement" if case.stands else "free motion"
+        moved = "displacement" if case.balanced else "free motion"
         name = escape(case.name, {'"': "&quot;"})  # meshio writes names as they are
         point_data |= {f"{moved}: {name}": case.displacements, f"load: {name}": case.forces}
-        if case.stands:
+        if case.balanced:
             cell_data[f"von Mises: {name}"] = [case.stresses]
     cells = ("triangle", shell.triangles)
     points, facts = document.in_world(shell.points), _facts(document, document.shell.drive_deg)

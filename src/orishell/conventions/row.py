@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Literal
 
 from orishell.conventions.record import record
 
 Sign = Literal["fails", "warns", "holds", "says"]
 """A finding speaks against the shell, wants attention, is proved or computed, or only informs."""
+ORDER: tuple[Sign, ...] = ("fails", "warns", "holds", "says")
+"""From the worst to what only informs."""
+MARKS = {"fails": "x", "warns": "!", "holds": "v", "says": " "}
+"""Signs in a terminal."""
+
+
+def worst(signs: Iterable[Sign]) -> Sign:
+    """The worst of some signs; "holds" of none."""
+    return min(signs, key=ORDER.index, default="holds")
 
 
 @record
@@ -17,3 +27,4 @@ class Row:
     sign: Sign  # what it means for the shell
     subject: str  # what it is about, in a word
     finding: str  # what was found, in a line
+    remedy: str = ""  # what mends it, which has been tried; empty if nothing was found that does

@@ -1,0 +1,155 @@
+"""The table [[load_case]]: what loads a shell.
+
+Lengths are in the design's unit, forces in newtons, wind speeds in metres per second.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Final, Literal, Self
+
+import numpy as np
+from pydantic import Field, field_validator, model_validator
+from pydantic_core import PydanticCustomError
+
+from orishell.conventions.table import Number, Pair, Several, Table, entries
+
+Terrain = Literal["0", "I", "II", "III", "IV"]
+"""Categories of EN 1991-1-4: sea, open, low vegetation, suburb, town."""
+NO_CODE: Final = ((0.0, 0.8), (90.0, -1.0), (180.0, -0.4))
+"""Pressure coefficients of wind where none are given, of no code: push on what faces the wind, pull
+at the crown and in the lee, as about a long arch."""
+MOST = 1e12
+"""Loads are smaller than this: what is computed from larger ones would overflow in the end."""
+LONGEST = 60
+"""Characters of a load case's name."""
+
+Index = Annotated[int, Field(ge=0)]
+GridVertex = Pair[Index]
+"""Row and column of a vertex of the folding sheet, as for ties."""
+Load = Annotated[Number, Field(ge=-MOST, le=MOST)]
+Coefficient = Annotated[Number, Field(ge=-10, le=10)]
+"""Of pressure, positive towards the outer face."""
+
+
+class Snow(Table):
+    """Snow, down on the plan of panels whose outer face looks up.
+
+    ``ground`` is its load on level ground (force per area). It is gathered by each panel's "slope",
+    mu_1 of EN 1991-1-3, or as by a "cylinder": mu_3, by rise and span of the whole.
+    """
+
+    ground: Annotated[Number, Field(gt=0, le=MOST)]
+    shape: Literal["slope", "cylinder"] = "slope"
+
+
+class Zone(Table):
+    """Rows of panels, the first and the last, with one pressure coefficient."""
+
+    rows: Pair[Index]
+    coefficient: Coefficient
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.rows[0] > self.rows[1]:
+            raise PydanticCustomError(
+                "rows", "the first row, then the last", {"key": "rows", "got": self.rows}
+            )
+        return self
+
+
+class Wind(Table):
+    """Wind, square on the panels, by its basic speed (m/s) and the category of the terrain.
+
+    It blows from x to y by ``direction_deg``. ``coefficients`` are pairs of an angle between a
+    panel's outer normal and where the wind comes from (degrees) and the coefficient there, straight
+    lines between them; instead of them ``zones`` may name every row of panels once. ``height`` over
+    the ground is where its speed is taken; None for the top of the shell.
+    """
+
+    speed: Annotated[Number, Field(gt=0, le=200)]
+    terrain: Terrain
+    direction_deg: Annotated[Number, Field(ge=-360, le=360)]
+    coefficients: Several[Pair[Number]] = NO_CODE
+    zones: Annotated[Several[Zone], Field(min_length=1)] | None = None
+    height: Annotated[Number, Field(gt=0, le=MOST)] | None = None
+
+    @property
+    def direction(self) -> float:
+        """Where it blows to, from x to y (radians)."""
+        return float(np.deg2rad(self.direction_deg))
+
+    @property
+    def is_of_no_code(self) -> bool:
+        """Whether its coefficients are those of no code."""
+        return self.zones is None and self.coefficients == NO_CODE
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.zones is not None and "coefficients" in self.model_fields_set:
+            raise PydanticCustomError(
+                "two_kinds", "either coefficients or zones", {"key": "zones", "got": "both"}
+            )
+        angles = [angle for angle, _ in self.coefficients]
+        if angles != sorted(set(angles)) or angles[:1] + angles[-1:] != [0, 180]:
+            raise PydanticCustomError(
+                "angles",
+                "pairs of an angle and a coefficient, angles ascending from 0 to 180 degrees",
+                {"key": "coefficients", "got": list(map(list, self.coefficients))},
+            )
+        return self
+
+
+class PointLoad(Table):
+    """A force at a vertex, along x, y and z (N)."""
+
+    at: GridVertex
+    force: Annotated[tuple[Load, Load, Load], entries(3)]
+
+
+class LoadCase(Table):
+    """Loads that act together, or factors by which those of other cases do.
+
+    ``pressure`` is on the outer face, square on it (force per area). ``combine`` has factors of
+    the loads of other cases by their names; then there are no others here. A case that others
+    combine is not analysed on its own.
+    """
+
+    name: str
+    self_weight: bool = False
+    pressure: Load = 0.0
+    snow: Snow | None = None
+    wind: Wind | None = None
+    points: Several[PointLoad] = ()
+    combine: dict[str, Annotated[Number, Field(ge=-1e3, le=1e3)]] = Field(default_factory=dict)
+
+    @field_validator("name")
+    @classmethod
+    def _require_line(cls, name: str) -> str:
+        if not (name.strip() and name.isprintable() and len(name) <= LONGEST):
+            raise PydanticCustomError(
+                "name", "one line of 1 to {longest} characters", {"longest": LONGEST}
+            )
+        return name
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        loads = [name for name in LOADS if getattr(self, name)]
+        if loads and self.combine:
+            raise PydanticCustomError(
+                "loads_and_factors",
+                "no combine beside {loads}: give these loads a case of their own, and combine that",
+                {"key": "combine", "got": self.combine, "loads": ", ".join(loads)},
+            )
+        if not loads and not any(self.combine.values()):
+            raise PydanticCustomError(
+                "no_load",
+                "a load, one of {loads}; or combine, factors of other cases",
+                {"loads": ", ".join(LOADS)},
+            )
+        return self
+
+
+LOADS = tuple(name for name in LoadCase.model_fields if name not in {"name", "combine"})
+"""The keys of a case that are loads."""
+OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
+"""The only case where a design file has none."""

@@ -1,0 +1,96 @@
+"""All loads of a case as forces on nodes, and where each comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeVar
+
+import numpy as np
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.record import record
+from orishell.numerics.arrays import Array
+from orishell.structure.load_settings import LOADS, LoadCase
+from orishell.structure.loads.exposure import Exposure, Vector, vector
+
+if TYPE_CHECKING:
+    LoadKind = str
+else:
+    LoadKind = Literal[LOADS]
+
+
+@record
+class Load:
+    """What one kind of load adds to a case."""
+
+    WRITTEN = ("case", "factor", "kind", "pressure", "rule", "force")
+
+    case: str  # the case that has it: another one where that is combined
+    factor: float  # by which it is combined
+    kind: LoadKind  # what it is
+    forces: Array  # on nodes (N, 3), times the factor (N)
+    # what it comes from: the pressure, snow on the ground, wind's peak velocity pressure; None for
+    # own weight and forces at points
+    pressure: float | None
+    rule: str  # how it comes from that, in words
+    caution: str  # what an engineer should read of it; empty if nothing
+
+    @property
+    def force(self) -> Vector:
+        """Sum of its forces, times the factor."""
+        return vector(self.forces.sum(axis=0))
+
+
+class Effect(NamedTuple):
+    """What a load does; the fields are those of :class:`Load`."""
+
+    forces: Array
+    pressure: float | None
+    rule: str
+    caution: str = ""
+
+
+EFFECTS: dict[str, Callable[[Exposure, Any], Effect]] = {}
+"""What a load does, by the key of a case that asks for it."""
+KINDS: dict[str, str] = {}
+"""What loads are called, by the same keys."""
+Effects = TypeVar("Effects", bound=Callable[..., Effect])
+
+
+def called(words: str) -> Callable[[Effects], Effects]:
+    """Register what the load of a function's name does, and what it is called."""
+
+    def register(effect: Effects) -> Effects:
+        EFFECTS[effect.__name__], KINDS[effect.__name__] = effect, words
+        return effect
+
+    return register
+
+
+def case_loads(exposure: Exposure, case: LoadCase, cases: Sequence[LoadCase]) -> tuple[Load, ...]:
+    """All loads of a case, also of those among all ``cases`` that it combines.
+
+    Raises InputError: If a vertex or a row of panels is not there, zones of wind leave one out, or
+    snow on a cylinder is asked for where there is no span.
+    """
+    if case.combine:
+        named = {each.name: each for each in cases}
+        return tuple(
+            replace(load, factor=factor, forces=factor * load.forces)
+            for name, factor in case.combine.items()
+            for load in case_loads(exposure, named[name], cases)
+        )
+    try:
+        return tuple(
+            Load(case.name, 1.0, kind, *EFFECTS[kind](exposure, asked))
+            for kind in LOADS
+            if (asked := getattr(case, kind))
+        )
+    except InputError as error:
+        raise error.at_key("load_case", f'[[load_case]] "{case.name}":') from None
+
+
+def sum_forces(exposure: Exposure, loads: Sequence[Load]) -> Array:
+    """Forces (N, 3) of all loads on the nodes (N)."""
+    return np.asarray(sum((load.forces for load in loads), np.zeros_like(exposure.mesh.points)))

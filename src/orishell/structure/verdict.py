@@ -1,0 +1,78 @@
+"""Whether a case carries its loads, and what speaks against it: the words of all pages.
+
+A case carries if the shell is in equilibrium, stays within its strengths, does not buckle, and is
+not displaced so far that it is another shell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Literal
+
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.conventions.row import ORDER, Sign
+
+if TYPE_CHECKING:
+    from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.results import FreeMotion
+
+Kind = Literal["moves", "gives way", "exceeds strength", "buckles", "displaced", "unknown"]
+"""How a case fails, or may."""
+COLLAPSED = 0.25
+"""A shell displaced by this share of its height is no longer the shell that was analysed."""
+LARGE = 0.05
+"""Displacements above this share of the shell's height are too large for linear theory: the thrust
+of an arch is a moment of its loads over its height, so it is wrong by about as much."""
+LEAST_BUCKLING = 3.0
+"""Below this factor a shell may well buckle: imperfect ones do before linear theory says so."""
+
+
+@record
+class Finding:
+    """What speaks against a case, or is in doubt."""
+
+    sign: Sign  # whether it fails, or wants attention
+    kind: Kind  # how
+    text: str  # by how much: what follows on "the shell"
+    # how many times too much it is; None where nothing resists, or that is not known
+    excess: float | None
+
+
+def against_motion(motion: FreeMotion) -> Iterator[Finding]:
+    """What speaks against a shell that nothing holds, or next to nothing."""
+    kind: Kind = "gives way" if motion.soft else "moves"
+    yield Finding("fails", kind, motion.in_words(), None)
+
+
+def against_equilibrium(found: Equilibrium) -> Iterator[Finding]:
+    """What speaks against a shell in equilibrium."""
+    unit, most, used = found.model.site.unit, found.displacement, found.utilisation
+    for name, part in (("panels", used.panels), ("creases", used.creases), ("ties", used.ties)):
+        if part is not None and part > 1:
+            text = f"uses {plain(100 * part, 3)} % of the strength of its {name}"
+            yield Finding("fails", "exceeds strength", text, part)
+    factor = found.buckling
+    if factor is not None and factor < LEAST_BUCKLING:
+        text = f"buckles under {plain(factor, 3)} times its loads"
+        if factor >= 1:
+            text += " by linear theory, and earlier with imperfections"
+        yield Finding("fails" if factor < 1 else "warns", "buckles", text, 1 / factor)
+    if most.share > LARGE:
+        row, column = most.panel
+        sign: Sign = "fails" if most.share > COLLAPSED else "warns"
+        text = (
+            f"is displaced by {plain(most.size, 2)} {unit} ({plain(100 * most.share, 2)} % of its "
+            f"height) near panel {row}, {column}"
+        )
+        if sign == "warns":
+            text += ", too far for linear theory"
+        yield Finding(sign, "displaced", text, most.share / COLLAPSED)
+    if found.unknown:
+        text = f"is loaded in {' and '.join(found.unknown)}, whose strength is not given"
+        yield Finding("warns", "unknown", text, None)
+
+
+def ranked(findings: Iterator[Finding]) -> tuple[Finding, ...]:
+    """Findings, the worst first."""
+    return tuple(sorted(findings, key=lambda each: (ORDER.index(each.sign), -(each.excess or 0))))
