@@ -83,12 +83,21 @@ def _case(found: Equilibrium, unit: str) -> Iterator[str]:
         f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    factor = found.buckling
-    yield f"  buckles   {'not' if factor is None else f'under {plain(factor)} times the loads'}"
+    yield f"  buckles   {_buckles(found, unit)}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
     yield f"  balance   reactions {reaction}, missing {found.residual:.1g} of the loads"
+
+
+def _buckles(found: Equilibrium, unit: str) -> str:
+    path, factor = found.path, found.buckling
+    if path is None:
+        return "not" if factor is None else f"under {plain(factor)} times the loads"
+    linear = f"displaced by {plain(path.linear_displacement)} {unit}"
+    if path.linear_buckling is not None:
+        linear += f", buckles under {plain(path.linear_buckling)} times the loads"
+    return f"nonlinear: it {path.in_words()}; by linear theory {linear}"
 
 
 def _forces(found: Equilibrium, unit: str) -> Iterator[str]:

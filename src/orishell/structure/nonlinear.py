@@ -3,8 +3,8 @@
 Loads keep their directions and their sizes, those of wind and pressure, too: they are those on the
 shell as designed. Where the shell would move on by itself from a point of the path though the load
 goes on growing, the path has branched: it is followed again from before with a nudge along the
-softest motion, as small as an imperfection of :data:`IMPERFECT` of the thickness of panels; it is
-left out again under the full load.
+softest motion, so small that it moves the shell by :data:`IMPERFECT` of the thickness of panels
+there; it is left out again under the full load.
 """
 
 from __future__ import annotations
@@ -27,19 +27,18 @@ from orishell.structure.model import Model
 from orishell.structure.solve.active_set import Response
 from orishell.structure.solve.contacts import Feet, Links
 from orishell.structure.solve.moving import Moving
-from orishell.structure.solve.path import Point, trace
+from orishell.structure.solve.path import TOUCHING, Point, climb, trace
 
 FIRST, LONGEST = 0.2, 0.5
-"""The factor of the loads that the first step is aimed at; steps are no longer than by this one."""
+"""The share of the loads, or of those at which it buckles by linear theory, that the first step is
+aimed at; steps are no longer than by the other factor."""
 MOST, PAST = 60, 3
 """Points of a path at most, and those that are kept behind a limit."""
-IMPERFECT, BRANCHES = 0.01, 3
-"""The nudge by the thickness of panels, and how many branches are taken at most."""
+IMPERFECT, BRANCHES = 0.1, 3
+"""What a nudge moves by the thickness of panels, and how many branches are taken at most."""
 PENALTY, STEADY = 100.0, 1e-9
 """What does not give has this stiffness by that of nodes, until it is taken over; motions that
 nothing drives have the other."""
-TOUCHING = 1e-6
-"""What bears in linear theory bears this share of it at the start."""
 
 
 def follow(model: Model, linear: Equilibrium, loads: Array, response: Response) -> Equilibrium:
@@ -52,10 +51,11 @@ def follow(model: Model, linear: Equilibrium, loads: Array, response: Response) 
     moving = movable(model, linear.stiffness, response)
     every = np.zeros(moving.count)
     every[: loads.size] = loads.ravel()
-    path, ending = _path(moving, every, model.thickness)
+    first = FIRST * min(1.0, linear.buckling or 1.0)
+    path, ending = _path(moving, every, model.thickness, first)
     last = max(path, key=lambda point: point.factor)
-    still = _still(last, response.motions)
-    return _deformed(model, linear, last, loads, _told(model, linear, path, ending), still)
+    told = _told(model, linear, path, response.motions, ending)
+    return _deformed(linear, last, loads, told, response.motions)
 
 
 def _still(point: Point, motions: Array) -> Array:
@@ -106,8 +106,17 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
         none = np.zeros((len(ground), 2))
         pressed = bears[len(pairs) :][: len(ground)]
         friction = model.supports.friction
-        own_dofs = translations[ground]
-        parts.append(Feet(own_dofs, PENALTY * typical, friction, pressed, none, none))
+        parts.append(
+            Feet(
+                dofs=translations[ground],
+                stiffness=PENALTY * typical,
+                friction=friction,
+                borne=pressed,
+                available=friction * pressed,
+                rubbed=none,
+                stood=none,
+            )
+        )
     loose = len(pairs) or len(ground) or not stiffness or response.motions.shape[1]
     return Moving.of(
         parts,
@@ -118,17 +127,22 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
     )
 
 
-def _path(moving: Moving, loads: Array, thickness: float) -> tuple[list[Point], Ending]:
+def _path(
+    moving: Moving, loads: Array, thickness: float, first: float
+) -> tuple[list[Point], Ending]:
     """The path, and how it ends."""
-    path = trace(moving, loads, first=FIRST, longest=LONGEST, done=_enough)
+    if any(isinstance(part, Feet) for part in moving.parts):
+        path = climb(moving, loads, first=first, longest=LONGEST)
+        return path, "carries" if path[-1].factor == 1 else "lost"
+    path = trace(moving, loads, first=first, longest=LONGEST, done=_enough)
     nudge = np.zeros(moving.count)
     for _ in range(BRANCHES):
         branch = _branch(path)
         if branch is None:
             break
-        nudge += _nudge(moving, path, branch, thickness)
+        nudge += _nudge(path, branch, thickness)
         start = path[branch - 1]
-        step = min(FIRST, 0.5 * (path[branch].factor - start.factor))
+        step = min(first, 0.5 * (path[branch].factor - start.factor))
         path = path[: branch - 1] + trace(
             moving, loads, first=step, start=start, nudge=nudge, longest=LONGEST, done=_enough
         )
@@ -150,32 +164,35 @@ def _enough(points: Sequence[Point]) -> bool:
 def _branch(points: Sequence[Point]) -> int | None:
     """The first point with a motion that goes on by itself, where the load grows on beyond it."""
     for number, (one, other) in enumerate(pairwise(points)):
-        if number and one.negative and other.negative and other.factor > one.factor:
+        if number > 1 and one.negative and other.negative and other.factor > one.factor:
             return number
     if len(points) > 1 and points[-1].negative and points[-1].factor == 1:
         return len(points) - 1
     return None
 
 
-def _nudge(moving: Moving, path: Sequence[Point], branch: int, thickness: float) -> Array:
-    """Loads (D,) like an imperfection of the softest motion at a branch of the path."""
+def _nudge(path: Sequence[Point], branch: int, thickness: float) -> Array:
+    """Loads (D,) along the softest motion at a branch, by what they do at the point before."""
     here, before = path[branch], path[branch - 1]
-    shape = here.moving.tangent(here.moved)[1].softest()
-    _, first = moving.tangent(moving.start())
+    moving = before.moving
+    shape = np.where(moving.straight, here.moving.tangent(here.moved)[1].softest(), 0.0)
     way = (here.moved.displacements - before.moved.displacements)[moving.free]
-    along = float(way @ np.where(moving.straight, shape, 0.0))
-    if along < 0:
+    if way @ shape < 0:
         shape = -shape
-    return moving.every(IMPERFECT * thickness / here.factor * first.forces(shape))
+    does = moving.tangent(before.moved)[1].solve(shape)
+    most = float(np.abs(does[moving.straight]).max())
+    return moving.every(IMPERFECT * thickness / most / before.factor * shape)
 
 
-def _told(model: Model, linear: Equilibrium, path: Sequence[Point], ending: Ending) -> LoadPath:
-    size = 3 * len(model.mesh.facets.points)
-    moved = [point.moved.displacements[:size].reshape(-1, 3) for point in path]
+def _told(
+    model: Model, linear: Equilibrium, path: Sequence[Point], motions: Array, ending: Ending
+) -> LoadPath:
+    translations = model.mesh.translations()
+    moved = [_still(point, motions)[translations] for point in path]
     return LoadPath(
         ending=ending,
-        reached=max(point.factor for point in path),
-        factors=tuple(point.factor for point in path),
+        reached=float(max(point.factor for point in path)),
+        factors=tuple(float(point.factor) for point in path),
         displacements=tuple(float(np.linalg.norm(each, axis=1).max()) for each in moved),
         linear_displacement=linear.displacement.size,
         linear_buckling=linear.buckling,
@@ -183,10 +200,11 @@ def _told(model: Model, linear: Equilibrium, path: Sequence[Point], ending: Endi
 
 
 def _deformed(
-    model: Model, linear: Equilibrium, point: Point, loads: Array, path: LoadPath, still: Array
+    linear: Equilibrium, point: Point, loads: Array, path: LoadPath, motions: Array
 ) -> Equilibrium:
-    """What there is in the shell at a point of its path, displaced (D,) as is told."""
-    mesh, moved, moving = model.mesh, point.moved, point.moving
+    """What there is in the shell at a point of its path."""
+    model, moved, moving = linear.model, point.moved, point.moving
+    mesh, still = model.mesh, _still(point, motions)
     panels, *others = moving.parts
     assert isinstance(panels, Corotational)
     places = mesh.facets.points + moved.displacements[mesh.translations()]
@@ -213,7 +231,7 @@ def _deformed(
         crease_moments=moments_about(mesh, model.grid, panels.forces(moved), places),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if path.carries else path.reached,
+        buckling=None if path.carries else path.reached or None,
         path=path,
     )
 

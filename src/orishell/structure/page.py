@@ -16,14 +16,18 @@ ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
 AXES = ("x (N)", "y (N)", "z (N)")
 NOTHING = "\u2013"
+PATHS = "Loads against displacements, large ones followed; dashed: linear theory."
 SHOWN = "The shell under its loads, coloured by displacement."
 
 
-def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> str:
+def structure_page(
+    report: Analysis, *, title: str, unit: str, png: bytes, paths: bytes | None = None
+) -> str:
     """The text of ``structure.html``: model, loads, results and what is not covered.
 
     title: What the shell is.
     png: The picture of the loaded shell.
+    paths: That of loads against displacements, if large displacements were followed.
     """
     said = Quantities(unit)
     return static_page(
@@ -40,6 +44,7 @@ def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> st
             *_loads(report, said),
             heading(2, "Results"),
             *_results(report, said),
+            "" if paths is None else picture(paths, PATHS),
             *(part for case in report.cases for part in _case(case, report, said)),
             heading(2, "What is not covered"),
             bullets(report.not_covered),
@@ -195,6 +200,14 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
     buckles = "by linear theory it does not"
     if found.buckling is not None:
         buckles = f"under {figure(found.buckling)} times these loads, by linear theory"
+    if found.path is not None:
+        path = found.path
+        linear = (
+            f"By linear theory it is displaced by {said.displacement(path.linear_displacement)}"
+        )
+        if path.linear_buckling is not None:
+            linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
+        buckles = f"nonlinear: it {path.in_words()}. {linear}"
     yield "Buckling", buckles
     if found.frequencies:
         yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"

@@ -73,6 +73,10 @@ class Elastic:
         """The same, what gives though it should not taken over."""
         return self
 
+    def grown(self, ratio: float) -> Self:
+        """The same under loads that have grown by a ratio."""
+        return self
+
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does: none."""
         return 0.0

@@ -10,6 +10,9 @@ lambda_0 is what was borne before: it is taken over step by step until gaps vani
 Lagrangian method (M. R. Hestenes and M. J. D. Powell, 1969). A foot on rough ground sticks by a
 spring to where it was after the last step, and slides where that would pull more than Coulomb's
 mu lambda: the return mapping of plasticity (P. Wriggers, "Computational Contact Mechanics", 2006).
+That spring is taken over, too. How much friction there is follows lambda as it was last taken over,
+times how much the loads have grown since, so that Newton's steps find friction that stays as it is;
+it is taken over until it does.
 """
 
 from __future__ import annotations
@@ -22,6 +25,8 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.corotational import Change, Moved
+
+ROUNDING = 1e-14
 
 
 @record
@@ -55,6 +60,10 @@ class Links:
     def taken_over(self, moved: Moved) -> Self:
         """The same with lambda_0 as borne now."""
         return replace(self, borne=np.where(self.hard, self.bears(moved), 0.0))
+
+    def grown(self, ratio: float) -> Self:
+        """The same: what they bear follows from where they are."""
+        return self
 
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does."""
@@ -97,8 +106,9 @@ class Feet:
     stiffness: float  # k (force per length)
     friction: Array  # coefficients of friction mu (m,)
     borne: Array  # lambda_0 (m,)
+    available: Array  # friction (m,) that there is
     rubbed: Array  # friction (m, 2) after the last step
-    stood: Array  # displacements (m, 2) after it
+    stood: Array  # displacements (m, 2) where they stick
 
     @property
     def rounding(self) -> Array:
@@ -119,21 +129,37 @@ class Feet:
 
     def used(self, moved: Moved) -> float:
         """The largest share of its friction that one of them uses."""
-        _, size, most = self._tried(moved)
-        return float(np.max(np.minimum(size[most > 0] / most[most > 0], 1.0), initial=0.0))
+        rubs = self._rubs(moved)
+        most = self.friction * self.bears(moved)
+        return float(np.max(rubs[most > 0] / most[most > 0], initial=0.0))
 
     def settled(self, moved: Moved) -> Self:
-        """The same after a step that ends here."""
-        now, rubbed = moved.displacements[self.dofs[:, :2]], self.forces(moved)[:, :2]
-        return replace(self, borne=self.bears(moved), rubbed=rubbed, stood=now)
+        """The same after a step that ends here: feet that slid stand where they are."""
+        now, rubs = moved.displacements[self.dofs[:, :2]], self._rubs(moved)
+        slid = (rubs >= self.available)[:, None]
+        return replace(self.taken_over(moved), stood=np.where(slid, now, self.stood))
 
     def taken_over(self, moved: Moved) -> Self:
-        """The same with lambda_0 as borne now."""
-        return replace(self, borne=self.bears(moved))
+        """The same with lambda_0 and friction by what is borne now."""
+        borne = self.bears(moved)
+        rubbed = self.forces(moved)[:, :2]
+        return replace(self, borne=borne, available=self.friction * borne, rubbed=rubbed)
 
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does."""
-        return float(np.linalg.norm(self.bears(moved) - self.borne))
+        borne, rubbed, rubs = self.bears(moved), self.forces(moved)[:, :2], self._rubs(moved)
+        over = np.where(rubs >= self.available, self.available - self.friction * borne, 0.0)
+        creeps = np.where((rubs < self.available)[:, None], rubbed - self.rubbed, 0.0)
+        parts = (borne - self.borne, over, creeps.ravel())
+        return float(np.linalg.norm(np.concatenate(parts)))
+
+    def _rubs(self, moved: Moved) -> Array:
+        """How much friction acts (m,)."""
+        return np.linalg.norm(self.forces(moved)[:, :2], axis=1) * (1 + ROUNDING)
+
+    def grown(self, ratio: float) -> Self:
+        """The same under loads that have grown by a ratio."""
+        return replace(self, available=ratio * self.available)
 
     def forces(self, moved: Moved) -> Array:
         """Forces (m, 3) that move them."""
@@ -141,21 +167,17 @@ class Feet:
 
     def tangent(self, moved: Moved, expected: Array | None = None) -> Change:
         """Forces (m, 3), and how they change."""
-        tried, size, most = self._tried(moved)
-        presses, sticks = self.bears(moved), (size <= most)[:, None]
+        presses = self.bears(moved)
         active = np.where(presses > 0, self.stiffness, 0.0)
-        size = np.where(size > 0, size, 1.0)[:, None]
-        way = tried / size
-        rubs = np.where(sticks, tried, most[:, None] * way)
-        across = (most[:, None] / size)[..., None] * (np.eye(2) - way[:, :, None] * way[:, None])
+        went = moved.displacements[self.dofs[:, :2]] - self.stood
+        tried = np.where(presses[:, None] > 0, self.rubbed + self.stiffness * went, 0.0)
+        size = np.linalg.norm(tried, axis=1)[:, None]
+        sticks = size <= self.available[:, None]
+        way = tried / np.where(size > 0, size, 1.0)
+        share = self.available[:, None] / np.where(size > 0, size, 1.0)
+        across = share[..., None] * (np.eye(2) - way[:, :, None] * way[:, None])
         change = np.zeros((len(self.dofs), 3, 3))
         change[:, :2, :2] = active[:, None, None] * np.where(sticks[..., None], np.eye(2), across)
-        change[:, :2, 2] = np.where(sticks, 0.0, -(self.friction * active)[:, None] * way)
         change[:, 2, 2] = active
+        rubs = np.where(sticks, tried, share * tried)
         return Change(np.concatenate([rubs, -presses[:, None]], axis=1), change)
-
-    def _tried(self, moved: Moved) -> tuple[Array, Array, Array]:
-        """Friction (m, 2) if none slid, its size (m,), and how much there is (m,)."""
-        went = moved.displacements[self.dofs[:, :2]] - self.stood
-        tried = self.rubbed + self.stiffness * went
-        return tried, np.linalg.norm(tried, axis=1), self.friction * self.bears(moved)

@@ -51,6 +51,9 @@ class Part(Protocol):
     def taken_over(self, moved: Moved) -> Self:
         """The same, what gives though it should not taken over."""
 
+    def grown(self, ratio: float) -> Self:
+        """The same under loads that have grown by a ratio: a guess of what it bears then."""
+
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does."""
 
@@ -168,6 +171,10 @@ class Moving:
     def taken_over(self, moved: Moved) -> Moving:
         """The same, what gives though it should not taken over."""
         return replace(self, parts=tuple(part.taken_over(moved) for part in self.parts))
+
+    def grown(self, ratio: float) -> Moving:
+        """The same under loads that have grown by a ratio: a guess of what it bears then."""
+        return replace(self, parts=tuple(part.grown(ratio) for part in self.parts))
 
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does."""

@@ -22,7 +22,9 @@ TURNS, AIM = 14, 5
 """Newton's steps within a step of the path at most, and about how many are wanted."""
 GROWTH, SMALLEST = 2.0, 1e-4
 """A step is at most so much longer than the last, and no shorter than this share of the first."""
-SETTLING = 12
+TOUCHING = 1e-6
+"""What bears at the start bears that of this factor of the loads."""
+SETTLING = 30
 """Times that what bears without giving is taken over at the end, at most."""
 
 
@@ -81,10 +83,11 @@ def trace(
     length = first * unit
     while not done(points):
         here, slope = points[-1], tangent.solve(pull)
-        moving = here.moving.settled(here.moved)
+        stood = here.moving.settled(here.moved) if here.factor else moving
         way, found = _along(moving, slope, before), None
         while found is None and length > SMALLEST * first * unit:
             share = way * length
+            moving = stood.grown((here.factor + share) / (here.factor or TOUCHING))
             step = share * slope
             ahead = _Ahead(
                 here.factor + share, step, moving.after(here.moved, step), tangent.expected(step)
@@ -97,11 +100,36 @@ def trace(
         point, before, tangent, turns = found
         if here.factor < until <= point.factor:
             part = (until - here.factor) / (point.factor - here.factor)
-            last = settle(moving, moving.after(here.moved, part * before), loads, until)
+            near = moving.after(here.moved, part * before)
+            last = settle(moving.grown(until / point.factor), near, loads, until)
             points.append(last or point)
             break
         points.append(point)
         length = min(length * min(GROWTH, np.sqrt(AIM / turns)), longest * unit)
+    return points
+
+
+def climb(
+    moving: Moving, loads: Array, *, first: float, until: float = 1.0, longest: float = np.inf
+) -> list[Point]:
+    """Follow the path step by step of the load, where it depends on what went before: friction.
+
+    Parameters are as for :func:`trace`. What does not give is taken over at every point. Returns
+    the points, which end before a load that nothing was found in balance with.
+    """
+    points = [Point(0.0, moving.start(), 0, 0.0, moving)]
+    step = first
+    while points[-1].factor < until and step > SMALLEST * first:
+        here = points[-1]
+        factor = min(here.factor + step, until)
+        stood = here.moving.settled(here.moved) if here.factor else moving
+        grown = stood.grown(factor / (here.factor or TOUCHING))
+        point = settle(grown, here.moved, loads, factor)
+        if point is None:
+            step *= 0.25
+            continue
+        points.append(point)
+        step = min(GROWTH * step, longest)
     return points
 
 
@@ -150,10 +178,10 @@ def settle(moving: Moving, near: Moved, loads: Array, factor: float) -> Point | 
     point = _settled(moving, near, loads, factor)
     for _ in range(SETTLING):
         if point is None or moving.missing(point.moved) <= least + moving.noise(point.moved):
-            break
+            return point
         moving = moving.taken_over(point.moved)
         point = _settled(moving, point.moved, loads, factor)
-    return point
+    return None
 
 
 def _settled(moving: Moving, near: Moved, loads: Array, factor: float) -> Point | None:
