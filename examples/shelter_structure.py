@@ -14,8 +14,9 @@ from orishell import Shell, analyse_structure
 from orishell.design_file import read_design_file
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES, Step
+from orishell.structure.load_settings import LoadCase
 from orishell.structure.results import Analysis
-from orishell.structure.settings import LoadCase, Support
+from orishell.structure.settings import Support
 
 SHARE, FACTOR = 0.05, 3.0
 """Displacements up to this share of the height, buckling from this factor on: linear theory."""
@@ -103,7 +104,10 @@ def on_the_ground(shell: Shell, friction: float) -> Analysis:
     assert shell.file.structure is not None
     snow = LoadCase(name="snow", combine={"dead": 1.35, "snowed": 1.5})
     loads = [
-        case.having(name="snowed") if case.snow else case for case in shell.file.structure.cases
+        case.having(name="snowed", snow=case.snow.having(arrangement="undrifted"))
+        if case.snow
+        else case
+        for case in shell.file.structure.cases
     ]
     structure = shell.file.structure.having(
         cases=(*(case for case in loads if case.name != "winter"), snow),

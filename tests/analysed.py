@@ -32,7 +32,7 @@ STRUCTURE = Structure(
         LoadCase(name="dead", self_weight=True),
         LoadCase(
             name="snow",
-            snow=Snow(ground=500, shape="cylinder"),
+            snow=Snow(ground=500, shape="cylinder", arrangement="undrifted"),
             points=(PointLoad(at=(1, 1), force=(0, 0, -80)),),
         ),
         LoadCase(name="both", combine={"dead": 1.35, "snow": 1.5}),
@@ -65,7 +65,7 @@ def tent() -> Exposure:
     mesh = mesh_sheet(positions, grid, 2)
     mass = np.full(len(mesh.places), 1.9)
     hung = np.zeros(len(mesh.facets.points))
-    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN)
+    return Exposure(mesh.facets, mesh.panels, grid, 1, mass, hung, "m", 0.0, SPAN, (0, 2))
 
 
 class Tent(Model):
@@ -120,8 +120,8 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             crease_moments=moments,
             stresses=stresses,
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),
-            buckling=2.5,
-            buckling_mode=displacements,
+            buckling_factors=(2.5,),
+            buckling_modes=displacements[None],
             frequencies=(3.0, 4.0, 7.0),
             modes=np.zeros((3, count, 3)),
         )

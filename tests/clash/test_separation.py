@@ -133,3 +133,28 @@ def test_a_panel_of_two_kilometres_is_seen_apart_from_one_beside_it() -> None:
     assert 5e-6 < distance[0] < 6e-6
     seen = common_gap(views_along(between / distance, [corners]))
     assert seen[0] > 0.999 * distance[0]
+
+
+def test_panels_side_by_side_are_seen_apart_along_their_plane() -> None:
+    """Of a random sheet near 180 degrees: two edges face each other, parallel but for rounding.
+
+    The cross product of these edges is rounding too, and no direction: along it nothing is apart.
+    """
+    corners = pair(
+        [
+            [-1.0921022996882066, -0.10846099852366424, -0.3066052602598718],
+            [-1.0921022996882066, 8.233174066114833e-15, -3.094335345569309e-15],
+            [-0.05220005106511028, 4.94133080165746e-15, -1.8407199281871693e-15],
+            [-0.052200051065110276, -0.10846099852366753, -0.30660526025987056],
+        ],
+        [
+            [3.0675068669914496, -0.10846099852367744, -0.30660526025986684],
+            [3.0675068669914496, -4.934199536778877e-15, 1.9201265315332006e-15],
+            [4.107409286257992, -8.226043341413444e-15, 3.173742154628189e-15],
+            [4.107409286257992, -0.10846099852368074, -0.3066052602598657],
+        ],
+    )
+    distance, between = nearest(*corners)
+    expected = 3.0675068669914496 + 0.052200051065110276
+    assert distance[0] == pytest.approx(expected, rel=1e-12)
+    assert gap_along(between / distance, *corners)[0] == pytest.approx(expected, rel=1e-12)

@@ -42,9 +42,9 @@ def test_the_summary(report: Analysis) -> None:
     lines = list(summarize_structure(report, "m", [Path("a/structure.json")]))
     for line in (
         "model     16 triangles, 99 degrees of freedom; 32.2 kg; panels 0.01 m thick, "
-        "E = 2.7e8 N/m2",
+        "E = 270\u00a0MPa",
         "held      [0, 1], [2, 1]: friction 0.5",
-        "load      both: (0, 0, -18.55) kN in all",
+        "load      both: (0, 0, -7747) N in all",
         "  1.35 x dead: self weight (0, 0, -427) N, mass of panels times 9.81 m/s2",
         "case      wind, rigid creases",
         "  ties      2 of 3 pull, 4000 N at most, from [0, 2] to [2, 2]: 80 % of what they bear",
@@ -110,6 +110,24 @@ def test_what_is_written(tmp_path: Path) -> None:
     for name in files:
         same = (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
         assert same, name
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "status"),
+    [
+        ("cells = 1", "cells = 1\nstrength = 1e9\ncrease_strength = 1e9\ntie_strength = 1e9", 0),
+        ("cells = 1", "cells = 1", 1),  # strengths are not known
+        ("cells = 1", "cells = 1\nstrength = 10", 1),  # pascals
+        ('ties = "feet"', "", 1),  # opens
+    ],
+)
+def test_check_asks_for_status_1(tmp_path: Path, old: str, new: str, status: int) -> None:
+    """Of a shell that is not known to carry; otherwise 0, as the answer was found."""
+    (tmp_path / "arch.toml").write_text(ARCH.replace(old, new))
+    done = orishell("structure", "arch.toml", "--check", cwd=tmp_path)
+    assert done.returncode == status, done.stderr
+    assert done.stdout.split()[1] == "carries"
+    assert orishell("structure", "arch.toml", cwd=tmp_path).returncode == 0
 
 
 def test_a_shell_that_was_not_analysed_is_not_written(tmp_path: Path, bare: Shell) -> None:

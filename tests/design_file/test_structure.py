@@ -96,7 +96,7 @@ def test_every_key(tmp_path: Path) -> None:
         [[load_case]]
         name = "gusts"
         pressure = 100
-        snow = {{ ground = 500, shape = "cylinder" }}
+        snow = {{ ground = 500, shape = "cylinder", arrangement = "undrifted" }}
         {WIND}, height = 4, coefficients = [[0, 0.8], [90, -0.8], [180, -0.4]] }}
         points = [{{ at = [5, 4], force = [0, 0, -1000] }}]
         """,
@@ -121,7 +121,7 @@ def test_every_key(tmp_path: Path) -> None:
             LoadCase(
                 name="gusts",
                 pressure=100,
-                snow=Snow(ground=500, shape="cylinder"),
+                snow=Snow(ground=500, shape="cylinder", arrangement="undrifted"),
                 wind=wind,
                 points=(PointLoad(at=(5, 4), force=(0, 0, -1000)),),
             ),
@@ -297,7 +297,7 @@ BAD = {
     "shape of snow": (
         with_case('snow = { ground = 5, shape = "ball" }'),
         "[[load_case]][0] snow shape: ",
-        "'slope' or 'cylinder'",
+        "'slope', 'cylinder' or 'valleys'",
     ),
     "terrain": (
         with_case('wind = { speed = 9, terrain = "V", direction_deg = 0 }'),
@@ -329,7 +329,7 @@ BAD = {
             "coefficients = [[0, 1], [180, 1]], zones = [{ rows = [0, 5], coefficient = 1 }]"
         ),
         "[[load_case]][0] wind zones: ",
-        "either coefficients or zones",
+        "one of coefficients, zones and vault",
     ),
     "zone turned round": (
         with_wind("zones = [{ rows = [4, 0], coefficient = 1 }]"),

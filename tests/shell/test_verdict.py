@@ -87,7 +87,7 @@ def test_a_shell_carries_what_it_bears_without_sinking(
         found,
         model=replace(model, structure=asked),
         displacements=share / found.displacement.share * found.displacements,
-        buckling=None,
+        buckling_factors=(),
         friction=None,
     )
     structure = replace(report.structure, cases=(replace(standing, equilibrium=stands),))

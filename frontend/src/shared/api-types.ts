@@ -18,6 +18,8 @@ export interface Analysis {
   cases: CaseResult[];
   /** What is nearest to the end of what it bears; None if that of nothing is known. */
   governs: Governing | null;
+  /** What governs each limit state of a code; none if no code combines the cases. */
+  envelopes: Envelope[];
   /** Sentences an engineer should read, beside what speaks against single cases. */
   warnings: string[];
   /** What the analysis says nothing of. */
@@ -79,6 +81,8 @@ export interface BoxReport {
 export interface CaseResult {
   /** The case. */
   name: string;
+  /** What a code combines it for: "ULS" is judged by strength and buckling, "EQU" by equilibrium alone, "SLS" by displacements; None if no code does, then by all. */
+  limit_state: "ULS" | "EQU" | "SLS" | null;
   /** Their stiffness. */
   creases: number | "free" | "rigid";
   /** Whether the shell carries these loads; None if the strength of something is not known. */
@@ -274,6 +278,24 @@ export interface DroppedCurve {
   note: string;
 }
 
+/** What governs one limit state. */
+export interface Envelope {
+  /** Which. */
+  limit_state: "ULS" | "EQU" | "SLS";
+  /** Number of its cases. */
+  cases: number;
+  /** Number of those under which the shell moves, with any stiffness of creases. */
+  moves: number;
+  /** The case that governs, and the stiffness of its creases. */
+  case: string;
+  /** The case that governs, and the stiffness of its creases. */
+  creases: number | "free" | "rigid";
+  /** What is largest there: "panels", "creases", "ties" or "buckling"; "displacement"; "friction"; null if the shell moves, or nothing is known of it. */
+  part: string | null;
+  /** Its share of what can be borne, of the shell's height, or of the friction that there is. */
+  share: number | null;
+}
+
 /** A shell in equilibrium with its loads. */
 export interface Equilibrium {
   /** Sum of all reactions. */
@@ -296,8 +318,10 @@ export interface Equilibrium {
   stress: Stress;
   /** Of panels, creases and ties. */
   utilisation: Utilisation;
-  /** By what factor all loads may grow until the shell buckles, by linear theory; None if it does not. */
+  /** The lowest buckling factor; None if it does not buckle. */
   buckling: number | null;
+  /** The lowest factors by which all loads grow until the shell buckles, by linear theory; none if it does not. */
+  buckling_factors: number[];
   /** The lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and free motions, which have none. */
   frequencies: number[];
 }

@@ -138,11 +138,12 @@ def _squared_with(between: Array, *edges: tuple[Array, Array]) -> Array:
     """
     (u, s), (v, t) = edges
     within = [(share > 0) & (share < 1) for share in (s, t)]
-    for edge, inside in ((u, within[0] & ~within[1]), (v, within[1] & ~within[0])):
+    normal = cross(u, v)
+    slanted = _dot(normal, normal) > PARALLEL * _dot(u, u) * _dot(v, v)
+    both = within[0] & within[1] & slanted
+    for edge, inside in ((u, within[0] & ~both), (v, within[1] & ~within[0])):
         length = np.where(inside, _dot(edge, edge), 1.0)
         between = between - np.where(inside, _dot(between, edge) / length, 0.0) * edge
-    normal = cross(u, v)
-    both = within[0] & within[1] & (_dot(normal, normal) > 0)
     length = np.where(both, _dot(normal, normal), 1.0)
     return np.asarray(np.where(both, _dot(between, normal) / length * normal, between))
 

@@ -19,10 +19,11 @@ from orishell.cli.files import (
     shortened,
 )
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import plain
+from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.load_path import LoadPath
     from orishell.structure.loads import Vector
     from orishell.structure.model import Model
     from orishell.structure.results import Analysis, CaseResult
@@ -38,16 +39,17 @@ def summarize_structure(
     from orishell.conventions.row import MARKS, Row
 
     yield from lines_of(Row(report.sign, "carries", report.in_words(), remedy))
-    for case in report.ranked:
+    for case in report.told:
         yield f"{MARKS[case.sign]} {report.name_of(case)}: it {case.in_words()}"
     yield from _model(report.model, unit)
-    for each in {case.name: case for case in report.cases}.values():
+    for each in {case.name: case for case in report.told}.values():
         yield from _loads(each)
-    for case in report.ranked:
+    for case in report.told:
         if case.equilibrium is not None:
             yield f"case      {report.name_of(case)}"
-            yield from _case(case.equilibrium, unit)
+            yield from _case(case, case.equilibrium, unit)
     yield f"most used {report.governing_in_words()}"
+    yield from _envelopes(report)
     yield from (f"not covered: {text}" for text in report.not_covered)
     yield from (f"wrote     {text}" for text in shortened(written))
 
@@ -56,7 +58,7 @@ def _model(model: Model, unit: str) -> Iterator[str]:
     yield (
         f"model     {model.triangles} triangles, {model.freedoms} degrees of freedom; "
         f"{plain(model.mass)} kg; panels {plain(model.thickness)} {unit} thick, "
-        f"E = {plain(model.structure.modulus)} N/{unit}2"
+        f"E = {Quantities(unit).stress(model.structure.modulus)}"
     )
     low, high = model.crease_stiffness
     stiffness = f"{low}" if low == high else f"{low} to {high}"
@@ -76,24 +78,27 @@ def _loads(case: CaseResult) -> Iterator[str]:
         yield f"  {of}{load.kind.replace('_', ' ')} {_vector(load.force)}, {load.rule}"
 
 
-def _case(found: Equilibrium, unit: str) -> Iterator[str]:
+def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
+    from orishell.structure.envelopes import STRENGTH
+
     most = found.displacement
     yield (
         f"  displaced by {plain(most.size)} {unit}, {plain(100 * most.share, 3)} % of its height, "
         f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    yield f"  buckles   {_buckles(found, unit)}"
+    if found.path is not None:
+        yield f"  buckles   {_followed(found.path, unit)}"
+    elif case.limit_state in STRENGTH:
+        factors = ", ".join(map(plain, found.buckling_factors))
+        yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
     yield f"  balance   reactions {reaction}, missing {found.residual:.1g} of the loads"
 
 
-def _buckles(found: Equilibrium, unit: str) -> str:
-    path, factor = found.path, found.buckling
-    if path is None:
-        return "not" if factor is None else f"under {plain(factor)} times the loads"
+def _followed(path: LoadPath, unit: str) -> str:
     linear = f"displaced by {plain(path.linear_displacement)} {unit}"
     if path.linear_buckling is not None:
         linear += f", buckles under {plain(path.linear_buckling)} times the loads"
@@ -120,10 +125,24 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
             f"{first} and {second}{_used(used.creases)}"
         )
     yield (
-        f"  panels    {plain(found.stress.size)} N/{unit}2 at most, on the "
+        f"  panels    {Quantities(unit).stress(found.stress.size)} at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
+
+
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code, and how many cases it has."""
+    from orishell.structure.results import creases_in_words
+
+    for each in report.envelopes:
+        what = "in equilibrium under all of them"
+        if each.moves:
+            what = f"it moves under {each.moves} of them, such as {each.case}"
+        elif each.part is not None and each.share is not None:
+            what = f"{each.part} {plain(100 * each.share, 3)} %: {each.case}"
+        stiffness = creases_in_words(each.creases)
+        yield f"{each.limit_state:10}{each.cases} cases; {what}, {stiffness}"
 
 
 def _used(share: float | None) -> str:

@@ -124,6 +124,10 @@ td.number { white-space: nowrap; }
 tbody th { min-width: 24mm; }
 tr { break-inside: avoid; }
 thead { display: table-header-group; }
+@media screen and (max-width: 700px) {
+  body { padding: 6mm 4mm; } table { display: block; overflow-x: auto; }
+  h1 { overflow-wrap: anywhere; }
+}
 @page { size: A4; margin: 15mm 12mm; }
 @media print { body { padding: 0; max-width: none; font-size: 9.5pt; } table { font-size: 8.5pt; } }
 """

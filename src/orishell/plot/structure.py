@@ -44,8 +44,8 @@ BAR = 0.62
 """Height of a bar of colours with its numbers (inches)."""
 CREASE = (0.15, 0.15, 0.18, 0.55)
 UNLOADED = "#4a4d55"
-NAME, LINE = 46, 70
-"""Characters of a name and of a line above a part, at most."""
+LINE = 52
+"""Characters of a line above a part, at most."""
 TAUT, SLACK = LIGHT["target"], LIGHT["unfolded"]
 
 
@@ -103,11 +103,10 @@ def plot_structure(
         draw_lines(axes, ties[~each.taut], SLACK, 1.6, (0, (2, 2)))
         _draw_supports(axes, shell, camera)
         frame(axes, np.concatenate(pictures))
-        _say(axes, each, scale)
+        _say(axes, each)
         beside = add_part(figure, (right + 0.2) * width, bottom + BAR - 0.2, 0.6 * width, 0.12)
         bar = figure.colorbar(colours, cax=beside, orientation="horizontal")
-        moved = f"displacement ({unit})" if each.case.balanced else "motion, by the largest"
-        bar.set_label(moved)
+        bar.set_label(_how(each.case, scale, unit))
     _explain(figure, shell, drawn, len(cases) - len(drawn))
     save(figure, path)
 
@@ -186,16 +185,22 @@ def _supports(shell: LoadedShell) -> tuple[Integers, Booleans]:
     return nodes, times == 3
 
 
-def _say(axes: Axes, drawn: DrawnCase, scale: float) -> None:
-    """Name of a load case, and a line on how it is drawn, above its part."""
-    how = "drawn as it is" if scale == 1 else f"drawn {scale:g} times as large"
-    if not drawn.case.balanced:
-        how = "nothing resists this"
+def _say(axes: Axes, drawn: DrawnCase) -> None:
+    """Name of a load case, and what it does to the shell, above its part."""
+    name, note = (
+        textwrap.shorten(text, LINE, placeholder=" ...") for text in (drawn.case.name, drawn.note)
+    )
     colour = LIGHT[drawn.case.sign]
-    name = textwrap.shorten(drawn.case.name, NAME, placeholder=" ...")
     axes.set_title(f"{name}\n", y=1.0, fontsize=12, fontweight="bold", color=colour)
-    note = textwrap.shorten(f"{drawn.note}; {how}", LINE, placeholder=" ...")
     axes.text(0.5, 1.012, note, transform=axes.transAxes, ha="center", va="bottom", fontsize=10)
+
+
+def _how(case: LoadedCase, scale: float, unit: str) -> str:
+    """What colours mean, and how displacements are drawn."""
+    if not case.balanced:
+        return "motion that nothing resists, by the largest"
+    drawn = "as it is" if scale == 1 else f"{scale:g} times as large"
+    return f"displacement ({unit}), drawn {drawn}"
 
 
 def _explain(figure: Figure, shell: LoadedShell, drawn: Sequence[DrawnCase], missing: int) -> None:

@@ -1,4 +1,4 @@
-"""Does it stand: a shell of flat triangles, its hinges, supports and loads.
+"""Does it carry its loads: a shell of flat triangles, its hinges, supports and loads.
 
 Derived in docs/theory/structure.md.
 """

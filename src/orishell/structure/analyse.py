@@ -14,6 +14,9 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
+from orishell.structure.buckling import turned_by_load
+from orishell.structure.combinations import Combination, LimitState
+from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
@@ -29,12 +32,12 @@ from orishell.structure.solve.stability import (
     Inverse,
     find_buckling,
     find_frequencies,
-    geometric_stiffness,
-    turning_stiffness,
 )
 
 FREQUENCIES = 3
 """How many frequencies are found."""
+BUCKLING = 3
+"""How many buckling factors are found."""
 FINEST = 32
 """Cells are not halved beyond so many along a side."""
 UNBALANCED = 1e-6
@@ -91,6 +94,7 @@ class _Solved:
     """How the structure responds to a load case with one stiffness of creases."""
 
     name: str
+    limit_state: LimitState | None
     stiffness: float
     structure: Factorised
     loads: tuple[Load, ...]
@@ -102,16 +106,20 @@ class _Solved:
 def _solve(model: Model) -> Sequence[_Solved]:
     """All load cases, with the least stiffness of creases first."""
     found, asked = [], model.structure
+    cases, known = asked.analysed, asked.arranged
     for stiffness in dict.fromkeys(asked.crease_stiffness):
         structure = model.factorised(stiffness)
-        for case in asked.analysed:
-            loads = case_loads(model.exposure, case, asked.cases)
+        for case in cases:
+            loads = case_loads(model.exposure, case, known)
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
             if asked.nonlinear:  # far too soft by linear theory is not so by itself
                 held = response.moves is None
-            found.append(_Solved(case.name, stiffness, structure, loads, forces, response, held))
+            state = case.limit_state if isinstance(case, Combination) else None
+            found.append(
+                _Solved(case.name, state, stiffness, structure, loads, forces, response, held)
+            )
     return found
 
 
@@ -139,6 +147,7 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         forces=forces,
         motion=motion,
         equilibrium=_balanced(model, solved) if solved.stands else None,
+        limit_state=solved.limit_state,
     )
 
 
@@ -156,17 +165,15 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
     stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
-    inverse = Inverse.of(structure, response.active, response.motions)
-    directed = response.forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
-    geometric = geometric_stiffness(mesh.facets, stresses.forces, mesh.count) + turning_stiffness(
-        mesh.facets.points, structure.conditions.nodes[:straight], directed, mesh.count
-    )
-    free = structure.free
-    buckling = find_buckling(inverse, geometric[free][:, free])
-    frequencies, modes = np.zeros(0), np.zeros((0, *solved.forces.shape))
-    if model.site.areal_mass:
-        frequencies, found = find_frequencies(inverse, model.inertia()[free], FREQUENCIES)
-        modes = np.stack([_unit(structure, mode) for mode in found.T])
+    factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
+    frequencies, modes = factors, shapes
+    if solved.limit_state in STRENGTH:
+        inverse = Inverse.of(structure, response.active, response.motions)
+        geometric = turned_by_load(model, structure, response.forces, stresses.forces)
+        factors, shapes = find_buckling(inverse, geometric, BUCKLING)
+        if model.site.areal_mass:
+            mass = model.inertia()[structure.free]
+            frequencies, modes = find_frequencies(inverse, mass, FREQUENCIES)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,
@@ -180,16 +187,22 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         crease_moments=crease_moments(mesh, model.grid, model.section, moved),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if buckling is None else buckling[0],
-        buckling_mode=None if buckling is None else _unit(structure, buckling[1]),
+        buckling_factors=tuple(factors.tolist()),
+        buckling_modes=_units(structure, shapes),
         frequencies=tuple(frequencies.tolist()),
-        modes=modes,
+        modes=_units(structure, modes),
     )
 
 
 def _unit(structure: Factorised, mode: Array) -> Array:
     """Displacements (N, 3) of a mode (n,), the largest is 1."""
     return structure.shape(mode) / structure.furthest(mode)
+
+
+def _units(structure: Factorised, modes: Array) -> Array:
+    """Displacements (k, N, 3) of modes (n, k), the largest of each is 1."""
+    shapes = [_unit(structure, mode) for mode in modes.T]
+    return np.stack(shapes) if shapes else np.zeros((0, structure.nodes, 3))
 
 
 def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:

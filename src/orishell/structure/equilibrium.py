@@ -107,7 +107,8 @@ class Equilibrium:
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
-        "crease", "stress", "utilisation", "buckling", "frequencies", "path",
+        "crease", "stress", "utilisation", "buckling", "buckling_factors", "frequencies",
+        "path",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -129,10 +130,10 @@ class Equilibrium:
     stresses: Array
     # the larger and the smaller principal stress (T, 2) of both faces (force per area)
     principal: Array
-    # by what factor all loads may grow until the shell buckles, by linear theory; None if it does
-    # not
-    buckling: float | None
-    buckling_mode: Array | None  # of nodes (N, 3), the largest displacement is 1
+    # the lowest factors by which all loads grow until the shell buckles, by linear theory; none if
+    # it does not
+    buckling_factors: tuple[float, ...]
+    buckling_modes: Array  # their modes (B, N, 3), the largest displacement is 1
     # the lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and
     # free motions, which have none
     frequencies: tuple[float, ...]
@@ -140,6 +141,11 @@ class Equilibrium:
     # the way there, where large displacements are followed: then all but frequencies is of the
     # shell as it is moved, at the end of the path
     path: LoadPath | None = None
+
+    @property
+    def buckling(self) -> float | None:
+        """The lowest buckling factor; None if it does not buckle."""
+        return self.buckling_factors[0] if self.buckling_factors else None
 
     @cached_property
     def displacement(self) -> Displacement:

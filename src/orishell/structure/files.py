@@ -61,9 +61,9 @@ VERDICTS = {
 
 
 def _note(case: CaseResult, said: Quantities) -> str:
-    """Why it fails, or how far the shell is displaced, and where most."""
-    if case.findings:
-        return case.findings[0].text
+    """How it fails, or how far the shell is displaced, and where most."""
+    if case.sign == "fails":
+        return ", ".join(dict.fromkeys(each.kind for each in case.findings if each.sign == "fails"))
     assert case.equilibrium is not None
     most = case.equilibrium.displacement
     return f"{said.displacement(most.size)} at panel {most.panel[0]}, {most.panel[1]}"

@@ -20,6 +20,8 @@ NO_CODE: Final = ((0.0, 0.8), (90.0, -1.0), (180.0, -0.4))
 at the crown and in the lee, as about a long arch."""
 MOST = 1e12
 """Loads are smaller than this: what is computed from larger ones would overflow in the end."""
+Action = Literal["permanent", "snow", "wind", "imposed"]
+"""What a load case is to EN 1990."""
 LONGEST = 60
 """Characters of a load case's name."""
 
@@ -31,15 +33,45 @@ Coefficient = Annotated[Number, Field(ge=-10, le=10)]
 """Of pressure, positive towards the outer face."""
 
 
+SHAPES: Final[dict[str, tuple[str, ...]]] = {
+    "slope": (),
+    "cylinder": ("undrifted", "drifted left", "drifted right"),
+    "valleys": ("undrifted", "in valleys"),
+}
+"""Shapes of roofs that snow lies on, and its arrangements there."""
+
+
 class Snow(Table):
     """Snow, down on the plan of panels whose outer face looks up.
 
-    ``ground`` is its load on level ground (force per area). It is gathered by each panel's "slope",
-    mu_1 of EN 1991-1-3, or as by a "cylinder": mu_3, by rise and span of the whole.
+    ``ground`` is its load on level ground (force per area). EN 1991-1-3 arranges it on a "cylinder"
+    (5.3.5) or in the "valleys" of a corrugation (5.3.4), in several ways, one after the other
+    unless ``arrangement`` names one. By "slope" it slides off each panel as off a smooth roof
+    (5.3.2).
     """
 
     ground: Annotated[Number, Field(gt=0, le=MOST)]
-    shape: Literal["slope", "cylinder"] = "slope"
+    shape: Literal["slope", "cylinder", "valleys"] = "slope"
+    arrangement: Literal["undrifted", "drifted left", "drifted right", "in valleys"] | None = None
+
+    @property
+    def arrangements(self) -> tuple[Self, ...]:
+        """The snow in each of its arrangements."""
+        if self.arrangement is not None or not SHAPES[self.shape]:
+            return (self,)
+        return tuple(self.having(arrangement=each) for each in SHAPES[self.shape])
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        own = SHAPES[self.shape]
+        if self.arrangement is not None and self.arrangement not in own:
+            named = ", ".join(f'"{each}"' for each in own) or "no arrangement"
+            raise PydanticCustomError(
+                "arrangement",
+                "{named}, for snow of this shape",
+                {"key": "arrangement", "got": self.arrangement, "named": named},
+            )
+        return self
 
 
 class Zone(Table):
@@ -62,8 +94,10 @@ class Wind(Table):
 
     It blows from x to y by ``direction_deg``. ``coefficients`` are pairs of an angle between a
     panel's outer normal and where the wind comes from (degrees) and the coefficient there, straight
-    lines between them; instead of them ``zones`` may name every row of panels once. ``height`` over
-    the ground is where its speed is taken; None for the top of the shell.
+    lines between them. Instead of them ``zones`` may name every row of panels once, or ``vault``
+    give the coefficients of zones A, B and C of vaulted roofs. ``internal`` are coefficients of the
+    pressure inside, one after the other; ``friction`` is that of the air along the surface.
+    ``height`` over the ground is where its speed is taken; None for the top of the shell.
     """
 
     speed: Annotated[Number, Field(gt=0, le=200)]
@@ -71,6 +105,9 @@ class Wind(Table):
     direction_deg: Annotated[Number, Field(ge=-360, le=360)]
     coefficients: Several[Pair[Number]] = NO_CODE
     zones: Annotated[Several[Zone], Field(min_length=1)] | None = None
+    vault: Annotated[tuple[Coefficient, Coefficient, Coefficient], entries(3)] | None = None
+    internal: Several[Coefficient] = ()
+    friction: Annotated[Number, Field(ge=0, le=1)] = 0.0
     height: Annotated[Number, Field(gt=0, le=MOST)] | None = None
 
     @property
@@ -81,13 +118,22 @@ class Wind(Table):
     @property
     def is_of_no_code(self) -> bool:
         """Whether its coefficients are those of no code."""
-        return self.zones is None and self.coefficients == NO_CODE
+        return self.zones is None and self.vault is None and self.coefficients == NO_CODE
+
+    @property
+    def arrangements(self) -> tuple[Self, ...]:
+        """The wind with each pressure inside."""
+        return tuple(self.having(internal=(each,)) for each in self.internal) or (self,)
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        if self.zones is not None and "coefficients" in self.model_fields_set:
+        kinds = {"coefficients", "zones", "vault"} & self.model_fields_set
+        given = {each for each in kinds if getattr(self, each) is not None}
+        if len(given) > 1:
             raise PydanticCustomError(
-                "two_kinds", "either coefficients or zones", {"key": "zones", "got": "both"}
+                "two_kinds",
+                "one of coefficients, zones and vault",
+                {"key": min(given - {"coefficients"}), "got": " and ".join(sorted(given))},
             )
         angles = [angle for angle, _ in self.coefficients]
         if angles != sorted(set(angles)) or angles[:1] + angles[-1:] != [0, 180]:
@@ -111,10 +157,11 @@ class LoadCase(Table):
 
     ``pressure`` is on the outer face, square on it (force per area). ``combine`` has factors of
     the loads of other cases by their names; then there are no others here. A case that others
-    combine is not analysed on its own.
+    combine is not analysed on its own. ``action`` says what it is where a code combines cases.
     """
 
     name: str
+    action: Action | None = None
     self_weight: bool = False
     pressure: Load = 0.0
     snow: Snow | None = None
@@ -149,7 +196,7 @@ class LoadCase(Table):
         return self
 
 
-LOADS = tuple(name for name in LoadCase.model_fields if name not in {"name", "combine"})
+LOADS = tuple(name for name in LoadCase.model_fields if name not in {"name", "action", "combine"})
 """The keys of a case that are loads."""
 OWN_WEIGHT = LoadCase(name="self-weight", self_weight=True)
 """The only case where a design file has none."""

@@ -187,6 +187,7 @@ class Model:
             unit=self.site.unit,
             ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
             span=span if standing else None,
+            feet=self.site.rows,
         )
 
     def _hung(self) -> Array:

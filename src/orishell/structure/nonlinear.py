@@ -204,7 +204,8 @@ def _deformed(
 ) -> Equilibrium:
     """What there is in the shell at a point of its path."""
     model, moved, moving = linear.model, point.moved, point.moving
-    mesh, still = model.mesh, _still(point, motions)
+    mesh = model.mesh
+    shape = _still(point, motions)[mesh.translations()]
     panels, *others = moving.parts
     assert isinstance(panels, Corotational)
     places = mesh.facets.points + moved.displacements[mesh.translations()]
@@ -221,7 +222,7 @@ def _deformed(
     ties = len(model.site.ties)
     return replace(
         linear,
-        displacements=still[mesh.translations()],
+        displacements=shape,
         support_forces=at_nodes[model.supports.vertices()],
         reaction=vector(reaction),
         residual=residual,
@@ -231,7 +232,8 @@ def _deformed(
         crease_moments=moments_about(mesh, model.grid, panels.forces(moved), places),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling=None if path.carries else path.reached or None,
+        buckling_factors=() if path.carries or not path.reached else (path.reached,),
+        buckling_modes=np.zeros((0, *shape.shape)),
         path=path,
     )
 

@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
+from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium, PairForce
 from orishell.structure.loads import KINDS, Vector
 from orishell.structure.model_page import model_parts
-from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.results import Analysis, CaseResult, creases_in_words
 from orishell.structure.verdict import COLLAPSED
 
 ROUNDING = 1e-9
@@ -45,7 +46,8 @@ def structure_page(
             heading(2, "Results"),
             *_results(report, said),
             "" if paths is None else picture(paths, PATHS),
-            *(part for case in report.cases for part in _case(case, report, said)),
+            *_envelopes(report),
+            *(part for case in report.told for part in _case(case, report, said)),
             heading(2, "What is not covered"),
             bullets(report.not_covered),
         ],
@@ -69,7 +71,7 @@ def _answer(report: Analysis, said: Quantities) -> Iterator[str]:
     yield paragraph(f"{governs[0].upper()}{governs[1:]}.", "lead")
     rows = [
         (report.name_of(case), CARRIES[case.carries], case.in_words(), case.sign)
-        for case in report.ranked
+        for case in report.told
     ]
     yield table(
         ("load case", "carries", "the shell"),
@@ -83,7 +85,7 @@ CARRIES = {True: "yes", False: "no", None: "not known"}
 
 def _loads(report: Analysis, said: Quantities) -> Iterator[str]:
     """What loads each case, and what bears it; loads are the same for all stiffnesses."""
-    names = dict.fromkeys(case.name for case in report.cases)
+    names = dict.fromkeys(case.name for case in report.told)
     for name in names:
         same = [case for case in report.cases if case.name == name]
         rows = [
@@ -132,6 +134,28 @@ def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     yield paragraph(
         "Used is the largest share of what panels, creases and ties can bear, of the load at which "
         f"the shell buckles, and of a displacement of {100 * COLLAPSED:g} % of its height.",
+        "soft",
+    )
+
+
+def _envelopes(report: Analysis) -> Iterator[str]:
+    """What governs each limit state of a code."""
+    if not report.envelopes:
+        return
+    rows = [
+        (
+            each.limit_state,
+            f"{each.cases}",
+            f"{each.moves}",
+            f"{each.case}, {creases_in_words(each.creases)}",
+            NOTHING if each.share is None else f"{each.part}: {_share(each.share)}",
+        )
+        for each in report.envelopes
+    ]
+    yield table(("limit state", "cases", "move", "governs", "by"), rows, numbers=0)
+    yield paragraph(
+        "ULS is judged by strength and buckling, EQU by equilibrium, SLS by displacements: shares "
+        "of what can be borne, of the friction that there is, and of the shell\u2019s height.",
         "soft",
     )
 
@@ -198,8 +222,12 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
             f"{said.moment(found.crease.moment)} between panels {one} and {other}",
         )
     buckles = "by linear theory it does not"
-    if found.buckling is not None:
-        buckles = f"under {figure(found.buckling)} times these loads, by linear theory"
+    if case.limit_state not in STRENGTH:
+        buckles = "found for ULS only"
+    if found.buckling_factors:
+        lowest, *others = map(figure, found.buckling_factors)
+        further = f"; in other ways under {' and '.join(others)} times" if others else ""
+        buckles = f"under {lowest} times these loads{further}, by linear theory"
     if found.path is not None:
         path = found.path
         linear = (

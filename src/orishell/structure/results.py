@@ -6,17 +6,19 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
 
-import numpy as np
-
 from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign, worst
-from orishell.document.loaded import LoadedCase, LoadedShell
+from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
+from orishell.structure.combinations import LimitState
+from orishell.structure.envelopes import MANY, STRENGTH, Envelope, envelopes
 from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
+from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model, Stiffness, stiffness_in_words
 from orishell.structure.verdict import (
+    COLLAPSED,
     Finding,
     against_equilibrium,
     against_motion,
@@ -36,8 +38,8 @@ NOT_COVERED = (
     "creep, fatigue, heat and moisture",
     "anchors, and the ground under the feet",
     "wind and snow on flaps: only their weight counts",
-    "wind inside, and gusts that shake the shell",
-    "snow that drifts, or that a corrugation keeps from sliding off steep panels",
+    "gusts that shake the shell, and local suction at its edges",
+    "exceptional snow, and drifts at obstacles and taller buildings",
     "the way from the pack to the target",
 )
 Remedy = Literal["ties", "pinned"]
@@ -78,7 +80,16 @@ class FreeMotion:
 class CaseResult:
     """A load case with one stiffness of creases."""
 
-    WRITTEN = ("name", "creases", "carries", "findings", "loads", "load", "equilibrium")
+    WRITTEN = (
+        "name",
+        "limit_state",
+        "creases",
+        "carries",
+        "findings",
+        "loads",
+        "load",
+        "equilibrium",
+    )
 
     name: str  # the case
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
@@ -86,6 +97,9 @@ class CaseResult:
     forces: Array  # on nodes (N, 3), of all loads (N)
     motion: FreeMotion | None  # what nothing resists; None if there is equilibrium
     equilibrium: Equilibrium | None  # what holds it; None if it moves
+    # what a code combines it for: "ULS" is judged by strength and buckling, "EQU" by equilibrium
+    # alone, "SLS" by displacements; None if no code does, then by all
+    limit_state: LimitState | None = None
 
     @property
     def creases(self) -> Stiffness:
@@ -103,7 +117,8 @@ class CaseResult:
         if self.motion is not None:
             return ranked(against_motion(self.motion))
         assert self.equilibrium is not None
-        return ranked(against_equilibrium(self.equilibrium))
+        strength = self.limit_state in STRENGTH
+        return ranked(against_equilibrium(self.equilibrium, strength=strength))
 
     @property
     def sign(self) -> Sign:
@@ -120,7 +135,11 @@ class CaseResult:
     @property
     def used(self) -> float:
         """The largest share of what is borne: above 1 where it does not carry its loads."""
-        return float("inf") if self.equilibrium is None else self.equilibrium.used
+        if self.equilibrium is None:
+            return float("inf")
+        if self.limit_state in STRENGTH:
+            return self.equilibrium.used
+        return self.equilibrium.displacement.share / COLLAPSED
 
     def in_words(self) -> str:
         """What the shell does under these loads."""
@@ -132,11 +151,11 @@ class CaseResult:
         )
         return f"{doubt}, but {said}"
 
-    def load_warnings(self) -> Iterator[str]:
-        """What an engineer should read of its loads."""
+    def load_warnings(self) -> Iterator[tuple[str, str]]:
+        """Of which case, and what an engineer should read of its loads."""
         if all(load.kind != "self_weight" for load in self.loads):
-            yield "own weight is left out (self_weight = true)"
-        yield from dict.fromkeys(load.caution for load in self.loads if load.caution)
+            yield self.name, "own weight is left out (self_weight = true)"
+        yield from ((load.case, load.caution) for load in self.loads if load.caution)
 
 
 @record
@@ -154,7 +173,7 @@ class Governing:
 class Analysis:
     """The shell as a structure."""
 
-    WRITTEN = ("carries", "model", "cases", "governs", "warnings", "not_covered")
+    WRITTEN = ("carries", "model", "cases", "governs", "envelopes", "warnings", "not_covered")
 
     model: Model  # what is analysed
     cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
@@ -192,6 +211,7 @@ class Analysis:
         found = [
             Governing(used.governs, case.name, case.creases, used.shares[used.governs] or 0.0)
             for balanced, case in self.balanced
+            if case.limit_state in STRENGTH
             if (used := balanced.utilisation).governs is not None
         ]
         return max(found, key=lambda each: each.utilisation, default=None)
@@ -226,6 +246,22 @@ class Analysis:
         return f"{GOVERNING[governs.part]} governs, {borne} {self.name_of(governs)}"
 
     @cached_property
+    def envelopes(self) -> tuple[Envelope, ...]:
+        """What governs each limit state of a code; none if no code combines the cases."""
+        return tuple(envelopes(self.cases))
+
+    @property
+    def told(self) -> tuple[CaseResult, ...]:
+        """The cases that are told in full, the worst first: all, or of many those that govern."""
+        if len({case.name for case in self.cases}) <= MANY:
+            return self.ranked
+        names = {each.case for each in self.envelopes if each.moves or each.part is not None}
+        if self.governs is not None:
+            names.add(self.governs.case)
+        own = (case for case in self.ranked if case.limit_state is None or case.name in names)
+        return tuple(own)
+
+    @cached_property
     def warnings(self) -> tuple[str, ...]:
         """Sentences an engineer should read, beside what speaks against single cases."""
         return tuple(self._warnings())
@@ -242,13 +278,14 @@ class Analysis:
                 f"linear theory may mislead under {'; '.join(far)}: large displacements are "
                 "followed with nonlinear = true in [structure]"
             )
-        said: dict[str, list[str]] = {}
-        for case in {each.name: each for each in self.cases}.values():
-            for text in case.load_warnings():
-                said.setdefault(text, []).append(case.name)
+        said: dict[str, dict[str, None]] = {}
+        for case in self.cases:
+            for name, text in case.load_warnings():
+                said.setdefault(text, {})[name] = None
+        every = {each.name for each in self.cases}
         for text, names in said.items():
-            every = len(names) == len({each.name for each in self.cases})
-            yield f"{'all load cases' if every else 'load cases ' + ', '.join(names)}: {text}"
+            of = "all load cases" if set(names) == every else f"load cases {', '.join(names)}"
+            yield f"{of}: {text}"
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.
@@ -265,38 +302,7 @@ class Analysis:
 
     def loaded(self) -> LoadedShell:
         """The same as files and pages show it."""
-        model, section = self.model, self.model.section
-        facets = model.mesh.facets
-        count = len(facets.triangles)
-        return LoadedShell(
-            points=facets.points,
-            triangles=facets.triangles,
-            panels=model.mesh.panels,
-            membrane=np.broadcast_to(np.asarray(section.membrane, np.float64), count),
-            bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
-            poisson=section.poisson,
-            areal_mass=model.exposure.areal_mass,
-            held=model.supports.as_if_pinned(),
-            ties=model.nodes_of(model.site.ties),
-            tie_stiffness=model.structure.tie_stiffness,
-            cases=tuple(self._loaded(case) for case in self.cases),
-        )
-
-    def _loaded(self, case: CaseResult) -> LoadedCase:
-        held = case.equilibrium
-        shown = case.motion or held
-        assert shown is not None
-        count = len(self.model.mesh.facets.triangles)
-        return LoadedCase(
-            name=self.name_of(case),
-            sign=case.sign,
-            balanced=case.motion is None,
-            forces=case.forces,
-            displacements=shown.displacements,
-            stresses=np.zeros(count)
-            if case.equilibrium is None
-            else case.equilibrium.stresses.max(axis=1),
-        )
+        return loaded_shell(self)
 
 
 def creases_in_words(creases: Stiffness) -> str:

@@ -12,6 +12,8 @@ from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from orishell.conventions.table import Number, Pair, Several, Table
+from orishell.structure.arrangements import arranged
+from orishell.structure.combinations import Expression, Factors, combine
 from orishell.structure.load_settings import (
     LOADS,
     NO_CODE,
@@ -116,6 +118,10 @@ class StructureTable(Table):
     # force by strain of a tie; infinite if it does not stretch (N)
     tie_stiffness: Positive = math.inf
     tie_strength: Positive | None = None  # what a tie bears; None if that is not known (N)
+    # code whose combinations of cases are made; then cases are combined and not analysed alone
+    combinations: Literal["none", "EN 1990"] = "none"
+    expression: Expression = "6.10"  # of strength, in EN 1990
+    factors: Factors = Factors()  # those of EN 1990
     # cells along every side of a panel, of two triangles each
     cells: Annotated[int, Field(ge=1, le=32)] = 4
     # cells are halved until the largest displacement changes by less than this share; 0 to leave
@@ -134,7 +140,19 @@ class Structure(StructureTable):
     cases: Several[LoadCase]
 
     @property
+    def arranged(self) -> tuple[LoadCase, ...]:
+        """All cases, those of several arrangements in each of them, and what a code combines.
+
+        Raises InputError: If it is not clear what a case is to the code.
+        """
+        cases = arranged(self.cases)
+        if self.combinations == "none":
+            return cases
+        return (*cases, *combine(self.cases, self.factors, self.expression))
+
+    @property
     def analysed(self) -> tuple[LoadCase, ...]:
         """The cases that are analysed: those that no other combines."""
-        parts = {name for case in self.cases for name in case.combine}
-        return tuple(case for case in self.cases if case.name not in parts)
+        cases = self.arranged
+        parts = {name for case in cases for name in case.combine}
+        return tuple(case for case in cases if case.name not in parts)

@@ -45,23 +45,18 @@ def against_motion(motion: FreeMotion) -> Iterator[Finding]:
     yield Finding("fails", kind, motion.in_words(), None)
 
 
-def against_equilibrium(found: Equilibrium) -> Iterator[Finding]:
-    """What speaks against a shell in equilibrium."""
-    unit, most, used = found.model.site.unit, found.displacement, found.utilisation
-    for name, part in (("panels", used.panels), ("creases", used.creases), ("ties", used.ties)):
-        if part is not None and part > 1:
-            text = f"uses {plain(100 * part, 3)} % of the strength of its {name}"
-            yield Finding("fails", "exceeds strength", text, part)
-    factor, path = found.buckling, found.path
-    if path is not None:
-        if not path.carries:
-            excess = 1 / path.reached if path.reached else None
-            yield Finding("fails", "buckles", path.in_words(), excess)
-    elif factor is not None and factor < LEAST_BUCKLING:
-        text = f"buckles under {plain(factor, 3)} times its loads"
-        if factor >= 1:
-            text += " by linear theory, and earlier with imperfections"
-        yield Finding("fails" if factor < 1 else "warns", "buckles", text, 1 / factor)
+def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterator[Finding]:
+    """What speaks against a shell in equilibrium.
+
+    strength: Whether strength and buckling are judged.
+    """
+    if strength:
+        yield from _against_strength(found)
+    path = found.path
+    if path is not None and not path.carries:
+        excess = 1 / path.reached if path.reached else None
+        yield Finding("fails", "buckles", path.in_words(), excess)
+    unit, most = found.model.site.unit, found.displacement
     if most.share > LARGE:
         row, column = most.panel
         sign: Sign = "fails" if most.share > COLLAPSED else "warns"
@@ -73,6 +68,20 @@ def against_equilibrium(found: Equilibrium) -> Iterator[Finding]:
             text += ", too far for linear theory"
         if sign == "fails" or path is None:
             yield Finding(sign, "displaced", text, most.share / COLLAPSED)
+
+
+def _against_strength(found: Equilibrium) -> Iterator[Finding]:
+    used = found.utilisation
+    for name, part in (("panels", used.panels), ("creases", used.creases), ("ties", used.ties)):
+        if part is not None and part > 1:
+            text = f"uses {plain(100 * part, 3)} % of the strength of its {name}"
+            yield Finding("fails", "exceeds strength", text, part)
+    factor = found.buckling
+    if found.path is None and factor is not None and factor < LEAST_BUCKLING:
+        text = f"buckles under {plain(factor, 3)} times its loads"
+        if factor >= 1:
+            text += " by linear theory, and earlier with imperfections"
+        yield Finding("fails" if factor < 1 else "warns", "buckles", text, 1 / factor)
     if found.unknown:
         text = f"is loaded in {' and '.join(found.unknown)}, whose strength is not given"
         yield Finding("warns", "unknown", text, None)

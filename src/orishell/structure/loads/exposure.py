@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
@@ -33,11 +34,50 @@ class Exposure:
     unit: str  # the design's unit of length
     ground: float  # height of the ground (length)
     span: float | None  # from foot to foot; None if it does not stand on two feet (length)
+    feet: tuple[int, int] | None = None  # rows of vertices that it stands on; None likewise
 
     @property
     def rise(self) -> float:
         """Height of its top over the ground (length)."""
         return float(self.mesh.points[:, 2].max()) - self.ground
+
+    @property
+    def rows(self) -> Integers:
+        """The row (T,) of panels of every triangle."""
+        return np.asarray(self.panels // (self.grid.columns - 1))
+
+    @property
+    def columns(self) -> Integers:
+        """The column (T,) of panels of every triangle."""
+        return np.asarray(self.panels % (self.grid.columns - 1))
+
+    def ridges(self) -> Array:
+        """Middles (rows, columns, 3) of the edges that panels of a column share, row by row."""
+        vertices = self.mesh.points[self.grid.vertices()]
+        return np.asarray(0.5 * (vertices[:, :-1] + vertices[:, 1:]))
+
+    def centroids(self) -> Array:
+        """Middles (T, 3) of triangles."""
+        return np.asarray(self.mesh.points[self.mesh.triangles].mean(axis=1))
+
+    def across(self) -> tuple[Array, Array]:
+        """Where triangles (T,) lie from the first foot, 0, to the second, 1, and which way that is.
+
+        Both in plan, in each column of panels by its own feet; the ways (T, 2) are unit vectors.
+
+        Raises InputError: If it does not stand on two feet.
+        """
+        if self.feet is None:
+            raise InputError(
+                "there are no feet, so there is no span",
+                expected="a shell that stands on the two ends of f",
+                remedy='shape = "slope" or "valleys" of snow, zones of rows of wind',
+            )
+        first, second = self.ridges()[list(self.feet)][:, self.columns, :2]
+        way = second - first
+        length = np.linalg.norm(way, axis=1)
+        share = ((self.centroids()[:, :2] - first) * way).sum(axis=1) / length**2
+        return share, way / length[:, None]
 
     def outer(self) -> Array:
         """Unit normals (T, 3) of the outer face: that which looks up, all panels together."""

@@ -60,17 +60,22 @@ class Facets:
 
     def element_stiffness(self, section: Section) -> Array:
         """Stiffness (T, 18, 18) of every triangle in the world's axes."""
-        axes, flat = self.axes(), self.flat()
+        flat = self.flat()
         local = np.zeros((len(flat), 18, 18))
         membrane = membrane_stiffness(flat, section.matrix(section.membrane), section.poisson)
         plate = plate_stiffness(flat, section.matrix(section.bending))
         for part, own in ((membrane, IN_PLANE), (plate, OUT_OF_PLANE)):
             places = (DOFS * np.arange(3)[:, None] + np.array(own)).ravel()
             local[:, places[:, None], places] = part
-        turned = np.zeros((len(flat), 18, 18))
+        return self.turned(local)
+
+    def turned(self, local: Array) -> Array:
+        """Matrices (T, 18, 18) in the world's axes, of those in every triangle's own axes."""
+        axes = self.axes()
+        turn = np.zeros((len(axes), 18, 18))
         for k in range(6):
-            turned[:, 3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = axes
-        return np.asarray(turned.swapaxes(1, 2) @ local @ turned)
+            turn[:, 3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = axes
+        return np.asarray(turn.swapaxes(1, 2) @ local @ turn)
 
     def elements(self, section: Section, dofs: Integers, count: int) -> Elements:
         """The triangles as elements.

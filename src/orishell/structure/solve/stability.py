@@ -19,7 +19,6 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.elements import assemble
-from orishell.structure.mesh.triangle import Facets
 from orishell.structure.solve.factorised import Factorised
 
 if TYPE_CHECKING:
@@ -28,6 +27,9 @@ if TYPE_CHECKING:
 SEED = 0
 ACCURACY = 1e-8
 """Relative accuracy of modes' values."""
+RESTARTS = 300
+"""Lanczos' iteration for buckling is given up after so many: what it has not found by then is none.
+A shell that is pulled all over has no positive value to find, and many just below 0."""
 
 
 @record
@@ -56,12 +58,16 @@ class Inverse:
         return np.asarray(self.structure.soft_stiffness(moved, self.active))
 
 
-def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tuple[Array, Array]:
-    """Largest values (count,) of a matrix relative to the stiffness, and their vectors (n, count).
+def largest(
+    inverse: Inverse, apply: Callable[[Array], Array], count: int, restarts: int | None = None
+) -> tuple[Array, Array]:
+    """Largest values (k,) of a matrix relative to the stiffness, and their vectors (n, k).
 
     apply: Products of the symmetric matrix with vectors (n,).
+    count: Number k of values.
+    restarts: How many iterations there may be. Then those that are found are returned, maybe fewer.
     """
-    from scipy.sparse.linalg import LinearOperator, eigsh
+    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
     size = len(inverse.structure.free)
     start = inverse.solve(np.random.default_rng(SEED).standard_normal(size))
@@ -69,9 +75,21 @@ def largest(inverse: Inverse, apply: Callable[[Array], Array], count: int) -> tu
         LinearOperator((size, size), matvec=each, dtype=np.float64)
         for each in (apply, inverse.stiffness, inverse.solve)
     )
-    values, vectors = eigsh(
-        matrix, count, M=stiffness, Minv=solved, which="LA", v0=start, tol=ACCURACY
-    )
+    try:
+        values, vectors = eigsh(
+            matrix,
+            count,
+            M=stiffness,
+            Minv=solved,
+            which="LA",
+            v0=start,
+            tol=ACCURACY,
+            maxiter=restarts,
+        )
+    except ArpackNoConvergence as failure:
+        if restarts is None:
+            raise
+        values, vectors = failure.eigenvalues, failure.eigenvectors  # type: ignore[assignment]
     order = np.argsort(values)[::-1]
     return values[order], vectors[:, order]
 
@@ -98,24 +116,6 @@ NEVER = 1e-9
 """Factors above the inverse of this are none."""
 
 
-def geometric_stiffness(facets: Facets, forces: Array, count: int) -> csr_array:
-    """The matrix (D, D) of triangles that turn under membrane forces.
-
-    Displacements are linear in a triangle; dofs begin with those of nodes.
-
-    forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
-    count: Number of all dofs D.
-    """
-    flat, area = facets.flat(), facets.areas()
-    ahead, behind = np.roll(flat, -1, axis=1), np.roll(flat, 1, axis=1)
-    side = ahead - behind
-    slope = np.stack([side[..., 1], -side[..., 0]], axis=-1) / (2 * area)[:, None, None]
-    x, y, xy = forces.T
-    tensor = np.stack([np.stack([x, xy], axis=-1), np.stack([xy, y], axis=-1)], axis=-2)
-    by_node = slope @ tensor @ slope.swapaxes(1, 2) * area[:, None, None]
-    return _on_axes(by_node, facets.triangles, count)
-
-
 def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) -> csr_array:
     """The matrix (D, D) of straight ties and struts.
 
@@ -136,23 +136,15 @@ def turning_stiffness(points: Array, pairs: Integers, pulls: Array, count: int) 
     return assemble(elements, dofs.reshape(-1, 6), count)
 
 
-def find_buckling(inverse: Inverse, geometric: csr_array) -> tuple[float, Array] | None:
-    """The factor at which the shell buckles, and the mode (n,); None if it does not.
+def find_buckling(inverse: Inverse, geometric: csr_array, count: int) -> tuple[Array, Array]:
+    """The lowest factors (at most count) at which the shell buckles, and their modes (n, k).
+
+    Fewer, or none, if it buckles in no more ways.
 
     geometric: K_g (n, n) of free dofs.
     """
     if not geometric.count_nonzero():  # nothing is loaded
-        return None
-    values, modes = largest(inverse, lambda moved: -(geometric @ moved), 1)
-    if values[0] <= NEVER:
-        return None
-    return float(1 / values[0]), modes[:, 0]
-
-
-def _on_axes(by_node: Array, nodes: Integers, count: int) -> csr_array:
-    """Matrices (T, k, k) of nodes (T, k), alike for all three directions."""
-    axes = np.eye(3)
-    size = nodes.shape[1]
-    elements = np.einsum("tij,xy->tixjy", by_node, axes).reshape(-1, 3 * size, 3 * size)
-    dofs = 3 * nodes[:, :, None] + np.arange(3)
-    return assemble(elements, dofs.reshape(-1, 3 * size), count)
+        return np.zeros(0), np.zeros((len(inverse.structure.free), 0))
+    values, modes = largest(inverse, lambda moved: -(geometric @ moved), count, RESTARTS)
+    buckles = values > NEVER
+    return 1 / values[buckles], modes[:, buckles]

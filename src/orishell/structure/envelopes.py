@@ -1,0 +1,65 @@
+"""What governs each limit state, among all cases that are combined for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from orishell.conventions.record import record
+from orishell.structure.combinations import LimitState
+from orishell.structure.model import Stiffness
+
+if TYPE_CHECKING:
+    from orishell.structure.results import CaseResult
+
+STRENGTH: tuple[LimitState | None, ...] = (None, "ULS")
+"""Cases that are judged by strength and buckling: those of no code, and ULS."""
+MANY = 12
+"""With more cases than these, only those that govern are told in full."""
+
+
+@record
+class Envelope:
+    """What governs one limit state.
+
+    That is a case under which the shell moves. If there is none, it is for ULS the largest share of
+    what can be borne, for EQU of friction, for SLS the largest displacement.
+    """
+
+    limit_state: LimitState  # which
+    cases: int  # number of its cases
+    moves: int  # number of those under which the shell moves, with any stiffness of creases
+    # the case that governs, and the stiffness of its creases
+    case: str
+    creases: Stiffness
+    # what is largest there: "panels", "creases", "ties" or "buckling"; "displacement"; "friction";
+    # null if the shell moves, or nothing is known of it
+    part: str | None
+    # its share of what can be borne, of the shell's height, or of the friction that there is
+    share: float | None
+
+
+def envelopes(cases: Sequence[CaseResult]) -> Iterator[Envelope]:
+    """Of every limit state that has cases."""
+    states: tuple[LimitState, ...] = ("ULS", "EQU", "SLS")
+    for state in states:
+        own = [case for case in cases if case.limit_state == state]
+        if own:
+            moving = [case for case in own if case.equilibrium is None]
+            worst = moving[0] if moving else max(own, key=lambda case: _largest(case)[1] or 0.0)
+            part, share = (None, None) if moving else _largest(worst)
+            count = len({case.name for case in own})
+            moves = len({case.name for case in moving})
+            yield Envelope(state, count, moves, worst.name, worst.creases, part, share)
+
+
+def _largest(case: CaseResult) -> tuple[str | None, float | None]:
+    """What its limit state asks, where it is largest, and how large it is."""
+    found = case.equilibrium
+    assert found is not None
+    if case.limit_state == "SLS":
+        return "displacement", found.displacement.share
+    if case.limit_state == "EQU":
+        return (None, None) if found.friction is None else ("friction", found.friction)
+    used = found.utilisation
+    return (None, None) if used.governs is None else (used.governs, used.shares[used.governs])

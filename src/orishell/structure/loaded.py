@@ -1,0 +1,49 @@
+"""A loaded shell as files and pages show it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.document.loaded import LoadedCase, LoadedShell
+
+if TYPE_CHECKING:
+    from orishell.structure.results import Analysis, CaseResult
+
+
+def loaded_shell(analysis: Analysis) -> LoadedShell:
+    """The same as files and pages show it."""
+    model, section = analysis.model, analysis.model.section
+    facets = model.mesh.facets
+    count = len(facets.triangles)
+    return LoadedShell(
+        points=facets.points,
+        triangles=facets.triangles,
+        panels=model.mesh.panels,
+        membrane=np.broadcast_to(np.asarray(section.membrane, np.float64), count),
+        bending=np.broadcast_to(np.asarray(section.bending, np.float64), count),
+        poisson=section.poisson,
+        areal_mass=model.exposure.areal_mass,
+        held=model.supports.as_if_pinned(),
+        ties=model.nodes_of(model.site.ties),
+        tie_stiffness=model.structure.tie_stiffness,
+        cases=tuple(_loaded(analysis, case) for case in analysis.cases),
+    )
+
+
+def _loaded(analysis: Analysis, case: CaseResult) -> LoadedCase:
+    held = case.equilibrium
+    shown = case.motion or held
+    assert shown is not None
+    count = len(analysis.model.mesh.facets.triangles)
+    return LoadedCase(
+        name=analysis.name_of(case),
+        sign=case.sign,
+        balanced=case.motion is None,
+        forces=case.forces,
+        displacements=shown.displacements,
+        stresses=np.zeros(count)
+        if case.equilibrium is None
+        else case.equilibrium.stresses.max(axis=1),
+    )

@@ -1,0 +1,137 @@
+"""Geometric stiffness: what membrane forces add to the stiffness of triangles as they turn.
+
+Membrane forces N, constant in a triangle, take up the energy
+
+    1/2 A (g_u . N g_u + g_v . N g_v + g_w . N g_w)
+
+as it turns, g being mean slopes of its displacements. By Gauss they follow from its sides alone,
+
+    g_w = 1/A sum over sides of n int w ds,
+
+n being the outer normal. Along a side from corner i to j, d = x_j - x_i, w is a cubic, as it is in
+bending (DKT), by w and its slopes s at both ends:
+
+    int w ds = |d| ((w_i + w_j)/2 + d . (s_i - s_j)/12).
+
+u and v are linear. Slopes at nodes are those of parabolas through w at three nodes in a row, along
+both rows of a panel's nodes. The plate's own rotations would not do: a cell alone bends without
+displacements of nodes, DKT resists that far too little, and panels would buckle in waves of a cell.
+
+Where a force enters at a point, N grows as 1/r towards it. So in triangles there w is linear, too:
+by the integral of N dw/dr dw/dr r, what counts is the slope along r, not its mean over the area.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.numerics.arrays import Array, Integers
+from orishell.structure.mesh.elements import assemble
+from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.mesh.triangle import DOFS
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+
+def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr_array:
+    """The matrix (D, D) of triangles that turn under membrane forces.
+
+    forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
+    points: Nodes (k,) at which forces enter.
+    """
+    from scipy.sparse import csr_array, eye_array, vstack
+
+    facets = mesh.facets
+    x, y, xy = forces.T
+    tensor = np.stack([np.stack([x, xy], axis=-1), np.stack([xy, y], axis=-1)], axis=-2)
+    slopes = mean_slopes(facets.flat())
+    at_points = np.isin(facets.triangles, points).any(axis=1)
+    slopes.reshape(-1, 3, 2, 3, DOFS)[at_points, ..., 3:] = 0.0
+    energy = np.einsum("tadi,tde,taej->tij", slopes, tensor, slopes, optimize=True)
+    elements = facets.turned(energy * facets.areas()[:, None, None])
+    by_rotations = assemble(elements, mesh.dofs(), mesh.count)
+    displaced = eye_array(mesh.count, format="csr")[: mesh.translations().size]
+    smooth = vstack([displaced, smooth_rotations(mesh)], format="csr")
+    return csr_array(smooth.T @ by_rotations @ smooth)
+
+
+def mean_slopes(corners: Array) -> Array:
+    """Mean slopes (T, 3, 2, 18) of u, v and w along x and y, by the dofs of triangles.
+
+    corners: Corners (T, 3, 2), counter-clockwise (length).
+    """
+    slopes = np.zeros((len(corners), 3, 2, 3, DOFS))
+    u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        side = corners[:, j] - corners[:, i]
+        outwards = np.stack([side[:, 1], -side[:, 0]], axis=-1)
+        normal = outwards / area[:, None]
+        for axis in range(3):
+            slopes[:, axis, :, i, axis] += 0.5 * normal
+            slopes[:, axis, :, j, axis] += 0.5 * normal
+        # Slopes of w along x and y are rotations about -y and x.
+        bulge = normal[:, :, None] * outwards[:, None] / 12
+        slopes[:, 2, :, i, 3:5] += bulge
+        slopes[:, 2, :, j, 3:5] -= bulge
+    return slopes.reshape(len(corners), 3, 2, 3 * DOFS)
+
+
+def smooth_rotations(mesh: SheetMesh) -> csr_array:
+    """Rotations (3 * F * (cells+1)^2, D) of panels at their nodes, by displacements of nodes.
+
+    About their normals they are 0.
+    """
+    from scipy.sparse import coo_array
+
+    nodes, points = mesh.nodes, mesh.facets.points[mesh.nodes]
+    corners = points[:, [0, -1, -1, 0], [0, 0, -1, -1]]
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normal = (normal / np.linalg.norm(normal, axis=1, keepdims=True))[:, None, None]
+    first = np.clip(np.arange(nodes.shape[1]) - 1, 0, max(nodes.shape[1] - 3, 0))
+    near = first[:, None] + np.arange(min(3, nodes.shape[1]))  # in a row, with every node
+    down = _slope_weights(points, near)
+    right = _slope_weights(points.swapaxes(1, 2), near).swapaxes(1, 2)
+    below, beside = nodes[:, near].swapaxes(2, 3), nodes[:, :, near]
+    along, across = (
+        np.einsum("fijs,fijsx->fijx", weights, mesh.facets.points[those])
+        for weights, those in ((down, below), (right, beside))
+    )
+    # A slope s of w goes with the rotation s x normal. s by its components along two directions.
+    volume = (np.cross(along, across) * normal).sum(axis=-1, keepdims=True)
+    rotations = (
+        np.cross(np.cross(across, normal) / volume, normal),
+        np.cross(np.cross(normal, along) / volume, normal),
+    )
+    values = np.stack(
+        [
+            weights[..., None, None] * turn[..., None, :, None] * normal[..., None, None, :]
+            for weights, turn in zip((down, right), rotations, strict=True)
+        ]
+    )  # (2, F, cells+1, cells+1, 3, 3, 3): of which row, node, neighbour, rotation, displacement
+    own = np.arange(nodes.size).reshape(nodes.shape)[..., None, None, None]
+    rows = 3 * own + np.arange(3)[:, None]
+    columns = 3 * np.stack([below, beside])[..., None, None] + np.arange(3)
+    rows, columns = np.broadcast_to(rows, values.shape), np.broadcast_to(columns, values.shape)
+    places = (rows.ravel(), columns.ravel())
+    return coo_array((values.ravel(), places), shape=(3 * nodes.size, mesh.count)).tocsr()
+
+
+def _slope_weights(points: Array, near: Integers) -> Array:
+    """Weights (F, n, n, 3) of three nodes in a column for the slope at every node.
+
+    points: Nodes (F, n, n, 3), whose columns are straight.
+    near: Which nodes (n, 3) of a column there are with every node.
+    """
+    steps = np.linalg.norm(np.diff(points, axis=1), axis=-1)
+    place = np.pad(np.cumsum(steps, axis=1), ((0, 0), (1, 0), (0, 0)))
+    x = place[:, near] - place[:, :, None]  # (F, n, 3, n), from the node itself
+    weights = np.empty_like(x)
+    for k in range(near.shape[1]):
+        others = [x[:, :, other] for other in range(near.shape[1]) if other != k]
+        apart = np.prod([x[:, :, k] - other for other in others], axis=0)
+        weights[:, :, k] = (-sum(others) if len(others) == 2 else 1.0) / apart
+    return np.asarray(weights.swapaxes(2, 3))

@@ -1,0 +1,68 @@
+"""Panels that are offered because they carry all cases: typed in, they do."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from orishell.design_file import read_design_file
+from orishell.shell import Shell, make_shell
+
+ARCH = """
+[shell]
+family = "orthodiagonal"
+unit = "m"
+[target.f]
+formula = "-x**2"
+range = [-1, 1]
+[target.g]
+formula = "0.25*sin(pi*x/2)"
+range = [0, 2]
+[pattern]
+rows = 5
+columns = 5
+flap = 0
+depth = 0.12
+heading_deg = 90
+[structure]
+modulus = 9e9
+strength = 40e6
+crease_stiffness = "rigid"
+crease_strength = 1e9
+thickness = {thickness}
+cells = 2
+supports = [{{ at = "feet", kind = "{kind}" }}]
+[[load_case]]
+name = "snow"
+snow = {{ ground = 20000 }}
+"""
+
+
+def made(directory: Path, thickness: float, kind: str = "pinned") -> Shell:
+    path = directory / "arch.toml"
+    path.write_text(ARCH.format(thickness=thickness, kind=kind))
+    return make_shell(read_design_file(path), clash="unexamined")
+
+
+def offer(shell: Shell) -> str:
+    return next(row.remedy for row in shell.report.verdict if row.subject == "carries")
+
+
+def test_a_thickness_that_is_offered_carries(tmp_path: Path) -> None:
+    weak = made(tmp_path, 0.003)
+    assert weak.analysis is not None
+    assert weak.analysis.carries is False
+    found = re.fullmatch(r"panels ([\d.]+)\s*mm thick carry all cases \(tried\)", offer(weak))
+    assert found is not None, offer(weak)
+    strong = made(tmp_path, float(found[1]) / 1e3)
+    assert strong.analysis is not None
+    assert strong.analysis.carries is True
+    assert offer(strong) == ""
+
+
+def test_no_thickness_holds_what_gives_way(tmp_path: Path) -> None:
+    """Feet that slide, and panels that are far too soft to hold them together."""
+    loose = made(tmp_path, 0.0003, "sliding")
+    assert loose.analysis is not None
+    assert loose.analysis.carries is False
+    assert offer(loose) == ""
