@@ -16,13 +16,14 @@ from itertools import pairwise
 import numpy as np
 
 from orishell.numerics.arrays import Array
+from orishell.structure.crease_forces import hold_moved_panels, moments
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.load_path import Ending, LoadPath
 from orishell.structure.loads import vector
 from orishell.structure.mesh.corotational import Corotational, Folds
-from orishell.structure.mesh.hinges import crease_springs, moments_about, rigid_stiffness
+from orishell.structure.mesh.hinges import crease_springs, rigid_stiffness
 from orishell.structure.mesh.rotations import logarithms
-from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.solve.active_set import Response
 from orishell.structure.solve.contacts import Feet, Links
@@ -41,13 +42,15 @@ PENALTY, STEADY = 100.0, 1e-9
 nothing drives have the other."""
 
 
-def follow(model: Model, linear: Equilibrium, loads: Array, response: Response) -> Equilibrium:
+def follow(linear: Equilibrium, loads: Array, on_panels: Array, response: Response) -> Equilibrium:
     """A case with large displacements.
 
     linear: How it stands by linear theory.
     loads: Forces (N, 3) on nodes.
-    response: What they do by linear theory.
+    on_panels: Forces (F (cells+1)^2, 3) on panels by nodes of their own.
+    response: What loads do by linear theory.
     """
+    model = linear.model
     moving = movable(model, linear.stiffness, response)
     every = np.zeros(moving.count)
     every[: loads.size] = loads.ravel()
@@ -55,7 +58,8 @@ def follow(model: Model, linear: Equilibrium, loads: Array, response: Response) 
     path, ending = _path(moving, every, model.thickness, first)
     last = max(path, key=lambda point: point.factor)
     told = _told(model, linear, path, response.motions, ending)
-    return _deformed(linear, last, loads, told, response.motions)
+    still = _still(last, response.motions)[model.mesh.translations()]
+    return replace(_deformed(linear, last, (loads, on_panels), told), displacements=still)
 
 
 def _still(point: Point, motions: Array) -> Array:
@@ -200,19 +204,27 @@ def _told(
 
 
 def _deformed(
-    linear: Equilibrium, point: Point, loads: Array, path: LoadPath, motions: Array
+    linear: Equilibrium, point: Point, loads: tuple[Array, Array], path: LoadPath
 ) -> Equilibrium:
-    """What there is in the shell at a point of its path."""
+    """What there is in the shell at a point of its path.
+
+    loads: On nodes, and on panels.
+    """
     model, moved, moving = linear.model, point.moved, point.moving
-    mesh = model.mesh
-    shape = _still(point, motions)[mesh.translations()]
+    mesh, (on_nodes, on_panels) = model.mesh, loads
     panels, *others = moving.parts
     assert isinstance(panels, Corotational)
     places = mesh.facets.points + moved.displacements[mesh.translations()]
     strained = panels.seen(moved)[2].reshape(-1, 6, 3)
     in_place = np.einsum("tji,tkj->tki", panels.axes, strained).reshape(-1, 18)
-    stresses = facet_stresses(mesh.facets, model.section, in_place)
-    at_nodes, reaction, residual = _reactions(model, point, loads, places)
+    stresses = panel_stresses(
+        mesh, model.section, facet_stresses(mesh.facets, model.section, in_place)
+    )
+    at_nodes, reaction, residual = _reactions(model, point, on_nodes, places)
+    total = point.factor * float(np.linalg.norm(on_nodes, axis=1).sum())
+    edges, panel_residual = hold_moved_panels(
+        model, (panels.forces(moved), places), point.factor * on_panels, linear.stiffness, total
+    )
     borne, used = np.zeros(len(model.site.ties) + len(model.flaps)), None
     for part in others:
         if isinstance(part, Links):
@@ -222,18 +234,19 @@ def _deformed(
     ties = len(model.site.ties)
     return replace(
         linear,
-        displacements=shape,
         support_forces=at_nodes[model.supports.vertices()],
         reaction=vector(reaction),
         residual=residual,
         friction=used,
         tie_forces=borne[:ties],
         flap_forces=borne[ties:],
-        crease_moments=moments_about(mesh, model.grid, panels.forces(moved), places),
+        edges=edges,
+        panel_residual=panel_residual,
+        crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
         buckling_factors=() if path.carries or not path.reached else (path.reached,),
-        buckling_modes=np.zeros((0, *shape.shape)),
+        buckling_modes=np.zeros((0, *places.shape)),
         path=path,
     )
 
