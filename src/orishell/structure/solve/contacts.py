@@ -155,7 +155,7 @@ class Feet:
 
     def _rubs(self, moved: Moved) -> Array:
         """How much friction acts (m,)."""
-        return np.linalg.norm(self.forces(moved)[:, :2], axis=1) * (1 + ROUNDING)
+        return np.asarray(np.linalg.norm(self.forces(moved)[:, :2], axis=1) * (1 + ROUNDING))
 
     def grown(self, ratio: float) -> Self:
         """The same under loads that have grown by a ratio."""
