@@ -17,6 +17,7 @@ from orishell.structure.mesh.edge_forces import (
     ABOUT,
     EdgeForces,
     crease_sides,
+    edge_forces,
     find_edge_forces,
     on_creases,
 )
@@ -81,7 +82,22 @@ def hold_panels(
     Raises VerificationError: If a panel is not in balance: a fault of the program.
     """
     elements = model.mesh.elements(model.section)
-    found = find_edge_forces(model.mesh, elements, moved, loads)
+    return _balanced(find_edge_forces(model.mesh, elements, moved, loads), stiffness, scale)
+
+
+def hold_moved_panels(
+    model: Model, borne: tuple[Array, Array], loads: Array, stiffness: float, scale: float
+) -> tuple[EdgeForces, float]:
+    """The same where large displacements are followed.
+
+    borne: Forces (T, 18) of triangles, and where nodes (N, 3) are.
+    """
+    forces, places = borne
+    mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
+    return _balanced(edge_forces(mesh, forces, loads), stiffness, scale)
+
+
+def _balanced(found: EdgeForces, stiffness: float, scale: float) -> tuple[EdgeForces, float]:
     if not stiffness:
         found.per_length[..., ABOUT] = 0.0
     residual = found.missing / scale if scale else 0.0
