@@ -22,7 +22,9 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
-    from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.crease_forces import AtCrease
+    from orishell.structure.equilibrium import CreaseMoment, Equilibrium
+    from orishell.structure.load_path import LoadPath
     from orishell.structure.loads import Vector
     from orishell.structure.model import Model
     from orishell.structure.results import Analysis, CaseResult
@@ -86,13 +88,22 @@ def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
         f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    factors = ", ".join(map(plain, found.buckling_factors))
-    if case.limit_state in STRENGTH:
+    if found.path is not None:
+        yield f"  buckles   {_followed(found.path, unit)}"
+    elif case.limit_state in STRENGTH:
+        factors = ", ".join(map(plain, found.buckling_factors))
         yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
     yield f"  balance   reactions {reaction}, missing {found.residual:.1g} of the loads"
+
+
+def _followed(path: LoadPath, unit: str) -> str:
+    linear = f"displaced by {plain(path.linear_displacement)} {unit}"
+    if path.linear_buckling is not None:
+        linear += f", buckles under {plain(path.linear_buckling)} times the loads"
+    return f"nonlinear: it {path.in_words()}; by linear theory {linear}"
 
 
 def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
@@ -109,16 +120,30 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
         pairs = f"{len(pressing)} of {len(found.flaps)} pairs"
         yield f"  flaps     {pairs} press, {plain(pressing[0].force)} N at most"
     if found.crease is not None:
-        first, second = (list(panel) for panel in found.crease.panels)
         yield (
-            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, between panels "
-            f"{first} and {second}{_used(used.creases)}"
+            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, "
+            f"{_between(found.crease)}{_used(used.creases)}"
+        )
+    if found.membrane is not None:
+        yield (
+            f"  membrane  {plain(found.membrane.size)} N/{unit}2 at most, "
+            f"{_between(found.membrane)}{_used(used.membrane)}"
+        )
+    if found.lone_board is not None:
+        yield (
+            f"  one board {plain(found.lone_board.size)} N/{unit}2 at most, where it is alone, "
+            f"{_between(found.lone_board)}"
         )
     yield (
         f"  panels    {Quantities(unit).stress(found.stress.size)} at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
+
+
+def _between(found: AtCrease | CreaseMoment) -> str:
+    first, second = (list(panel) for panel in found.panels)
+    return f"between panels {first} and {second}"
 
 
 def _envelopes(report: Analysis) -> Iterator[str]:
@@ -158,7 +183,8 @@ def structure(
         Path | None,
         typer.Option(
             parser=directory,
-            help="Directory for structure.html, structure.png and structure.json; made if needed.",
+            help="Directory for structure.html, structure.png, structure.json and creases.csv; "
+            "made if needed.",
         ),
     ] = None,
     *,

@@ -187,14 +187,16 @@ def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> No
             got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
             remedy="remove it here",
         )
-    if table.membrane_modulus and (panel is None or panel.construction != "sandwich"):
-        raise InputError(
-            "there is no membrane between boards",
-            keys=("structure.membrane_modulus",),
-            got=f"{table.membrane_modulus:g}",
-            expected='a table [panel] with a thickness and construction = "sandwich"',
-            remedy="remove it",
-        )
+    if panel is None or panel.construction != "sandwich":
+        for key in ("membrane_modulus", "membrane_strength"):
+            if value := getattr(table, key):
+                raise InputError(
+                    "there is no membrane between boards",
+                    keys=(f"structure.{key}",),
+                    got=f"{value:g}",
+                    expected='a table [panel] with a thickness and construction = "sandwich"',
+                    remedy="remove it",
+                )
 
 
 Ground = Literal["z0", "as-drawn"]

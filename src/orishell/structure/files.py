@@ -1,4 +1,4 @@
-"""The files on a shell as a structure: the picture of its deflections, and the page."""
+"""The files on a shell as a structure: the picture of its deflections, page and creases."""
 
 from __future__ import annotations
 
@@ -9,19 +9,33 @@ import numpy as np
 from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
-from orishell.plot import DrawnCase, plot_structure
+from orishell.plot import DrawnCase, DrawnPath, draw_load_paths, plot_structure
+from orishell.structure.crease_tables import crease_csv
 from orishell.structure.page import structure_page
 from orishell.structure.results import Analysis, CaseResult
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:
-    """Write ``structure.png`` and ``structure.html`` of a document that is loaded."""
+    """Write ``structure.png``, ``structure.html`` and ``creases.csv`` of a loaded document."""
     assert document.loaded is not None
     unit = document.require_unit()
     path = directory / "structure.png"
     draw_structure(path, document.loaded, analysis, unit)
-    page = structure_page(analysis, title=document.title, unit=unit, png=path.read_bytes())
+    drawn = [
+        DrawnPath(
+            analysis.name_of(case), found.path.factors, found.path.displacements,
+            found.path.linear_displacement,
+        )
+        for found, case in analysis.balanced
+        if found.path is not None
+    ]  # fmt: skip
+    paths = draw_load_paths(drawn, unit=unit) if drawn else None
+    page = structure_page(
+        analysis, title=document.title, unit=unit, png=path.read_bytes(), paths=paths
+    )
     (directory / "structure.html").write_text(page, encoding="utf-8", newline="\n")
+    table = crease_csv(analysis, unit)
+    (directory / "creases.csv").write_text(table, encoding="utf-8", newline="\n")
 
 
 def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: str) -> None:

@@ -38,6 +38,8 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     if asked.membrane_modulus:
         yield "Young\u2019s modulus of the membrane", said.stress(asked.membrane_modulus)
     yield "Strength of panels", _known(asked.strength, said.stress)
+    if model.design.panel is not None and model.design.panel.membrane:
+        yield "Strength of the membrane", _known(asked.membrane_strength, said.stress)
     yield (
         "Stiffness of sections in their plane",
         _from_to(model.membrane_stiffness, said.per_length),

@@ -115,6 +115,8 @@ class StructureTable(Table):
     thickness: Positive | None = None  # of panels, where the design has none; else None (length)
     # Young's modulus of the membrane between boards; 0 if it is not counted (force per area)
     membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    # stress that the membrane between boards bears; None if that is not known (force per area)
+    membrane_strength: Positive | None = None
     # least and largest moment per length and angle of creases: 0 for free hinges, infinite for
     # rigid ones (force per radian)
     crease_stiffness: StiffnessRange = (0.0, math.inf)
@@ -132,6 +134,7 @@ class StructureTable(Table):
     # cells are halved until the largest displacement changes by less than this share; 0 to leave
     # them as they are
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    nonlinear: bool = False  # whether large displacements are followed
 
     @field_validator("material")
     @classmethod
