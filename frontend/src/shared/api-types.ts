@@ -20,10 +20,32 @@ export interface Analysis {
   governs: Governing | null;
   /** What governs each limit state of a code; none if no code combines the cases. */
   envelopes: Envelope[];
+  /** What every support asks of the ground, by all cases in equilibrium. */
+  anchors: Anchor[];
   /** Sentences an engineer should read, beside what speaks against single cases. */
   warnings: string[];
   /** What the analysis says nothing of. */
   not_covered: string[];
+}
+
+/** What a supported vertex asks of the ground, of all cases in equilibrium. */
+export interface Anchor {
+  /** The vertex. */
+  at: [number, number];
+  /** Down on the ground. */
+  push: Worst;
+  /** Up: what a peg has to hold. */
+  pull: Worst;
+  /** Along the ground: what a peg has to hold. */
+  sideways: Worst;
+  /** Weight at the foot that holds it without a peg. */
+  ballast: Worst;
+  /** The mass of the ballast (kg). */
+  ballast_mass: number;
+  /** Coefficient of friction under the ballast: that of the ground there, or else one that is assumed. */
+  friction: number;
+  /** Coefficient of friction under the ballast: that of the ground there, or else one that is assumed. */
+  assumed: boolean;
 }
 
 /** The surface that ever finer shells approach, where it is not f swept along g. */
@@ -1209,6 +1231,14 @@ export interface Waste {
   cut_length: number;
   /** Length of all creases, those of tabs and strips too. */
   crease_length: number;
+}
+
+/** The largest of a force, and the load case that has it. */
+export interface Worst {
+  /** How large (N). */
+  force: number;
+  /** The load case; None where the force is 0 in all. */
+  case: string | null;
 }
 
 /** The text of a design file, made from its tables. */

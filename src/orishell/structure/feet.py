@@ -9,8 +9,13 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.motion.grid import Vertex
+from orishell.structure.mesh.corotational import Moved
 from orishell.structure.solve.active_set import Response
+from orishell.structure.solve.contacts import Feet
 from orishell.structure.solve.factorised import Factorised
+
+AT_LIMIT = 1e-6
+"""Feet of a shell that is moved far slip if they use all of their friction but this share."""
 
 
 @record
@@ -62,6 +67,32 @@ def find_feet(
                 slip=(float(slip[0]), float(slip[1])),
                 gap=0.0 if presses else float(max(-response.parted[row], 0.0)),
                 used=used,
+            )
+        )
+    return tuple(found)
+
+
+def moved_feet(part: Feet, moved: Moved, vertices: Sequence[Vertex]) -> tuple[Foot, ...]:
+    """What feet of a shell that is moved far do; a foot that slips has been moved as far.
+
+    vertices: Those that stand on the ground, in the order of the part.
+    """
+    presses, gaps = part.bears(moved), part.gaps(moved)
+    limits = part.friction * presses
+    rubs = np.linalg.norm(part.forces(moved)[:, :2], axis=1)
+    places = moved.displacements[part.dofs[:, :2]]
+    found = []
+    for number, at in enumerate(vertices):
+        limit, bears = float(limits[number]), bool(presses[number] > 0)
+        slides = bears and bool(rubs[number] >= (1 - AT_LIMIT) * limit)
+        slip = places[number] if slides else np.zeros(2)
+        found.append(
+            Foot(
+                at=at,
+                state="slips" if slides else "sticks" if bears else "lifted",
+                slip=(float(slip[0]), float(slip[1])),
+                gap=0.0 if bears else float(max(-gaps[number], 0.0)),
+                used=float(rubs[number] / limit) if limit > 0 else None,
             )
         )
     return tuple(found)

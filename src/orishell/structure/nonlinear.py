@@ -18,6 +18,7 @@ import numpy as np
 from orishell.numerics.arrays import Array
 from orishell.structure.crease_forces import hold_moved_panels, moments
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.feet import Foot, moved_feet
 from orishell.structure.load_path import Ending, LoadPath
 from orishell.structure.loads import vector
 from orishell.structure.mesh.corotational import Corotational, Folds
@@ -225,19 +226,20 @@ def _deformed(
     edges, panel_residual = hold_moved_panels(
         model, (panels.forces(moved), places), point.factor * on_panels, linear.stiffness, total
     )
-    borne, used = np.zeros(len(model.site.ties) + len(model.flaps)), None
+    borne = np.zeros(len(model.site.ties) + len(model.flaps))
+    feet: tuple[Foot, ...] = ()
     for part in others:
         if isinstance(part, Links):
             borne = part.bears(moved)
         if isinstance(part, Feet):
-            used = part.used(moved)
+            feet = moved_feet(part, moved, tuple(model.grounded))
     ties = len(model.site.ties)
     return replace(
         linear,
         support_forces=at_nodes[model.supports.vertices()],
         reaction=vector(reaction),
         residual=residual,
-        friction=used,
+        feet=feet,
         tie_forces=borne[:ties],
         flap_forces=borne[ties:],
         edges=edges,
