@@ -14,6 +14,7 @@ from orishell.motion.grid import Grid
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
+from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
@@ -101,6 +102,9 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
     crease = int(np.intersect1d(*model.grid.faces_edges())[0])
     moments = np.zeros(len(model.grid.edges_vertices()))
     moments[crease] = -5.0
+    per_length = np.zeros((2, 4, 4, 4))
+    per_length[0, 1, 1], per_length[1, 3, 2] = [600.0, 30.0, -20.0, -5.0], [-90.0, 30.0, 7.0, -5.0]
+    edges = EdgeForces(per_length, np.zeros((2, 4, 6)), np.zeros((2, 4, 6)), 0.0)
 
     def case(name: str, stiffness: float) -> CaseResult:
         asked = next((each for each in structure.cases if each.name == name), STRUCTURE.cases[0])
@@ -114,9 +118,11 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             support_forces=np.array([-total / 2, -total / 2]),
             reaction=vector(-total),
             residual=1e-12,
+            panel_residual=1e-13,
             friction=None,
             tie_forces=np.array([1000.0, 4000.0, 0.0]),
             flap_forces=np.array([0.0, 30.0]),
+            edges=edges,
             crease_moments=moments,
             stresses=stresses,
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),

@@ -100,9 +100,9 @@ def test_what_is_written(tmp_path: Path) -> None:
     (tmp_path / "arch.toml").write_text(ARCH)
     first = orishell("structure", "arch.toml", "--out", "one", cwd=tmp_path)
     assert first.returncode == 0, first.stderr
-    files = ["structure.html", "structure.json", "structure.png"]
+    files = ["creases.csv", "structure.html", "structure.json", "structure.png"]
     assert sorted(path.name for path in (tmp_path / "one").iterdir()) == files
-    assert first.stdout.splitlines()[-3:] == [f"wrote     one/{name}" for name in files]
+    assert first.stdout.splitlines()[-4:] == [f"wrote     one/{name}" for name in files]
     printed = orishell("structure", "arch.toml", "--out", "two", "--json", cwd=tmp_path)
     written = json.loads((tmp_path / "one" / "structure.json").read_text())
     assert json.loads(printed.stdout) == written

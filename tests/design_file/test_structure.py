@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from pathlib import Path
 
@@ -82,6 +83,7 @@ def test_every_key(tmp_path: Path) -> None:
         poisson = 0.25
         strength = 5.5e6
         membrane_modulus = 1e9
+        membrane_strength = 5e7
         crease_stiffness = [5.0, "rigid"]
         crease_strength = 20
         tie_stiffness = 1.2e6
@@ -128,6 +130,7 @@ def test_every_key(tmp_path: Path) -> None:
         ),
         strength=5.5e6,
         membrane_modulus=1e9,
+        membrane_strength=5e7,
         crease_strength=20,
         tie_stiffness=1.2e6,
         tie_strength=5000,
@@ -180,6 +183,8 @@ def test_the_starter_explains_every_key(tmp_path: Path) -> None:
     asked = tomllib.loads(structure)["structure"]
     assert set(asked) == set(StructureTable.model_fields)
     assert set(tomllib.loads(case)["load_case"][0]) == set(LoadCase.model_fields)
+    # There is no membrane without [panel].
+    structure = re.sub("membrane_strength.*", "", structure)
     found = read(tmp_path, f"{structure}\n{loads}")
     assert found.crease_stiffness == (0, math.inf)
     for key in ("poisson", "cells", "refine", "membrane_modulus"):
@@ -256,6 +261,11 @@ BAD = {
     "no membrane": (
         f"{STRUCTURE}membrane_modulus = 1e9",
         "[structure] membrane_modulus: ",
+        'construction = "sandwich"',
+    ),
+    "no membrane to be strong": (
+        f"{STRUCTURE}membrane_strength = 5e7",
+        "[structure] membrane_strength: ",
         'construction = "sandwich"',
     ),
     "loads on nothing": (CASE, "[[load_case]]: ", "add the table [structure]"),

@@ -24,6 +24,7 @@ from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
 from orishell.locking.report import MeetingReport, PanelReport
 from orishell.search.figures import NAMES
+from orishell.structure.crease_forces import AtCrease, CreaseForces
 from orishell.structure.equilibrium import (
     CreaseMoment,
     Displacement,
@@ -243,8 +244,8 @@ def test_the_guide_explains_every_key_and_field_of_panels() -> None:
 
 
 PARTS_OF_STRUCTURE: tuple[type, ...] = (
-    CaseResult, CreaseMoment, Displacement, Equilibrium, Governing, Load, Model, PairForce,
-    Reaction, Stress, Support, Utilisation,
+    AtCrease, CaseResult, CreaseForces, CreaseMoment, Displacement, Equilibrium, Governing, Load,
+    Model, PairForce, Reaction, Stress, Support, Utilisation,
 )  # fmt: skip
 
 

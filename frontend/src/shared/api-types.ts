@@ -57,6 +57,14 @@ export interface AssignmentReport {
   maekawa: boolean | null;
 }
 
+/** Something that is largest at a crease. */
+export interface AtCrease {
+  /** How large it is. */
+  size: number;
+  /** The two panels beside the crease. */
+  panels: [[number, number], [number, number]];
+}
+
 /** Number of boards by the face that they lie on. */
 export interface BoardCount {
   /** Boards on the upper and on the lower face of the membrane. */
@@ -147,6 +155,22 @@ export interface Contact {
   sides: [string, string] | null;
   /** How far one reaches into the other, if they were looked at in one state only; None if they touch on the way (length). */
   overlap: number | null;
+}
+
+/** The largest forces per length along all creases of a kind, on either side of them. */
+export interface CreaseForces {
+  /** Which creases. */
+  kind: "row" | "column";
+  /** Square to the crease in the plane of a panel, out of it; 0 if all are pressed. */
+  pull: AtCrease;
+  /** The same into the panel. */
+  push: AtCrease;
+  /** Shear along the crease. */
+  in_plane: AtCrease;
+  /** Shear square to the plane of a panel. */
+  across: AtCrease;
+  /** Moment about the crease. */
+  moment: AtCrease;
 }
 
 /** Length of all creases of a kind, in the document's unit. */
@@ -314,9 +338,17 @@ export interface Equilibrium {
   flaps: PairForce[];
   /** The largest moment about a crease; None where they are free. */
   crease: CreaseMoment | null;
+  /** The largest forces per length along row creases and along column creases. */
+  creases: CreaseForces[];
   /** The largest. */
   stress: Stress;
-  /** Of panels, creases and ties. */
+  /** The largest stress where one of two boards is left beside a crease; None if nowhere. */
+  lone_board: AtCrease | null;
+  /** The largest stress of the membrane in a crease; None if there is none between boards. */
+  membrane: AtCrease | null;
+  /** What is missing for the balance of a panel with its loads and the forces at its edges, relative to all loads. */
+  panel_residual: number;
+  /** Of panels, membrane, creases and ties. */
   utilisation: Utilisation;
   /** The lowest buckling factor; None if it does not buckle. */
   buckling: number | null;
@@ -433,7 +465,7 @@ export interface FrontPage {
 /** What is nearest to the end of what it bears, of all cases. */
 export interface Governing {
   /** What it is. */
-  part: "panels" | "creases" | "ties" | "buckling";
+  part: "panels" | "membrane" | "creases" | "ties" | "buckling";
   /** The load case, and the stiffness of its creases. */
   case: string;
   /** The load case, and the stiffness of its creases. */
@@ -568,7 +600,9 @@ export interface Model {
   height: number;
   /** Of panels. */
   thickness: number;
-  /** Young's modulus of panels or boards, of their section as a whole (force per area). */
+  /** What panels are made of, by its name in materials.toml: what is not given is taken from there. */
+  material: string | null;
+  /** Young's modulus of panels or boards, of their section as a whole; None if it is that of the material (force per area). */
   modulus: number;
   /** Poisson's ratio of panels. */
   poisson: number;
@@ -588,6 +622,8 @@ export interface Model {
   crease_strength: number | null;
   /** What a tie bears; None if that is not known (N). */
   tie_strength: number | null;
+  /** Stress that the membrane between boards bears; None if that is not known (force per area). */
+  membrane_strength: number | null;
   /** What holds it. */
   supports: Support[];
 }
@@ -1011,7 +1047,7 @@ export interface Step {
   words: string;
 }
 
-/** The largest stress in panels. */
+/** The largest stress in panels, averaged over patches of a fixed share of a panel. */
 export interface Stress {
   /** Von Mises' stress. */
   size: number;
@@ -1097,14 +1133,16 @@ export interface Trial {
 export interface Utilisation {
   /** Of their strength; None where that is not known. */
   panels: number | null;
-  /** Of their strength; None where that is not known. */
+  /** None, too, where panels have none. */
+  membrane: number | null;
+  /**  */
   creases: number | null;
-  /** Of their strength; None where that is not known. */
+  /**  */
   ties: number | null;
   /** Of the load at which the shell buckles; None if it does not. */
   buckling: number | null;
   /** The largest of these; None if there is none. */
-  governs: "panels" | "creases" | "ties" | "buckling" | null;
+  governs: "panels" | "membrane" | "creases" | "ties" | "buckling" | null;
 }
 
 /** A shell that has been verified: its report, contact and distances. */

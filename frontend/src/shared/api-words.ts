@@ -5,6 +5,7 @@
 /** What governs. */
 export const GOVERNING = {
   panels: "the stress in panels",
+  membrane: "the stress in the membrane between boards",
   creases: "the moment of creases",
   ties: "the force in a tie",
   buckling: "buckling",

@@ -22,7 +22,8 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
-    from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.crease_forces import AtCrease
+    from orishell.structure.equilibrium import CreaseMoment, Equilibrium
     from orishell.structure.loads import Vector
     from orishell.structure.model import Model
     from orishell.structure.results import Analysis, CaseResult
@@ -110,16 +111,30 @@ def _forces(found: Equilibrium, unit: str) -> Iterator[str]:
         pairs = f"{len(pressing)} of {len(found.flaps)} pairs"
         yield f"  flaps     {pairs} press, {plain(pressing[0].force)} N at most"
     if found.crease is not None:
-        first, second = (list(panel) for panel in found.crease.panels)
         yield (
-            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, between panels "
-            f"{first} and {second}{_used(used.creases)}"
+            f"  creases   {plain(found.crease.moment)} N {unit}/{unit} at most, "
+            f"{_between(found.crease)}{_used(used.creases)}"
+        )
+    if found.membrane is not None:
+        yield (
+            f"  membrane  {plain(found.membrane.size)} N/{unit}2 at most, "
+            f"{_between(found.membrane)}{_used(used.membrane)}"
+        )
+    if found.lone_board is not None:
+        yield (
+            f"  one board {plain(found.lone_board.size)} N/{unit}2 at most, where it is alone, "
+            f"{_between(found.lone_board)}"
         )
     yield (
         f"  panels    {Quantities(unit).stress(found.stress.size)} at most, on the "
         f"{found.stress.face} face "
         f"of {list(found.stress.panel)}{_used(used.panels)}"
     )
+
+
+def _between(found: AtCrease | CreaseMoment) -> str:
+    first, second = (list(panel) for panel in found.panels)
+    return f"between panels {first} and {second}"
 
 
 def _envelopes(report: Analysis) -> Iterator[str]:
@@ -159,7 +174,8 @@ def structure(
         Path | None,
         typer.Option(
             parser=directory,
-            help="Directory for structure.html, structure.png and structure.json; made if needed.",
+            help="Directory for structure.html, structure.png, structure.json and creases.csv; "
+            "made if needed.",
         ),
     ] = None,
     *,

@@ -25,6 +25,7 @@ from orishell.design_file.tables import (
     keys_of,
     structure_of,
     value_at,
+    weighed,
     with_values,
 )
 from orishell.families.pattern import Pattern, Tolerance
@@ -246,8 +247,10 @@ def _checked(
     directory = path.parent if files else None
     panel = file.panel if file.panel.thickness else None
     try:
-        structure = structure_of(file.structure, file.load_case, panel)
+        unit = file.shell.unit
+        structure = structure_of(file.structure, file.load_case, panel, unit)
         workshop = file.workshop.beside(directory)
+        panel, workshop = weighed(file.structure, panel, workshop, unit)
         target = known
         if target is None and file.target is not None:
             target = file.target.curves(directory, file.shell.unit)

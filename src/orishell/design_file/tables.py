@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
@@ -11,7 +12,7 @@ from pydantic_core import PydanticCustomError
 
 from orishell.conventions.arguments import Location
 from orishell.conventions.errors import InputError
-from orishell.conventions.quantities import Unit
+from orishell.conventions.quantities import Unit, conversion
 from orishell.conventions.table import Number, Several, Table
 from orishell.conventions.toml_file import read_toml
 from orishell.deployment import FROM_FLAT, Deployment
@@ -23,6 +24,7 @@ from orishell.families.pattern import Tolerance
 from orishell.families.registry import FAMILIES
 from orishell.locking import CONTACT_TOLERANCE
 from orishell.structure.load_settings import OWN_WEIGHT, LoadCase
+from orishell.structure.materials import materials
 from orishell.structure.settings import Structure, StructureTable
 from orishell.workshop import DEFAULT, Workshop
 
@@ -93,7 +95,10 @@ def read_workshop(path: Path) -> Workshop:
 
 
 def structure_of(
-    table: StructureTable | None, cases: tuple[LoadCase, ...], panel: PanelSpec | None
+    table: StructureTable | None,
+    cases: tuple[LoadCase, ...],
+    panel: PanelSpec | None,
+    unit: str,
 ) -> Structure | None:
     """The structure that a design file asks for, by default under own weight; None without table.
 
@@ -110,7 +115,38 @@ def structure_of(
         return None
     _require_one_thickness(table, panel)
     _require_names(cases)
-    return table.under(cases or (OWN_WEIGHT,))
+    structure = table.filled(unit).under(cases or (OWN_WEIGHT,))
+    _require_one_name_each(structure)
+    return structure
+
+
+def weighed(
+    table: StructureTable | None, panel: PanelSpec | None, workshop: Workshop, unit: str
+) -> tuple[PanelSpec | None, Workshop]:
+    """Panels, or the sheet if they have no thickness, with the material's density if none is given.
+
+    unit: Of length.
+    """
+    if table is None or table.material is None or workshop.areal_density:
+        return panel, workshop
+    density = materials()[table.material].density
+    if panel is not None:
+        return panel.having(density=panel.density or density), workshop
+    thickness = (table.thickness or 0.0) * conversion(unit, "m")
+    return None, workshop.having(areal_density=density * thickness)
+
+
+def _require_one_name_each(structure: Structure) -> None:
+    """Refuse cases whose arrangements or combinations have the name of another."""
+    names = [case.name for case in structure.arranged]
+    twice = [name for name, count in Counter(names).items() if count > 1]
+    if twice:
+        raise InputError(
+            "a load case has the name of an arrangement, or of a combination, of others",
+            where="[[load_case]] name",
+            keys=("load_case",),
+            got=repr(twice[0]),
+        )
 
 
 def _require_names(cases: tuple[LoadCase, ...]) -> None:
@@ -151,14 +187,16 @@ def _require_one_thickness(table: StructureTable, panel: PanelSpec | None) -> No
             got=f"{table.thickness:g}, and {panel.thickness:g} in [panel]",
             remedy="remove it here",
         )
-    if table.membrane_modulus and (panel is None or panel.construction != "sandwich"):
-        raise InputError(
-            "there is no membrane between boards",
-            keys=("structure.membrane_modulus",),
-            got=f"{table.membrane_modulus:g}",
-            expected='a table [panel] with a thickness and construction = "sandwich"',
-            remedy="remove it",
-        )
+    if panel is None or panel.construction != "sandwich":
+        for key in ("membrane_modulus", "membrane_strength"):
+            if value := getattr(table, key):
+                raise InputError(
+                    "there is no membrane between boards",
+                    keys=(f"structure.{key}",),
+                    got=f"{value:g}",
+                    expected='a table [panel] with a thickness and construction = "sandwich"',
+                    remedy="remove it",
+                )
 
 
 Ground = Literal["z0", "as-drawn"]

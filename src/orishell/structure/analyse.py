@@ -16,16 +16,16 @@ from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
 from orishell.structure.buckling import share_at_points, turned_by_load
 from orishell.structure.combinations import Combination, LimitState
+from orishell.structure.crease_forces import hold_panels, moments, panel_loads
 from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.footings import to_nearest
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
-from orishell.structure.mesh.hinges import crease_moments
-from orishell.structure.mesh.stresses import facet_stresses
+from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.results import Analysis, CaseResult
-from orishell.structure.settings import Structure
+from orishell.structure.settings import LoadCase, Structure
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised
 from orishell.structure.solve.stability import (
@@ -84,7 +84,7 @@ def analyse(
     rest = stretch(progress, 0.5, 1.0)
     results = []
     for number, each in enumerate(solved):
-        rest(number / len(solved), f"loading {each.name}")
+        rest(number / len(solved), f"loading {each.case.name}")
         results.append(_result(model, each))
     return Analysis(model, tuple(results))
 
@@ -93,7 +93,8 @@ def analyse(
 class _Solved:
     """How the structure responds to a load case with one stiffness of creases."""
 
-    name: str
+    case: LoadCase
+    known: Sequence[LoadCase]
     limit_state: LimitState | None
     stiffness: float
     structure: Factorised
@@ -116,7 +117,7 @@ def _solve(model: Model) -> Sequence[_Solved]:
             held = stands(structure, response, model.size)
             state = case.limit_state if isinstance(case, Combination) else None
             found.append(
-                _Solved(case.name, state, stiffness, structure, loads, forces, response, held)
+                _Solved(case, known, state, stiffness, structure, loads, forces, response, held)
             )
     return found
 
@@ -139,7 +140,7 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         shape, soft = _unit(solved.structure, moves), response.moves is None
         motion = describe_motion(model, solved.stiffness, shape, forces, soft=soft)
     return CaseResult(
-        name=solved.name,
+        name=solved.case.name,
         stiffness=solved.stiffness,
         loads=solved.loads,
         forces=forces,
@@ -155,12 +156,16 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     support_forces, reaction, residual = _reactions(model, solved)
     ties = len(model.site.ties)
     straight = ties + len(model.flaps)
-    stresses = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
+    borne = facet_stresses(mesh.facets, model.section, moved[mesh.dofs()])
+    stresses = panel_stresses(mesh, model.section, borne)
+    total = float(np.linalg.norm(solved.forces, axis=1).sum())
+    on_panels = panel_loads(model, solved.case, solved.known)
+    edges, panel_residual = hold_panels(model, moved, on_panels, solved.stiffness, total)
     factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
     frequencies, modes = factors, shapes
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
-        geometric = turned_by_load(model, structure, response.forces, stresses.forces)
+        geometric = turned_by_load(model, structure, response.forces, borne.forces)
         factors, shapes = find_buckling(inverse, geometric, BUCKLING)
         if model.site.areal_mass:
             mass = model.inertia()[structure.free]
@@ -172,10 +177,12 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         support_forces=support_forces,
         reaction=vector(reaction),
         residual=residual,
+        panel_residual=panel_residual,
         friction=structure.friction_used(response.forces),
         tie_forces=response.forces[:ties],
         flap_forces=response.forces[ties:straight],
-        crease_moments=crease_moments(mesh, model.grid, model.section, moved),
+        edges=edges,
+        crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
         buckling_factors=tuple(factors.tolist()),

@@ -14,14 +14,23 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel, Vertex, VertexPair
 from orishell.numerics.arrays import Array
+from orishell.structure.crease_forces import (
+    AtCrease,
+    CreaseForces,
+    by_kind,
+    film,
+    lone_board,
+)
 from orishell.structure.loads import Vector, vector
+from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.model import Model
 from orishell.structure.verdict import COLLAPSED
 
-Limiting = Literal["panels", "creases", "ties", "buckling"]
+Limiting = Literal["panels", "membrane", "creases", "ties", "buckling"]
 """What may be at the end of what it bears."""
 GOVERNING: Mapping[Limiting, str] = {
     "panels": "the stress in panels",
+    "membrane": "the stress in the membrane between boards",
     "creases": "the moment of creases",
     "ties": "the force in a tie",
     "buckling": "buckling",
@@ -65,7 +74,7 @@ class CreaseMoment:
 
 @record
 class Stress:
-    """The largest stress in panels."""
+    """The largest stress in panels, averaged over patches of a fixed share of a panel."""
 
     size: float  # von Mises' stress
     panel: Panel  # where
@@ -80,10 +89,11 @@ class Stress:
 class Utilisation:
     """Shares of what is borne, by what can be borne."""
 
-    WRITTEN = ("panels", "creases", "ties", "buckling", "governs")
+    WRITTEN = ("panels", "membrane", "creases", "ties", "buckling", "governs")
 
     # of their strength; None where that is not known
     panels: float | None
+    membrane: float | None  # None, too, where panels have none
     creases: float | None
     ties: float | None
     buckling: float | None  # of the load at which the shell buckles; None if it does not
@@ -106,7 +116,8 @@ class Equilibrium:
 
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
-        "crease", "stress", "utilisation", "buckling", "buckling_factors", "frequencies",
+        "crease", "creases", "stress", "lone_board", "membrane", "panel_residual", "utilisation",
+        "buckling", "buckling_factors", "frequencies",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -117,16 +128,21 @@ class Equilibrium:
     # what is missing between loads and reactions, of forces and moments the larger, relative to the
     # loads
     residual: float
+    # what is missing for the balance of a panel with its loads and the forces at its edges,
+    # relative to all loads
+    panel_residual: float
     # the largest share of the friction of the ground that a foot uses; None where none is rough
     friction: float | None
     tie_forces: Array  # of ties (K,), 0 where they are slack (N)
     # with which two neighbouring flaps keep the vertices at their outer corners apart (C,), in the
     # order of ``Model.flaps``; 0 where they part (N)
     flap_forces: Array
+    edges: EdgeForces  # what holds every panel at its edges
     crease_moments: Array  # largest moment per length (E,) about every edge, 0 at the border (N)
-    # von Mises' stress (T, 2) of every triangle at its lower and upper face (force per area)
+    # von Mises' stress (T, 2) at the lower and the upper face, for every triangle that of the patch
+    # over which it is averaged (force per area)
     stresses: Array
-    # the larger and the smaller principal stress (T, 2) of both faces (force per area)
+    # the larger and the smaller principal stress (T, 2) of both faces, likewise (force per area)
     principal: Array
     # the lowest factors by which all loads grow until the shell buckles, by linear theory; none if
     # it does not
@@ -185,6 +201,21 @@ class Equilibrium:
         return CreaseMoment(float(moments.max()), (first, second))
 
     @cached_property
+    def creases(self) -> tuple[CreaseForces, ...]:
+        """The largest forces per length along row creases and along column creases."""
+        return by_kind(self.model, self.edges)
+
+    @cached_property
+    def membrane(self) -> AtCrease | None:
+        """The largest stress of the membrane in a crease; None if there is none between boards."""
+        return film(self.model, self.edges)
+
+    @cached_property
+    def lone_board(self) -> AtCrease | None:
+        """The largest stress where one of two boards is left beside a crease; None if nowhere."""
+        return lone_board(self.model, self.edges)
+
+    @cached_property
     def stress(self) -> Stress:
         """The largest."""
         triangle, face = np.unravel_index(self.stresses.argmax(), self.stresses.shape)
@@ -198,10 +229,17 @@ class Equilibrium:
 
     @cached_property
     def utilisation(self) -> Utilisation:
-        """Of panels, creases and ties."""
-        asked, crease = self.model.structure, self.crease
+        """Of panels, membrane, creases and ties."""
+        asked, crease, alone, film = (
+            self.model.structure,
+            self.crease,
+            self.lone_board,
+            self.membrane,
+        )
+        boards = 0.0 if alone is None else alone.size
         return Utilisation(
-            panels=_share(self.stress.size, asked.strength),
+            panels=_share(max(self.stress.size, boards), asked.strength),
+            membrane=None if film is None else _share(film.size, asked.membrane_strength),
             creases=_share(0.0 if crease is None else crease.moment, asked.crease_strength),
             ties=_share(self.ties[0].force if self.ties else 0.0, asked.tie_strength),
             buckling=None if self.buckling is None else 1 / self.buckling,
@@ -218,6 +256,7 @@ class Equilibrium:
         """What bears something, and nobody said how much it can."""
         bears: dict[Limiting, bool] = {
             "panels": True,
+            "membrane": self.membrane is not None and self.membrane.size > 0,
             "creases": self.crease is not None,
             "ties": bool(self.tie_forces.any()),
         }

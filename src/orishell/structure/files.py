@@ -1,4 +1,4 @@
-"""The files on a shell as a structure: the picture of its deflections, and the page."""
+"""The files on a shell as a structure: the picture of its deflections, page and creases."""
 
 from __future__ import annotations
 
@@ -10,18 +10,21 @@ from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.plot import DrawnCase, plot_structure
+from orishell.structure.crease_tables import crease_csv
 from orishell.structure.page import structure_page
 from orishell.structure.results import Analysis, CaseResult
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:
-    """Write ``structure.png`` and ``structure.html`` of a document that is loaded."""
+    """Write ``structure.png``, ``structure.html`` and ``creases.csv`` of a loaded document."""
     assert document.loaded is not None
     unit = document.require_unit()
     path = directory / "structure.png"
     draw_structure(path, document.loaded, analysis, unit)
     page = structure_page(analysis, title=document.title, unit=unit, png=path.read_bytes())
     (directory / "structure.html").write_text(page, encoding="utf-8", newline="\n")
+    table = crease_csv(analysis, unit)
+    (directory / "creases.csv").write_text(table, encoding="utf-8", newline="\n")
 
 
 def draw_structure(path: Path, loaded: LoadedShell, analysis: Analysis, unit: str) -> None:

@@ -43,9 +43,11 @@ class Model:
 
     WRITTEN = (
         "nodes", "triangles", "freedoms", "change", "mass", "height", "thickness",
-        "structure.modulus", "structure.poisson", "structure.membrane_modulus",
-        "membrane_stiffness", "bending_stiffness", "crease_stiffness", "tie_stiffness",
+        "structure.material", "structure.modulus", "structure.poisson",
+        "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
+        "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
+        "structure.membrane_strength",
         "structure.supports",
     )  # fmt: skip
 
@@ -155,10 +157,12 @@ class Model:
         flat = mesh_sheet(self.sheet.positions(0.0), self.grid, self.cells).facets
         corners = flat.points[flat.triangles][..., :2]
         return panel_sections(
-            self.structure, self.design.panel, self._boards(), corners, self.mesh.panels
+            self.structure, self.design.panel, self.boards, corners, self.mesh.panels
         )
 
-    def _boards(self) -> Boards | None:
+    @property
+    def boards(self) -> Boards | None:
+        """Boards between its flaps, by panels of this grid."""
         built = self.built
         if built is None:
             return None

@@ -31,11 +31,15 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
     yield "Height between its flaps", said.length(model.height)
     yield "Mass of panels", quantity(model.mass, "kg")
     yield "Thickness of panels, t", said.displacement(model.thickness)
+    if asked.material is not None:
+        yield "Material", asked.material
     yield "Young\u2019s modulus, E", said.stress(asked.modulus)
     yield "Poisson\u2019s ratio, \u03bd", figure(asked.poisson)
     if asked.membrane_modulus:
         yield "Young\u2019s modulus of the membrane", said.stress(asked.membrane_modulus)
     yield "Strength of panels", _known(asked.strength, said.stress)
+    if model.design.panel is not None and model.design.panel.membrane:
+        yield "Strength of the membrane", _known(asked.membrane_strength, said.stress)
     yield (
         "Stiffness of sections in their plane",
         _from_to(model.membrane_stiffness, said.per_length),

@@ -6,8 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
+from orishell.structure.crease_forces import AtCrease
+from orishell.structure.crease_tables import crease_notes, crease_table
 from orishell.structure.envelopes import STRENGTH
-from orishell.structure.equilibrium import Equilibrium, PairForce
+from orishell.structure.equilibrium import CreaseMoment, Equilibrium, PairForce
 from orishell.structure.loads import KINDS, Vector
 from orishell.structure.model_page import model_parts
 from orishell.structure.results import Analysis, CaseResult, creases_in_words
@@ -16,6 +18,11 @@ from orishell.structure.verdict import COLLAPSED
 ROUNDING = 1e-9
 """Forces below this share of a case's load are none."""
 AXES = ("x (N)", "y (N)", "z (N)")
+STRESS_RULE = (
+    "Stress is that of membrane forces and moments averaged over a sixteenth of a panel, a quarter "
+    "of its sides long and wide, at its corners over a quarter of it: corners of panels are "
+    "singular points, where stress grows with every finer mesh. What tears there is not covered."
+)
 NOTHING = "\u2013"
 SHOWN = "The shell under its loads, coloured by displacement."
 
@@ -41,6 +48,8 @@ def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> st
             *_loads(report, said),
             heading(2, "Results"),
             *_results(report, said),
+            paragraph(STRESS_RULE, "soft"),
+            *crease_notes(),
             *_envelopes(report),
             *(part for case in report.told for part in _case(case, report, said)),
             heading(2, "What is not covered"),
@@ -127,8 +136,9 @@ def _results(report: Analysis, said: Quantities) -> Iterator[str]:
     head = ("", "displacement", "of the height", "stress", "crease moment", "tie")
     yield table((*head, "buckling factor", "first frequency", "used"), rows, numbers=8)
     yield paragraph(
-        "Used is the largest share of what panels, creases and ties can bear, of the load at which "
-        f"the shell buckles, and of a displacement of {100 * COLLAPSED:g} % of its height.",
+        "Used is the largest share of what panels, membrane, creases and ties can bear, of the "
+        "load at which the shell buckles, and of a displacement of "
+        f"{100 * COLLAPSED:g} % of its height.",
         "soft",
     )
 
@@ -182,6 +192,7 @@ def _case(case: CaseResult, report: Analysis, said: Quantities) -> Iterator[str]
         yield paragraph(f"The shell {case.in_words()}. Nothing else was found of it.", case.sign)
         return
     yield table((), _details(case, found, said))
+    yield from crease_table(found, said)
     reactions = [(_vertex(each.at), *_vector(each.force, case.load)) for each in found.reactions]
     half = -(-len(reactions) // 2)
     reactions += [4 * ("",)] * (2 * half - len(reactions))
@@ -210,11 +221,18 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
         f"{stress.face} face; principal stresses from {said.stress(stress.least)} to "
         f"{said.stress(stress.largest)}",
     )
+    alone, film = found.lone_board, found.membrane
+    if alone is not None:
+        yield (
+            "Where one board is left",
+            f"{said.stress(alone.size)} by von Mises, {_between(alone)}",
+        )
+    if film is not None:
+        yield "Largest pull in the membrane", f"{said.stress(film.size)} {_between(film)}"
     if found.crease is not None and case.creases != "free":
-        one, other = (_vertex(panel) for panel in found.crease.panels)
         yield (
             "Largest moment of a crease",
-            f"{said.moment(found.crease.moment)} between panels {one} and {other}",
+            f"{said.moment(found.crease.moment)} {_between(found.crease)}",
         )
     buckles = "by linear theory it does not"
     if case.limit_state not in STRENGTH:
@@ -227,10 +245,16 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
     if found.frequencies:
         yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"
     words = [f"{name} {_share(share)}" for name, share in used.shares.items() if share is not None]
-    unknown = [name for name, share in used.shares.items() if share is None and name != "buckling"]
+    bare = {"buckling", *(() if film else ("membrane",))}
+    unknown = [name for name, share in used.shares.items() if share is None and name not in bare]
     if unknown:
         words.append(f"of {' and '.join(unknown)} no strength is given")
     yield "Share used", "; ".join(words)
+
+
+def _between(found: AtCrease | CreaseMoment) -> str:
+    one, other = map(_vertex, found.panels)
+    return f"between panels {one} and {other}"
 
 
 def _pairs(caption: str, pairs: Sequence[PairForce], idle: str) -> str:

@@ -17,6 +17,7 @@ from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model, Stiffness, stiffness_in_words
+from orishell.structure.plausibility import doubts
 from orishell.structure.verdict import (
     COLLAPSED,
     Finding,
@@ -252,8 +253,7 @@ class Analysis:
         names = {each.case for each in self.envelopes if each.moves or each.part is not None}
         if self.governs is not None:
             names.add(self.governs.case)
-        own = (case for case in self.ranked if case.limit_state is None or case.name in names)
-        return tuple(own)
+        return tuple(case for case in self.ranked if not case.limit_state or case.name in names)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
@@ -266,6 +266,7 @@ class Analysis:
                 f"displacements changed by {plain(100 * self.model.change, 3)} % when cells were "
                 "halved: use finer ones (cells, or refine, in [structure])"
             )
+        yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
         said: dict[str, dict[str, None]] = {}
         for case in self.cases:
             for name, text in case.load_warnings():

@@ -8,9 +8,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from orishell.conventions.quantities import conversion
 from orishell.conventions.table import Number, Pair, Several, Table
 from orishell.structure.arrangements import arranged
 from orishell.structure.combinations import Expression, Factors, combine
@@ -26,6 +27,7 @@ from orishell.structure.load_settings import (
     Wind,
     Zone,
 )
+from orishell.structure.materials import materials
 
 __all__ = [
     "LOADS",
@@ -117,14 +119,19 @@ class Support(Table):
 class StructureTable(Table):
     """What a structure is made of, and what holds it."""
 
-    # Young's modulus of panels or boards, of their section as a whole (force per area)
-    modulus: Positive
+    # what panels are made of, by its name in materials.toml: what is not given is taken from there
+    material: str | None = None
+    # Young's modulus of panels or boards, of their section as a whole; None if it is that of the
+    # material (force per area)
+    modulus: Annotated[Positive | None, Field(validate_default=True)] = None
     supports: Annotated[Several[Support], Field(min_length=1)]  # what holds it
     poisson: Annotated[Number, Field(ge=0, le=0.5)] = 0.3  # Poisson's ratio of panels
     strength: Positive | None = None  # what panels bear; None if that is not known (force per area)
     thickness: Positive | None = None  # of panels, where the design has none; else None (length)
     # Young's modulus of the membrane between boards; 0 if it is not counted (force per area)
     membrane_modulus: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
+    # stress that the membrane between boards bears; None if that is not known (force per area)
+    membrane_strength: Positive | None = None
     # least and largest moment per length and angle of creases: 0 for free hinges, infinite for
     # rigid ones (force per radian)
     crease_stiffness: StiffnessRange = (0.0, math.inf)
@@ -143,14 +150,43 @@ class StructureTable(Table):
     # them as they are
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
 
+    @field_validator("material")
+    @classmethod
+    def _require_material(cls, material: str | None) -> str | None:
+        if material is not None and material not in materials():
+            names = ", ".join(f'"{name}"' for name in materials())
+            raise PydanticCustomError("material", "one of {names}", {"names": names})
+        return material
+
+    @field_validator("modulus")
+    @classmethod
+    def _require_modulus(cls, modulus: float | None, info: ValidationInfo) -> float | None:
+        if modulus is None and info.data.get("material") is None:
+            raise PydanticCustomError("missing", "Field required")
+        return modulus
+
+    def filled(self, unit: str) -> Self:
+        """With the values of its material where they are not given, per square of a unit."""
+        if self.material is None:
+            return self
+        made, area = materials()[self.material], conversion(unit, "m") ** 2
+        known = {
+            "modulus": made.modulus * area,
+            "poisson": made.poisson,
+            "strength": made.strength * area,
+        }
+        given = {key for key in known if key in self.model_fields_set}
+        return self.having(**{key: each for key, each in known.items() if key not in given})
+
     def under(self, cases: tuple[LoadCase, ...]) -> Structure:
-        """The structure under load cases."""
+        """The structure under load cases; its modulus is known."""
         return Structure.model_construct(**dict(self), cases=cases)
 
 
 class Structure(StructureTable):
     """A structure as it is analysed: made of the table, under its load cases."""
 
+    modulus: Positive
     cases: Several[LoadCase]
 
     @property

@@ -67,7 +67,12 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
 
 def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     used = found.utilisation
-    for name, part in (("panels", used.panels), ("creases", used.creases), ("ties", used.ties)):
+    for name, part in (
+        ("panels", used.panels),
+        ("membrane", used.membrane),
+        ("creases", used.creases),
+        ("ties", used.ties),
+    ):
         if part is not None and part > 1:
             text = f"uses {plain(100 * part, 3)} % of the strength of its {name}"
             yield Finding("fails", "exceeds strength", text, part)

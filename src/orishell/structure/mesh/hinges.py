@@ -1,4 +1,4 @@
-"""Hinges: springs about creases, and the moments that creases pass on.
+"""Hinges: springs about creases.
 
 A rigid crease is a spring much stiffer than a cell beside it. It joins rotations about the crease
 only: those across it follow from the displacements that both panels have in common, and sharing
@@ -64,25 +64,3 @@ def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Int
     edge, beside = edge[order], beside[order]
     pair = np.flatnonzero(edge[1:] == edge[:-1])
     return edge[pair], beside[pair], beside[pair + 1], mesh.nodes.ravel()[beside[pair]]
-
-
-def crease_moments(mesh: SheetMesh, grid: Grid, section: Section, moved: Array) -> Array:
-    """Largest moment per length (E,) about every edge, between its ends; 0 at the border.
-
-    moved: Displacements and rotations (D,).
-    """
-    forces = mesh.elements(section).forces(moved)
-    moments = np.zeros((mesh.nodes.size, 3))
-    np.add.at(moments, mesh.places, forces.reshape(-1, 3, 6)[..., 3:])
-    edge, first, _, nodes = beside_creases(mesh, grid)
-    points = mesh.facets.points[nodes]
-    along = points[:, -1] - points[:, 0]
-    length = np.linalg.norm(along, axis=1, keepdims=True)
-    about = np.einsum("cni,ci->cn", moments[first], along / length)
-    cells = nodes.shape[1] - 1
-    per_length = np.abs(about[:, 1:-1]) * cells / length
-    largest = np.zeros(len(grid.edges_vertices()))
-    largest[edge] = (
-        per_length.max(axis=1) if cells > 1 else np.abs(about).sum(axis=1) / length[:, 0]
-    )
-    return largest

@@ -1,0 +1,151 @@
+"""Forces that creases pass on from panel to panel: the largest of them, and what bears them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+
+from orishell.conventions.errors import VerificationError
+from orishell.conventions.record import record
+from orishell.motion.grid import Panel
+from orishell.numerics.arrays import Array, Booleans
+from orishell.structure.loads import case_loads, sum_forces
+from orishell.structure.mesh.edge_forces import (
+    ABOUT,
+    EdgeForces,
+    crease_sides,
+    find_edge_forces,
+    on_creases,
+)
+from orishell.structure.mesh.strips import board_stress, film_stress, one_board
+from orishell.structure.mesh.triangle import Facets
+from orishell.structure.model import Model
+from orishell.structure.settings import LoadCase
+
+CreaseKind = Literal["row", "column"]
+"""Row creases run from left to right in the flat sheet, column creases downwards."""
+UNBALANCED = 1e-6
+"""Panels that miss more than this share of the loads for their balance mean a fault."""
+
+
+@record
+class AtCrease:
+    """Something that is largest at a crease."""
+
+    size: float  # how large it is
+    panels: tuple[Panel, Panel]  # the two panels beside the crease
+
+
+@record
+class CreaseForces:
+    """The largest forces per length along all creases of a kind, on either side of them."""
+
+    kind: CreaseKind  # which creases
+    pull: AtCrease  # square to the crease in the plane of a panel, out of it; 0 if all are pressed
+    push: AtCrease  # the same into the panel
+    in_plane: AtCrease  # shear along the crease
+    across: AtCrease  # shear square to the plane of a panel
+    moment: AtCrease  # moment about the crease
+
+
+def panel_loads(model: Model, case: LoadCase, cases: Sequence[LoadCase]) -> Array:
+    """Loads (F (cells+1)^2, 3) on panels by nodes of their own, those at vertices left out (N).
+
+    cases: All cases, which this one may combine.
+    """
+    mesh, exposure = model.mesh, model.exposure
+    # Beside all nodes, so that loads at vertices stay there.
+    points = mesh.facets.points
+    apart = replace(
+        exposure,
+        mesh=Facets(
+            np.concatenate([points, points[mesh.nodes.ravel()]]), len(points) + mesh.places
+        ),
+        hung=np.concatenate([exposure.hung, np.zeros(mesh.nodes.size)]),
+    )
+    return sum_forces(apart, case_loads(apart, case, cases))[len(points) :]
+
+
+def hold_panels(
+    model: Model, moved: Array, loads: Array, stiffness: float, scale: float
+) -> tuple[EdgeForces, float]:
+    """What holds panels at their edges, and the share of the loads that their balance misses.
+
+    moved: Displacements and rotations (D,).
+    loads: On panels, as :func:`panel_loads` has them (N).
+    stiffness: Of creases (force per radian): those that are free have no moments, but rounding.
+    scale: Sum of the sizes of all loads (N).
+    Raises VerificationError: If a panel is not in balance: a fault of the program.
+    """
+    elements = model.mesh.elements(model.section)
+    found = find_edge_forces(model.mesh, elements, moved, loads)
+    if not stiffness:
+        found.per_length[..., ABOUT] = 0.0
+    residual = found.missing / scale if scale else 0.0
+    if residual > UNBALANCED:
+        raise VerificationError(
+            f"a panel is not in balance, {residual:.2g} of the loads are missing: "
+            "this is a fault of the program"
+        )
+    return found, residual
+
+
+def largest_forces(model: Model, found: EdgeForces) -> Array:
+    """Pull, push, shear in the plane and across it, and moment (C, 5) of every crease."""
+    values = on_creases(found.per_length, model.grid)
+    normal, sizes = values[..., :1], np.abs(values[..., 1:])
+    every = np.concatenate([np.maximum(normal, 0), np.maximum(-normal, 0), sizes], axis=-1)
+    return np.asarray(every.max(axis=(1, 2)))
+
+
+def by_kind(model: Model, found: EdgeForces) -> tuple[CreaseForces, ...]:
+    """The largest forces along creases of each kind."""
+    sizes = largest_forces(model, found)
+    edges, _ = crease_sides(model.grid)
+    rows = edges < model.grid.rows * (model.grid.columns - 1)
+    kinds: tuple[tuple[CreaseKind, Booleans], ...] = (("row", rows), ("column", ~rows))
+    return tuple(
+        CreaseForces(kind, *(_largest(model, np.where(own, each, -1.0)) for each in sizes.T))
+        for kind, own in kinds
+        if own.any()
+    )
+
+
+def moments(model: Model, found: EdgeForces) -> Array:
+    """Largest moment per length (E,) about every edge; 0 at the border."""
+    edges, _ = crease_sides(model.grid)
+    largest = np.zeros(len(model.grid.edges_vertices()))
+    largest[edges] = largest_forces(model, found)[:, -1]
+    return largest
+
+
+def film(model: Model, found: EdgeForces) -> AtCrease | None:
+    """The largest stress of the membrane between boards; None if there is none."""
+    build = model.design.panel
+    if build is None or not build.membrane:
+        return None
+    values = on_creases(found.per_length, model.grid)
+    return _largest(model, film_stress(values, build).max(axis=(1, 2)))
+
+
+def lone_board(model: Model, found: EdgeForces) -> AtCrease | None:
+    """The largest stress where one board is left beside a crease; None if it is nowhere."""
+    build, boards = model.design.panel, model.boards
+    if build is None or boards is None or not build.membrane:
+        return None
+    flat = model.sheet.positions(0.0).reshape(-1, 3)[model.grid.faces_vertices()][..., :2]
+    alone = one_board(boards, flat)
+    stress = np.where(alone[..., None], board_stress(found.per_length, build), -1.0)
+    largest = on_creases(stress[..., None], model.grid).max(axis=(1, 2, 3))
+    return _largest(model, largest) if largest.max() >= 0 else None
+
+
+def _largest(model: Model, sizes: Array) -> AtCrease:
+    """The largest of sizes (C,) of creases."""
+    crease = int(sizes.argmax())
+    _, sides = crease_sides(model.grid)
+    first, second = (model.panel_at(int(panel)) for panel in sides[crease, :, 0])
+    return AtCrease(float(sizes[crease]), (first, second))

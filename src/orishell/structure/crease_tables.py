@@ -1,0 +1,107 @@
+"""Forces along creases in tables: the largest on the page, of every crease in ``creases.csv``."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+
+import numpy as np
+
+from orishell.conventions.quantities import Quantities
+from orishell.io.html_pages import paragraph, table
+from orishell.numerics.arrays import Array
+from orishell.structure.crease_forces import AtCrease, largest_forces
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.mesh.edge_forces import STRETCHES, crease_sides
+from orishell.structure.results import Analysis
+
+SHARES = {2: "halves", 3: "thirds", 4: "quarters"}
+COLUMNS = ("pull", "push", "shear in the plane", "shear across", "moment")
+ROUNDING = 1e-9
+"""Forces below this share of the largest are none."""
+DIGITS = 6
+
+
+def crease_table(found: Equilibrium, said: Quantities) -> Iterator[str]:
+    """The largest forces along row and column creases, and where."""
+
+    def shown(each: AtCrease, least: float, *, moment: bool = False) -> str:
+        if each.size <= least:
+            return "none"
+        (row, column), (other, beside) = each.panels
+        size = said.moment(each.size) if moment else said.per_length(each.size)
+        return f"{size} ({row},{column} | {other},{beside})"
+
+    largest = max(
+        (each.size for kind in found.creases for each in (kind.pull, kind.push)), default=0.0
+    )
+    least = ROUNDING * largest
+    rows = [
+        (
+            f"{kind.kind} creases",
+            *(shown(each, least) for each in (kind.pull, kind.push, kind.in_plane, kind.across)),
+            shown(kind.moment, 0.0, moment=True),
+        )
+        for kind in found.creases
+    ]
+    if rows:
+        yield table(
+            ("", *COLUMNS),
+            rows,
+            caption="Forces along creases, per metre: the largest, and the panels beside it",
+        )
+
+
+def crease_notes() -> Iterator[str]:
+    """What the forces along creases are."""
+    yield paragraph(
+        f"Forces along creases are means over {SHARES[STRETCHES]} of a crease, in the plane of the "
+        "panel on that side of it where they are larger: pull and push square to the crease, shear "
+        "along it, shear across the panel. What panels hand on at their corners, as feet and ties "
+        "do, is apart. All creases are in creases.csv.",
+        "soft",
+    )
+
+
+def crease_csv(report: Analysis, unit: str) -> str:
+    """The text of ``creases.csv``: the largest forces along every crease, of all cases."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    units = (*4 * (f"N/{unit}",), "N")
+    writer.writerow(
+        (
+            "row", "column", "other row", "other column", "kind", f"length ({unit})",
+            *(
+                part
+                for name, of in zip(COLUMNS, units, strict=True)
+                for part in (f"{name} ({of})", "case")
+            ),
+        )
+    )  # fmt: skip
+    model = report.model
+    edges, sides = crease_sides(model.grid)
+    ends = model.mesh.facets.points[model.grid.edges_vertices()[edges]]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    names = [report.name_of(case) for _, case in report.balanced]
+    sizes, worst = _worst(report, len(edges))
+    for k, edge in enumerate(edges.tolist()):
+        (row, column), (other, beside) = (model.panel_at(int(each)) for each in sides[k, :, 0])
+        kind = "row" if edge < model.grid.rows * (model.grid.columns - 1) else "column"
+        found = (
+            part
+            for size, case in zip(sizes[k].tolist(), worst[k].tolist(), strict=True)
+            for part in (f"{size:.{DIGITS}g}", names[case] if size else "")
+        )
+        writer.writerow((row, column, other, beside, kind, f"{lengths[k]:.{DIGITS}g}", *found))
+    return text.getvalue()
+
+
+def _worst(report: Analysis, creases: int) -> tuple[Array, Array]:
+    """The largest forces (C, 5) of all cases, and the case of each, 0 where they are rounding."""
+    if not report.balanced:
+        return np.zeros((creases, 5)), np.zeros((creases, 5), np.int64)
+    every = np.stack([largest_forces(report.model, found.edges) for found, _ in report.balanced])
+    least = ROUNDING * every[..., :2].max() * np.array([1, 1, 1, 1, 0])
+    every = np.where(every > least, every, 0.0)
+    return every.max(axis=0), every.argmax(axis=0)
