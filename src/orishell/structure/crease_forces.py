@@ -81,7 +81,8 @@ def hold_panels(
     Raises VerificationError: If a panel is not in balance: a fault of the program.
     """
     elements = model.mesh.elements(model.section)
-    found = find_edge_forces(model.mesh, elements, moved, loads)
+    supported = model.supports.held[:, 0]
+    found = find_edge_forces(model.mesh, elements, moved, loads, supported)
     if not stiffness:
         found.per_length[..., ABOUT] = 0.0
     residual = found.missing / scale if scale else 0.0

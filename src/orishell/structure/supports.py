@@ -32,6 +32,7 @@ class Supports:
     friction: Array  # its coefficient of friction (G,)
     at: Integers  # all supported vertices (S,), ascending
     points: Integers  # those that are held by themselves, without an edge or a patch
+    lost: tuple[float, ...]  # patches in which no other node lies (length)
 
     def vertices(self) -> Integers:
         """All supported vertices (S,), ascending."""
@@ -77,6 +78,7 @@ def find_supports(
     friction: list[Array] = [np.zeros(0)]
     points: list[Integers] = [np.zeros(0, np.int64)]
     broad: list[Integers] = [np.zeros(0, np.int64)]
+    lost: list[float] = []
     for number, support in enumerate(asked):
         where = f"[structure] supports[{number}] at"
         if support.at == "feet":
@@ -91,7 +93,10 @@ def find_supports(
             ground.append(vertices)
             friction.append(np.full(len(vertices), support.friction))
         nodes = _nodes(support, mesh, grid, vertices, f"[structure] supports[{number}]")
-        (points if nodes is vertices else broad).append(vertices)
+        alone = len(nodes) == len(vertices)
+        (points if alone else broad).append(vertices)
+        if alone and support.patch:
+            lost.append(support.patch)
         axes = np.array(HELD[support.kind], np.int64)
         held.append(np.stack(np.meshgrid(nodes, axes, indexing="ij"), axis=-1).reshape(-1, 2))
     standing, first = np.unique(np.concatenate(ground), return_index=True)
@@ -101,6 +106,7 @@ def find_supports(
         friction=np.concatenate(friction)[first],
         at=np.unique(np.concatenate([*points, *broad])),
         points=np.setdiff1d(np.concatenate(points), np.concatenate(broad)),
+        lost=tuple(lost),
     )
 
 

@@ -48,13 +48,18 @@ class EdgeForces:
 
 
 def find_edge_forces(
-    mesh: SheetMesh, elements: Elements, moved: Array, panel_loads: Array
+    mesh: SheetMesh,
+    elements: Elements,
+    moved: Array,
+    panel_loads: Array,
+    supported: Integers | None = None,
 ) -> EdgeForces:
     """What holds every panel at its edges.
 
     elements: The triangles of the mesh as elements.
     moved: Displacements and rotations (D,).
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
+    supported: Nodes that are held: supports hold panels at those within them, too.
     """
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, elements.forces(moved).reshape(-1, 3, 6))
@@ -90,8 +95,12 @@ def find_edge_forces(
     loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
     loaded = loaded.reshape(len(mesh.nodes), -1, 6)
     own = mesh.facets.points[mesh.nodes].reshape(*loaded.shape[:2], 3)
+    within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
+    if supported is not None:
+        within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)
+    by_supports = np.where(within, held.reshape(*mesh.nodes.shape, 6), 0.0)
     total = (
-        _about(loaded, own - origin)
+        _about(loaded + by_supports.reshape(loaded.shape), own - origin)
         + _about(corners, points[:, :, 0] - origin)
         + _about(resultants, middle[:, :, 0] - origin)
     )
