@@ -17,6 +17,7 @@ from orishell.structure.mesh.edge_forces import (
     ABOUT,
     EdgeForces,
     crease_sides,
+    edge_forces,
     find_edge_forces,
     on_creases,
 )
@@ -83,6 +84,23 @@ def hold_panels(
     elements = model.mesh.elements(model.section)
     supported = model.supports.held[:, 0]
     found = find_edge_forces(model.mesh, elements, moved, loads, supported)
+    return _balanced(found, stiffness, scale)
+
+
+def hold_moved_panels(
+    model: Model, borne: tuple[Array, Array], loads: Array, stiffness: float, scale: float
+) -> tuple[EdgeForces, float]:
+    """The same where large displacements are followed.
+
+    borne: Forces (T, 18) of triangles, and where nodes (N, 3) are.
+    """
+    forces, places = borne
+    mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
+    supported = model.supports.held[:, 0]
+    return _balanced(edge_forces(mesh, forces, loads, supported), stiffness, scale)
+
+
+def _balanced(found: EdgeForces, stiffness: float, scale: float) -> tuple[EdgeForces, float]:
     if not stiffness:
         found.per_length[..., ABOUT] = 0.0
     residual = found.missing / scale if scale else 0.0

@@ -61,8 +61,15 @@ def find_edge_forces(
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
     supported: Nodes that are held: supports hold panels at those within them, too.
     """
+    return edge_forces(mesh, elements.forces(moved), panel_loads, supported)
+
+
+def edge_forces(
+    mesh: SheetMesh, forces: Array, panel_loads: Array, supported: Integers | None = None
+) -> EdgeForces:
+    """The same by forces (T, 18) with which triangles hold their nodes, where these are."""
     held = np.zeros((mesh.nodes.size, 6))
-    np.add.at(held, mesh.places, elements.forces(moved).reshape(-1, 3, 6))
+    np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
     held[:, :3] -= panel_loads
     round_, points = (
         _sides(each.reshape(*mesh.nodes.shape, -1))
