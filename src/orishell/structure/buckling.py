@@ -44,7 +44,8 @@ def share_at_points(model: Model, structure: Factorised, modes: Array) -> Array:
     if not (len(points) and modes.size):
         return np.zeros(modes.shape[1])
     elements = model.mesh.elements(model.section)
-    there = np.isin(model.grid.faces_vertices(), points).any(axis=1)[model.mesh.panels]
+    standing = np.asarray(np.isin(model.grid.faces_vertices(), points).any(axis=1))
+    there = standing[model.mesh.panels]
     energies = []
     for mode in modes.T:
         moved = structure.moved(mode)

@@ -25,7 +25,7 @@ def edge_nodes(
     Raises InputError: If there are none, or one is not level.
     """
     ends = grid.edges_vertices()
-    along = np.isin(ends, vertices).all(axis=1)
+    along = np.asarray(np.isin(ends, vertices).all(axis=1))
     if not along.any():
         raise InputError(
             "no edge of a panel joins two of these vertices",
