@@ -79,6 +79,7 @@ class Tent(Model):
     section: Any = Section.solid(STRUCTURE.modulus, THICKNESS, STRUCTURE.poisson)
     supported: Any = ((0, 1), (2, 1))
     grounded: Any = MappingProxyType({})
+    supports: Any = SimpleNamespace(lost=())
     flaps: Any = (((0, 0), (1, 0)), ((1, 0), (2, 0)))
     mass: Any = 32.2
 
@@ -129,6 +130,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),
             buckling_factors=(2.5,),
             buckling_modes=displacements[None],
+            buckling_at_points=(0.1,),
             frequencies=(3.0, 4.0, 7.0),
             modes=np.zeros((3, count, 3)),
         )

@@ -10,7 +10,6 @@ import numpy as np
 from orishell.numerics.arrays import Array
 from orishell.structure.model import Model
 from orishell.structure.results import FreeMotion, Ground, Remedy
-from orishell.structure.settings import Support
 from orishell.structure.solve.active_set import respond, stands
 from orishell.structure.solve.bearing import (
     GREATEST,
@@ -106,7 +105,7 @@ def _enough_friction(structure: Factorised, loads: Array, size: float) -> float 
 def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:
     """The shell with those things that it lacks and that may hold it."""
     asked, site = model.structure, model.site
-    pinned = tuple(Support(at=each.at, kind="pinned") for each in asked.supports)
+    pinned = tuple(each.having(kind="pinned", friction=0.0) for each in asked.supports)
     tried: dict[Remedy, Model] = {"pinned": replace(model, structure=asked.having(supports=pinned))}
     if site.rows is not None and not site.ties:
         inner = model.sheet.inner_columns
