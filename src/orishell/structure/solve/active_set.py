@@ -20,6 +20,9 @@ from orishell.structure.solve.friction import Contact
 TOLERANCE = 1e-7
 """Forces below this share of the largest are none, and gaps below it of the displacements."""
 
+WITHIN = 1e-9
+"""Friction beyond what there is by less than this share has not slipped."""
+
 
 @record
 class Response:
@@ -93,8 +96,10 @@ def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) ->
     acts[:count] = forces[:count] > TOLERANCE * np.max(forces[:count], initial=0.0)
     pressing = acts.copy()
     pressing[contact.rubs] = acts[rough][:, None]
-    sizes = np.linalg.norm(parted[contact.rubs], axis=1)
-    acts[contact.rubs] = (acts[rough] & (sizes == 0))[:, None]
+    sizes = np.linalg.norm(y[contact.rubs], axis=1)
+    inside = sizes <= y[rough] * (1 + WITHIN)
+    parted[contact.rubs[inside]] = 0.0
+    acts[contact.rubs] = (acts[rough] & inside)[:, None]
     still = structure.motions(pressing)
     settled = moved - still @ (still.T @ moved)
     gaps = structure.rows @ settled

@@ -1,8 +1,9 @@
 """Where forces of ties, flaps and rough ground are in balance: by Newton's method, along paths.
 
 Newton's method takes the derivative of P where y is (semismooth: Qi and Sun 1993), and steps as
-long as F falls. From the convex problem (theta = 0), whose solution is found by less and less
-smooth cones as interior points are, it mostly finds Coulomb's (theta = 1) at once. Where not,
+long as F falls. It begins where all feet stick: that is the answer if friction does for it, as
+loads that grow from nothing find it so. Else, from the convex problem (theta = 0), whose solution is
+found by less and less smooth cones as interior points are, it mostly finds Coulomb's (theta = 1) at once. Where not,
 Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to 1 by steps; and
 where that path of solutions turns back it is followed by its length (Allgower and Georg 1990), in
 the sense that keeps the sign of the determinant, also across edges where a foot begins to slip. It
@@ -50,6 +51,12 @@ def find_contact(structure: Factorised, loads: Array) -> Found | None:
     """Rows in balance by Coulomb's law; None if they were not found."""
     first = Contact.of(structure, loads)
     every = [replace(first, augment=augment) for augment in AUGMENTS]
+    for contact in every:
+        bonded = smoothly(replace(contact, bonded=True), 0.0)
+        if bonded is not None:
+            y, right = solve(contact, _sticking(contact, bonded), 1.0, FEW)
+            if right:
+                return Found(contact, y)
     starts = []
     for contact in every:
         y = smoothly(contact, 0.0)
@@ -75,6 +82,14 @@ def find_contact(structure: Factorised, loads: Array) -> Found | None:
                 return Found(contact, end)
             last = last or (None if end is None else Found(contact, end, away))
     return last
+
+
+def _sticking(contact: Contact, bonded: Array) -> Array:
+    """The y (M,) of the state that has the y (M,) in which feet are bonded to the ground."""
+    rough, mu = contact.rough, contact.friction
+    y = bonded.copy()
+    y[rough] = np.where(bonded[rough] > 0, mu * bonded[rough], bonded[rough] / mu)
+    return y
 
 
 def smoothly(contact: Contact, theta: float) -> Array | None:

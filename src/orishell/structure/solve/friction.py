@@ -63,6 +63,7 @@ class Contact:
     rough: Integers  # those that have friction (G,), whose rows follow, two by two
     friction: Array  # its coefficient (G,)
     augment: float  # r
+    bonded: bool = False  # whether feet do not slip, whatever they need, nor when they lift
 
     @classmethod
     def of(cls, structure: Factorised, loads: Array, augment: float = 1.0) -> Contact:
@@ -91,7 +92,8 @@ class Contact:
 
     def at(self, y: Array, theta: float, smooth: float = 0.0) -> Point:
         """What holds at y (M,)."""
-        rough, rubs, mu = self.rough, self.rubs, self.friction
+        rough, rubs = self.rough, self.rubs
+        mu = np.ones(len(rough)) if self.bonded else self.friction
         held, by_held = self._projected(y, smooth)
         by_away = np.eye(len(y)) - by_held
         away = y - held
@@ -127,6 +129,9 @@ class Contact:
         held, by_held = np.zeros_like(y), np.zeros((len(y), len(y)))
         plain = np.arange(count)
         held[:count], by_held[plain, plain] = _positive(y[:count], smooth)
+        if self.bonded:
+            held[rubs], by_held[rubs, rubs] = y[rubs], 1.0
+            return held, by_held
         size = np.linalg.norm(y[rubs], axis=1)
         way = y[rubs] / np.where(size > 0, size, 1.0)[:, None]
         (less, by_less), (more, by_more) = (
