@@ -35,7 +35,7 @@ def require_coulomb(held: Factorised, loads: Array, found: Response) -> None:
     rest = loads - (found.taken + held.pulls(found.forces))[held.free]
     assert np.abs(rest).max() < force
     gaps = held.rows @ found.displacements
-    length = SHARP * max(float(np.abs(gaps).max()), force / SHARP / held.springs.min())
+    length = SHARP * held.furthest(found.displacements)
     give = np.where(conditions.compliance > 0, conditions.compliance, GIVE / held.springs[:count])
     presses, parted = found.forces[:count], gaps[:count] - give * found.forces[:count]
     assert presses.min() >= 0

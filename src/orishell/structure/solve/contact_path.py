@@ -2,12 +2,13 @@
 
 Newton's method takes the derivative of P where y is (semismooth: Qi and Sun 1993), and steps as
 long as F falls. It begins where all feet stick: that is the answer if friction does for it, as
-loads that grow from nothing find it so. Else, from the convex problem (theta = 0), whose solution is
-found by less and less smooth cones as interior points are, it mostly finds Coulomb's (theta = 1) at once. Where not,
-Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to 1 by steps; and
-where that path of solutions turns back it is followed by its length (Allgower and Georg 1990), in
-the sense that keeps the sign of the determinant, also across edges where a foot begins to slip. It
-begins at one solution, so it does not end before theta = 1.
+loads that grow from nothing find it so. Else, from the convex problem (theta = 0), whose solution
+is found by less and less smooth cones as interior points are, it mostly finds Coulomb's (theta = 1)
+at once. Where not, Coulomb's is sought by less and less smooth cones itself; then from theta = 0 to
+1 by steps; and where that path of solutions turns back it is followed by its length (Allgower and
+Georg 1990), in the sense that keeps the sign of the determinant, also across edges where a foot
+begins to slip. It begins at one solution, so it does not end before theta = 1, unless it goes
+beyond all bounds.
 """
 
 from __future__ import annotations
@@ -51,25 +52,37 @@ def find_contact(structure: Factorised, loads: Array) -> Found | None:
     """Rows in balance by Coulomb's law; None if they were not found."""
     first = Contact.of(structure, loads)
     every = [replace(first, augment=augment) for augment in AUGMENTS]
+    found = _from_sticking(every)
+    if found is not None:
+        return found
+    starts = []
+    for contact in every:
+        y = smoothly(contact, 0.0)
+        if y is not None:
+            starts.append((contact, y))
+            y, right = solve(contact, y, 1.0, FEW)
+            if right:
+                return Found(contact, y)
+    for contact in every:
+        y = smoothly(contact, 1.0)
+        if y is not None:
+            return Found(contact, y)
+    return _along_paths(starts)
+
+
+def _from_sticking(every: list[Contact]) -> Found | None:
+    """Rows in balance near the state in which feet are bonded to the ground; or None."""
     for contact in every:
         bonded = smoothly(replace(contact, bonded=True), 0.0)
         if bonded is not None:
             y, right = solve(contact, _sticking(contact, bonded), 1.0, FEW)
             if right:
                 return Found(contact, y)
-    starts = []
-    for contact in every:
-        y = smoothly(contact, 0.0)
-        if y is None:
-            continue
-        starts.append((contact, y))
-        y, right = solve(contact, y, 1.0, FEW)
-        if right:
-            return Found(contact, y)
-    for contact in every:
-        y = smoothly(contact, 1.0)
-        if y is not None:
-            return Found(contact, y)
+    return None
+
+
+def _along_paths(starts: list[tuple[Contact, Array]]) -> Found | None:
+    """Rows in balance at the end of a path from theta = 0; or where one has no end; or None."""
     for contact, y in starts:
         end = _by_steps(contact, y)
         if end is not None:
