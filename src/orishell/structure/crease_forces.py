@@ -82,7 +82,9 @@ def hold_panels(
     Raises VerificationError: If a panel is not in balance: a fault of the program.
     """
     elements = model.mesh.elements(model.section)
-    return _balanced(find_edge_forces(model.mesh, elements, moved, loads), stiffness, scale)
+    supported = model.supports.held[:, 0]
+    found = find_edge_forces(model.mesh, elements, moved, loads, supported)
+    return _balanced(found, stiffness, scale)
 
 
 def hold_moved_panels(
@@ -94,7 +96,8 @@ def hold_moved_panels(
     """
     forces, places = borne
     mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
-    return _balanced(edge_forces(mesh, forces, loads), stiffness, scale)
+    supported = model.supports.held[:, 0]
+    return _balanced(edge_forces(mesh, forces, loads, supported), stiffness, scale)
 
 
 def _balanced(found: EdgeForces, stiffness: float, scale: float) -> tuple[EdgeForces, float]:

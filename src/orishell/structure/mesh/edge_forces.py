@@ -48,18 +48,25 @@ class EdgeForces:
 
 
 def find_edge_forces(
-    mesh: SheetMesh, elements: Elements, moved: Array, panel_loads: Array
+    mesh: SheetMesh,
+    elements: Elements,
+    moved: Array,
+    panel_loads: Array,
+    supported: Integers | None = None,
 ) -> EdgeForces:
     """What holds every panel at its edges.
 
     elements: The triangles of the mesh as elements.
     moved: Displacements and rotations (D,).
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
+    supported: Nodes that are held: supports hold panels at those within them, too.
     """
-    return edge_forces(mesh, elements.forces(moved), panel_loads)
+    return edge_forces(mesh, elements.forces(moved), panel_loads, supported)
 
 
-def edge_forces(mesh: SheetMesh, forces: Array, panel_loads: Array) -> EdgeForces:
+def edge_forces(
+    mesh: SheetMesh, forces: Array, panel_loads: Array, supported: Integers | None = None
+) -> EdgeForces:
     """The same by forces (T, 18) with which triangles hold their nodes, where these are."""
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
@@ -95,8 +102,12 @@ def edge_forces(mesh: SheetMesh, forces: Array, panel_loads: Array) -> EdgeForce
     loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
     loaded = loaded.reshape(len(mesh.nodes), -1, 6)
     own = mesh.facets.points[mesh.nodes].reshape(*loaded.shape[:2], 3)
+    within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
+    if supported is not None:
+        within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)
+    by_supports = np.where(within, held.reshape(*mesh.nodes.shape, 6), 0.0)
     total = (
-        _about(loaded, own - origin)
+        _about(loaded + by_supports.reshape(loaded.shape), own - origin)
         + _about(corners, points[:, :, 0] - origin)
         + _about(resultants, middle[:, :, 0] - origin)
     )
