@@ -14,12 +14,12 @@ from orishell.motion.grid import Panel
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.edge_forces import (
-    ABOUT,
     EdgeForces,
     crease_sides,
     find_edge_forces,
     on_creases,
 )
+from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.strips import board_stress, film_stress, one_board
 from orishell.structure.mesh.triangle import Facets
 from orishell.structure.model import Model
@@ -76,14 +76,15 @@ def hold_panels(
 
     moved: Displacements and rotations (D,).
     loads: On panels, as :func:`panel_loads` has them (N).
-    stiffness: Of creases (force per radian): those that are free have no moments, but rounding.
+    stiffness: Of creases (force per radian).
     scale: Sum of the sizes of all loads (N).
     Raises VerificationError: If a panel is not in balance: a fault of the program.
     """
-    elements = model.mesh.elements(model.section)
-    found = find_edge_forces(model.mesh, elements, moved, loads)
-    if not stiffness:
-        found.per_length[..., ABOUT] = 0.0
+    mesh, grid = model.mesh, model.grid
+    springs = min(stiffness, rigid_stiffness(mesh, model.section))
+    hinges = hinge_elements(mesh, grid, springs) if stiffness else None
+    elements = mesh.elements(model.section)
+    found = find_edge_forces(mesh, grid, elements, moved, hinges=hinges, panel_loads=loads)
     residual = found.missing / scale if scale else 0.0
     if residual > UNBALANCED:
         raise VerificationError(
