@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 from analysed import analysed
+from orishell.cli.structure import summarize_structure
 from orishell.conventions.errors import InputError
+from orishell.design_file import read_design_file
 from orishell.structure.combinations import Combination, Factors, LimitState, combine
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
+from orishell.structure.page import structure_page
 from orishell.structure.results import Analysis
 
 ACROSS = Wind(speed=26, terrain="II", direction_deg=90)
@@ -22,6 +27,22 @@ FOUR = (
     LoadCase(name="across", wind=ACROSS),
     LoadCase(name="along", wind=ACROSS.having(direction_deg=0.0)),
 )
+DESIGN = """
+[shell]
+family = "parallel-repeating"
+unit = "m"
+[target.f]
+formula = "-x**2"
+range = [-1, 1]
+[target.g]
+formula = "0.1*x"
+range = [0, 10]
+[pattern]
+rows = 5
+columns = 7
+flap = 0.3
+xi_deg = 50
+"""
 
 VARIABLE = (
     # Nothing; one alone; snow and one wind, each leading once. Two winds are never together.
@@ -146,3 +167,64 @@ def test_what_governs_each_limit_state() -> None:
     assert replace(report, cases=report.cases[3:]).governs is None
     kinds = [{each.kind for each in case.findings} for case in report.cases]
     assert ["buckles" in each for each in kinds] == [False, True, True, False]
+
+
+def test_of_many_cases_those_that_govern_are_told_in_full() -> None:
+    """24 cases of ULS like "wind", each with smaller forces in ties but for one: it is told."""
+    report = analysed()
+    wind = report.cases[1]
+    assert wind.equilibrium is not None
+    cases = tuple(
+        replace(
+            wind,
+            name=f"ULS {number}",
+            limit_state="ULS",
+            equilibrium=replace(
+                wind.equilibrium, tie_forces=np.array([1000.0, 4000.0 + 9 * number, 0.0])
+            ),
+        )
+        for number in range(24)
+    )
+    many = replace(report, cases=cases)
+    assert [case.name for case in many.told] == ["ULS 23"]
+    assert [each.cases for each in many.envelopes] == [24]
+    page = structure_page(many, title="tent", unit="m", png=b"")
+    assert page.count("Reactions of supports") == 1
+    assert "ULS 7" in page  # in the table of all
+    lines = list(summarize_structure(many, "m", []))
+    assert [line for line in lines if line.startswith("case ")] == ["case      ULS 23"]
+    assert "ULS       24 cases; ties 84.1 %: ULS 23, free creases" in lines
+
+
+def test_a_name_is_not_that_of_a_combination(tmp_path: Path) -> None:
+    text = (
+        DESIGN
+        + """
+        [structure]
+        modulus = 7e9
+        thickness = 0.01
+        combinations = "EN 1990"
+        supports = [{ at = "feet", kind = "pinned" }]
+        [[load_case]]
+        name = "dead"
+        self_weight = true
+    """
+    )
+    path = tmp_path / "shell.toml"
+    path.write_text(text)
+    structure = read_design_file(path).structure
+    assert structure is not None
+    assert [case.name for case in structure.analysed] == [
+        "ULS 1.35 dead",
+        "ULS dead",
+        "EQU 1.1 dead",
+        "EQU 0.9 dead",
+        "SLS characteristic, frequent, quasi-permanent dead",
+    ]
+    own = '[[load_case]]\nname = "ULS dead"\ncombine = { dead = 1 }'
+    path.write_text(text + own)
+    with pytest.raises(InputError, match="got 'ULS dead'"):
+        read_design_file(path)
+    path.write_text(text + "pressure = 5")
+    with pytest.raises(InputError, match="cases of one action each"):
+        read_design_file(path)

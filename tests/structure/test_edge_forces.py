@@ -91,9 +91,7 @@ def test_two_plates_that_lean_on_each_other() -> None:
     held = factorise([mesh.elements(section)], mesh, own[low].ravel(), NOTHING, grid)
     moved = np.zeros(mesh.count)
     moved[held.free] = respond(held, loads[held.free]).displacements
-    edges = find_edge_forces(
-        mesh, grid, mesh.elements(section), moved, hinges=None, panel_loads=per_panel
-    )
+    edges = find_edge_forces(mesh, grid, mesh.elements(section).forces(moved), None, per_panel)
     assert edges.missing < 1e-9 * PRESSURE
     thrust = PRESSURE * (2 * np.cos(SLOPE)) ** 2 / (8 * np.sin(SLOPE))
     (found,) = on_creases(edges.per_length, grid)

@@ -125,9 +125,8 @@ def test_forces_of_a_crease(crease: float) -> None:
     mesh, moved = strip((3.0, 0.0, 1.0), crease)
     nothing = np.zeros((mesh.nodes.size, 3))
     springs = hinge_elements(mesh, GRID, min(crease, rigid_stiffness(mesh, SECTION)))
-    edges = find_edge_forces(
-        mesh, GRID, mesh.elements(SECTION), moved, hinges=springs, panel_loads=nothing
-    )
+    forces, turning = (each.forces(moved) for each in (mesh.elements(SECTION), springs))
+    edges = find_edge_forces(mesh, GRID, forces, turning, nothing)
     (found,) = on_creases(edges.per_length, GRID)
     mean = found.mean(axis=1)
     np.testing.assert_allclose(mean[:, ABOUT], 0.5 * LONG / WIDE, rtol=1e-6)

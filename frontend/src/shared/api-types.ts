@@ -356,6 +356,8 @@ export interface Equilibrium {
   buckling_factors: number[];
   /** The lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and free motions, which have none. */
   frequencies: number[];
+  /** The way there, where large displacements are followed: then all but frequencies is of the shell as it is moved, at the end of the path. */
+  path: LoadPath | null;
 }
 
 /** A design to begin with: its tables, and the text of its file. */
@@ -548,6 +550,24 @@ export interface Load {
   rule: string;
   /** Sum of its forces, times the factor. */
   force: [number, number, number];
+}
+
+/** Load against displacement. */
+export interface LoadPath {
+  /** Whether it ends under the full load. */
+  carries: boolean;
+  /** How it ends. */
+  ending: "carries" | "snaps" | "branches" | "lost";
+  /** The largest factor of the loads on it; 1 where the shell carries them. */
+  reached: number;
+  /** Factors of the loads, point by point. */
+  factors: number[];
+  /** The largest displacement at each. */
+  displacements: number[];
+  /** By linear theory: the largest displacement, and the factor at which it buckles; None if it does not. */
+  linear_displacement: number;
+  /** By linear theory: the largest displacement, and the factor at which it buckles; None if it does not. */
+  linear_buckling: number | null;
 }
 
 /** How a motion ends. */

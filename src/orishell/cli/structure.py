@@ -24,6 +24,7 @@ from orishell.conventions.quantities import Quantities, plain
 if TYPE_CHECKING:
     from orishell.structure.crease_forces import AtCrease
     from orishell.structure.equilibrium import CreaseMoment, Equilibrium
+    from orishell.structure.load_path import LoadPath
     from orishell.structure.loads import Vector
     from orishell.structure.model import Model
     from orishell.structure.results import Analysis, CaseResult
@@ -87,13 +88,22 @@ def _case(case: CaseResult, found: Equilibrium, unit: str) -> Iterator[str]:
         f"at panel {list(most.panel)} along {_components(most.vector, 3)}"
     )
     yield from _forces(found, unit)
-    factors = ", ".join(map(plain, found.buckling_factors))
-    if case.limit_state in STRENGTH:
+    if found.path is not None:
+        yield f"  buckles   {_followed(found.path, unit)}"
+    elif case.limit_state in STRENGTH:
+        factors = ", ".join(map(plain, found.buckling_factors))
         yield f"  buckles   {f'under {factors} times the loads' if factors else 'not'}"
     if found.frequencies:
         yield f"  frequency {', '.join(map(plain, found.frequencies))} Hz"
     reaction = _vector(found.reaction)
     yield f"  balance   reactions {reaction}, missing {found.residual:.1g} of the loads"
+
+
+def _followed(path: LoadPath, unit: str) -> str:
+    linear = f"displaced by {plain(path.linear_displacement)} {unit}"
+    if path.linear_buckling is not None:
+        linear += f", buckles under {plain(path.linear_buckling)} times the loads"
+    return f"nonlinear: it {path.in_words()}; by linear theory {linear}"
 
 
 def _forces(found: Equilibrium, unit: str) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from orishell.plot.deviation import plot_deviation
 from orishell.plot.hinge_section import HingeSection, Profile, find_hinge_section
+from orishell.plot.load_path import DrawnPath, draw_load_paths
 from orishell.plot.overview import DrawnContact, plot_overview
 from orishell.plot.structure import DrawnCase, plot_structure
 from orishell.plot.tradeoff import plot_tradeoff
@@ -10,9 +11,11 @@ from orishell.plot.weight import DrawnWeight, draw_weight, plot_weight
 __all__ = [
     "DrawnCase",
     "DrawnContact",
+    "DrawnPath",
     "DrawnWeight",
     "HingeSection",
     "Profile",
+    "draw_load_paths",
     "draw_weight",
     "find_hinge_section",
     "plot_deviation",

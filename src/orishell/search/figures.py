@@ -15,7 +15,9 @@ from orishell.conventions.record import Angle, read_key, written_fields
 from orishell.design_file.search import Limit
 from orishell.shell.report import Report
 from orishell.shell.steps import Step
+from orishell.structure.combinations import LimitState
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.results import CaseResult
 
 Read = Callable[[Report], float | None]
 Share = Callable[[Equilibrium], float | None]
@@ -50,7 +52,8 @@ def figure(name: str) -> Figure:
     worst, _, case = name.partition(".")
     if worst in _OF_CASE:
         unit, share = _OF_CASE[worst]
-        return Figure(name, unit, "structure", _worst(share, case))
+        state: LimitState = "SLS" if worst == "deflection" else "ULS"
+        return Figure(name, unit, "structure", _worst(share, case, state))
     if name not in _keys():
         close = difflib.get_close_matches(name, [*NAMES, *_keys()], n=1, cutoff=0.5)
         raise InputError(
@@ -103,15 +106,23 @@ def _crease_length(report: Report) -> float:
     return length.mountain + length.valley
 
 
-def _worst(share: Share, case: str) -> Read:
-    """The largest of a load case, or of all where none is named."""
+def _worst(share: Share, case: str, state: LimitState) -> Read:
+    """The largest of a load case and its arrangements, or of all where none is named.
+
+    state: Where a code combines the cases, only its combinations for this limit state count.
+    """
+
+    def counts(each: CaseResult) -> bool:
+        if not case:
+            return each.limit_state in (None, state)
+        return each.name == case or each.name.startswith(f"{case}, ")
 
     def read(report: Report) -> float | None:
         cases = () if report.structure is None else report.structure.cases
         shares = [
             share(each.equilibrium) or 0.0
             for each in cases
-            if each.equilibrium is not None and case in ("", each.name)
+            if each.equilibrium is not None and counts(each)
         ]
         return max(shares, default=None)
 

@@ -23,6 +23,7 @@ from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
+from orishell.structure.nonlinear import follow
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import LoadCase, Structure
 from orishell.structure.solve.active_set import Response, respond, stands
@@ -114,6 +115,8 @@ def _solve(model: Model) -> Sequence[_Solved]:
             forces = sum_forces(model.exposure, loads)
             response = respond(structure, structure.free_loads(forces))
             held = stands(structure, response, model.size)
+            if asked.nonlinear:  # far too soft by linear theory is not so by itself
+                held = response.moves is None
             state = case.limit_state if isinstance(case, Combination) else None
             found.append(
                 _Solved(case, known, state, stiffness, structure, loads, forces, response, held)
@@ -144,9 +147,17 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         loads=solved.loads,
         forces=forces,
         motion=motion,
-        equilibrium=_equilibrium(model, solved) if solved.stands else None,
+        equilibrium=_balanced(model, solved) if solved.stands else None,
         limit_state=solved.limit_state,
     )
+
+
+def _balanced(model: Model, solved: _Solved) -> Equilibrium:
+    linear = _equilibrium(model, solved)
+    if not model.structure.nonlinear:
+        return linear
+    on_panels = panel_loads(model, solved.case, solved.known)
+    return follow(linear, solved.forces, on_panels, solved.response)
 
 
 def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:

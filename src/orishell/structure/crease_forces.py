@@ -82,9 +82,24 @@ def hold_panels(
     """
     mesh, grid = model.mesh, model.grid
     springs = min(stiffness, rigid_stiffness(mesh, model.section))
-    hinges = hinge_elements(mesh, grid, springs) if stiffness else None
-    elements = mesh.elements(model.section)
-    found = find_edge_forces(mesh, grid, elements, moved, hinges=hinges, panel_loads=loads)
+    turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
+    forces = mesh.elements(model.section).forces(moved)
+    return _balanced(find_edge_forces(mesh, grid, forces, turning, loads), scale)
+
+
+def hold_moved_panels(
+    model: Model, borne: tuple[Array, Array | None, Array], loads: Array, scale: float
+) -> tuple[EdgeForces, float]:
+    """The same where large displacements are followed.
+
+    borne: Forces (T, 18) of triangles, moments (m, 6) of springs, and where nodes (N, 3) are.
+    """
+    forces, turning, places = borne
+    mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
+    return _balanced(find_edge_forces(mesh, model.grid, forces, turning, loads), scale)
+
+
+def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:
     residual = found.missing / scale if scale else 0.0
     if residual > UNBALANCED:
         raise VerificationError(

@@ -21,6 +21,7 @@ from orishell.structure.crease_forces import (
     film,
     lone_board,
 )
+from orishell.structure.load_path import LoadPath
 from orishell.structure.loads import Vector, vector
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.model import Model
@@ -117,7 +118,7 @@ class Equilibrium:
     WRITTEN = (
         "reaction", "residual", "displacement", "reactions", "friction", "ties", "flaps",
         "crease", "creases", "stress", "lone_board", "membrane", "panel_residual", "utilisation",
-        "buckling", "buckling_factors", "frequencies",
+        "buckling", "buckling_factors", "frequencies", "path",
     )  # fmt: skip
 
     model: Model  # what is loaded
@@ -152,6 +153,9 @@ class Equilibrium:
     # free motions, which have none
     frequencies: tuple[float, ...]
     modes: Array  # their modes (M, N, 3), the largest displacement is 1
+    # the way there, where large displacements are followed: then all but frequencies is of the
+    # shell as it is moved, at the end of the path
+    path: LoadPath | None = None
 
     @property
     def buckling(self) -> float | None:

@@ -9,7 +9,7 @@ import numpy as np
 from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
-from orishell.plot import DrawnCase, plot_structure
+from orishell.plot import DrawnCase, DrawnPath, draw_load_paths, plot_structure
 from orishell.structure.crease_tables import crease_csv
 from orishell.structure.page import structure_page
 from orishell.structure.results import Analysis, CaseResult
@@ -21,7 +21,18 @@ def write_structure_files(directory: Path, document: Document, analysis: Analysi
     unit = document.require_unit()
     path = directory / "structure.png"
     draw_structure(path, document.loaded, analysis, unit)
-    page = structure_page(analysis, title=document.title, unit=unit, png=path.read_bytes())
+    drawn = [
+        DrawnPath(
+            analysis.name_of(case), found.path.factors, found.path.displacements,
+            found.path.linear_displacement,
+        )
+        for found, case in analysis.balanced
+        if found.path is not None
+    ]  # fmt: skip
+    paths = draw_load_paths(drawn, unit=unit) if drawn else None
+    page = structure_page(
+        analysis, title=document.title, unit=unit, png=path.read_bytes(), paths=paths
+    )
     (directory / "structure.html").write_text(page, encoding="utf-8", newline="\n")
     table = crease_csv(analysis, unit)
     (directory / "creases.csv").write_text(table, encoding="utf-8", newline="\n")

@@ -24,14 +24,18 @@ STRESS_RULE = (
     "singular points, where stress grows with every finer mesh. What tears there is not covered."
 )
 NOTHING = "\u2013"
+PATHS = "Loads against displacements, large ones followed; dashed: linear theory."
 SHOWN = "The shell under its loads, coloured by displacement."
 
 
-def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> str:
+def structure_page(
+    report: Analysis, *, title: str, unit: str, png: bytes, paths: bytes | None = None
+) -> str:
     """The text of ``structure.html``: model, loads, results and what is not covered.
 
     title: What the shell is.
     png: The picture of the loaded shell.
+    paths: That of loads against displacements, if large displacements were followed.
     """
     said = Quantities(unit)
     return static_page(
@@ -48,6 +52,7 @@ def structure_page(report: Analysis, *, title: str, unit: str, png: bytes) -> st
             *_loads(report, said),
             heading(2, "Results"),
             *_results(report, said),
+            "" if paths is None else picture(paths, PATHS),
             paragraph(STRESS_RULE, "soft"),
             *crease_notes(),
             *_envelopes(report),
@@ -241,6 +246,14 @@ def _details(case: CaseResult, found: Equilibrium, said: Quantities) -> Iterator
         lowest, *others = map(figure, found.buckling_factors)
         further = f"; in other ways under {' and '.join(others)} times" if others else ""
         buckles = f"under {lowest} times these loads{further}, by linear theory"
+    if found.path is not None:
+        path = found.path
+        linear = (
+            f"By linear theory it is displaced by {said.displacement(path.linear_displacement)}"
+        )
+        if path.linear_buckling is not None:
+            linear += f" and buckles under {figure(path.linear_buckling)} times these loads"
+        buckles = f"nonlinear: it {path.in_words()}. {linear}"
     yield "Buckling", buckles
     if found.frequencies:
         yield "Natural frequencies", ", ".join(map(figure, found.frequencies)) + " Hz"

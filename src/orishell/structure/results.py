@@ -23,14 +23,16 @@ from orishell.structure.verdict import (
     Finding,
     against_equilibrium,
     against_motion,
+    misleads,
     ranked,
 )
 
 COARSE = 0.1
 """Displacements that change by more than this share with cells half as large are not near."""
+LINEAR = "large displacements: all is linear, from the shape as it was designed"
+FOLLOWED = "pressure that turns with the shell: loads keep direction and size as it moves"
 NOT_COVERED = (
     "imperfections of shape and fit, and play of hinges",
-    "large displacements: all is linear, from the shape as it was designed",
     "buckling of single webs and faces of boards between their webs",
     "boards that are stiffer or stronger in one direction than in the other",
     "glue, seams and holes, and what tears at the corners of panels",
@@ -176,7 +178,11 @@ class Analysis:
 
     model: Model  # what is analysed
     cases: tuple[CaseResult, ...]  # all load cases, those with the least stiffness of creases first
-    not_covered: tuple[str, ...] = NOT_COVERED  # what the analysis says nothing of
+
+    @property
+    def not_covered(self) -> tuple[str, ...]:
+        """What the analysis says nothing of."""
+        return (FOLLOWED if self.model.structure.nonlinear else LINEAR, *NOT_COVERED)
 
     @property
     def balanced(self) -> list[tuple[Equilibrium, CaseResult]]:
@@ -265,6 +271,12 @@ class Analysis:
             yield (
                 f"displacements changed by {plain(100 * self.model.change, 3)} % when cells were "
                 "halved: use finer ones (cells, or refine, in [structure])"
+            )
+        far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
+        if far:
+            yield (
+                f"linear theory may mislead under {'; '.join(far)}: large displacements are "
+                "followed with nonlinear = true in [structure]"
             )
         yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
         said: dict[str, dict[str, None]] = {}

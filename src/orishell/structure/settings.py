@@ -134,6 +134,7 @@ class StructureTable(Table):
     # cells are halved until the largest displacement changes by less than this share; 0 to leave
     # them as they are
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    nonlinear: bool = False  # whether large displacements are followed
 
     @field_validator("material")
     @classmethod

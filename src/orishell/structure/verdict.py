@@ -52,6 +52,10 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
     """
     if strength:
         yield from _against_strength(found)
+    path = found.path
+    if path is not None and not path.carries:
+        excess = 1 / path.reached if path.reached else None
+        yield Finding("fails", "buckles", path.in_words(), excess)
     unit, most = found.model.site.unit, found.displacement
     if most.share > LARGE:
         row, column = most.panel
@@ -60,9 +64,10 @@ def against_equilibrium(found: Equilibrium, *, strength: bool = True) -> Iterato
             f"is displaced by {plain(most.size, 2)} {unit} ({plain(100 * most.share, 2)} % of its "
             f"height) near panel {row}, {column}"
         )
-        if sign == "warns":
+        if sign == "warns" and path is None:
             text += ", too far for linear theory"
-        yield Finding(sign, "displaced", text, most.share / COLLAPSED)
+        if sign == "fails" or path is None:
+            yield Finding(sign, "displaced", text, most.share / COLLAPSED)
 
 
 def _against_strength(found: Equilibrium) -> Iterator[Finding]:
@@ -77,7 +82,7 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
             text = f"uses {plain(100 * part, 3)} % of the strength of its {name}"
             yield Finding("fails", "exceeds strength", text, part)
     factor = found.buckling
-    if factor is not None and factor < LEAST_BUCKLING:
+    if found.path is None and factor is not None and factor < LEAST_BUCKLING:
         text = f"buckles under {plain(factor, 3)} times its loads"
         if factor >= 1:
             text += " by linear theory, and earlier with imperfections"
@@ -85,6 +90,12 @@ def _against_strength(found: Equilibrium) -> Iterator[Finding]:
     if found.unknown:
         text = f"is loaded in {' and '.join(found.unknown)}, whose strength is not given"
         yield Finding("warns", "unknown", text, None)
+
+
+def misleads(found: Equilibrium) -> bool:
+    """Whether linear theory, by which it was found, may mislead."""
+    soft = found.buckling is not None and found.buckling < LEAST_BUCKLING
+    return found.path is None and (soft or found.displacement.share > LARGE)
 
 
 def ranked(findings: Iterator[Finding]) -> tuple[Finding, ...]:

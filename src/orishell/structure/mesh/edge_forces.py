@@ -29,7 +29,6 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sheet import SheetMesh
 
 STRETCHES = 4
@@ -56,24 +55,19 @@ class EdgeForces:
 
 
 def find_edge_forces(
-    mesh: SheetMesh,
-    grid: Grid,
-    elements: Elements,
-    moved: Array,
-    *,
-    hinges: Elements | None,
-    panel_loads: Array,
+    mesh: SheetMesh, grid: Grid, forces: Array, turning: Array | None, panel_loads: Array
 ) -> EdgeForces:
     """What holds every panel at its edges.
 
+    mesh: The mesh, its nodes where they are moved to if displacements are large.
     grid: The grid of the sheet.
-    elements: The triangles of the mesh as elements.
-    moved: Displacements and rotations (D,).
-    hinges: The springs about its creases; None if they turn freely.
+    forces: With which triangles hold their nodes (T, 18).
+    turning: With which springs of creases hold both panels (C (cells+1), 6), in the order of
+    :func:`~orishell.structure.mesh.hinges.hinge_elements`; None if creases turn freely.
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
     """
     held = np.zeros((mesh.nodes.size, 6))
-    np.add.at(held, mesh.places, elements.forces(moved).reshape(-1, 3, 6))
+    np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
     held[:, :3] -= panel_loads
     spread, points = (
         _sides(each.reshape(*mesh.nodes.shape, -1))
@@ -82,8 +76,8 @@ def find_edge_forces(
     along = points[:, :, -1] - points[:, :, 0]
     along /= np.linalg.norm(along, axis=-1, keepdims=True)
     about = np.zeros(spread.shape[:3])
-    if hinges is not None:
-        about = _hinged(grid, hinges.forces(moved), along)
+    if turning is not None:
+        about = _hinged(grid, turning, along)
     at_corners = spread[:, :, 0].copy()
     begin, end = _at_vertices(grid, at_corners[..., :3])
     spread[:, :, 0, :3], spread[:, :, -1, :3] = begin, end
@@ -121,18 +115,18 @@ def _sides(values: Array) -> Array:
     )
 
 
-def _hinged(grid: Grid, forces: Array, along: Array) -> Array:
+def _hinged(grid: Grid, turning: Array, along: Array) -> Array:
     """Moments (F, 4, n+1) on the nodes of edges, by how they stretch the lower face.
 
-    forces: What turns each spring (C (n+1), 6), of its two panels.
+    turning: What springs have of both their panels (C (n+1), 6).
     along: Directions (F, 4, 3) of edges.
     """
     creases, sides = crease_sides(grid)
     # The first panel of a spring runs counter-clockwise along it: a bottom or a left edge.
     own = sides[np.arange(len(sides)), (sides[:, 0, 1] != 1).astype(np.int64)]
-    turning = forces[:, :3].reshape(len(creases), -1, 3)
-    by_edge = np.zeros((len(grid.edges_vertices()), turning.shape[1]))
-    by_edge[creases] = np.einsum("cnx,cx->cn", turning, along[own[:, 0], own[:, 1]])
+    first = turning[:, :3].reshape(len(creases), -1, 3)
+    by_edge = np.zeros((len(grid.edges_vertices()), first.shape[1]))
+    by_edge[creases] = np.einsum("cnx,cx->cn", first, along[own[:, 0], own[:, 1]])
     found = by_edge[grid.faces_edges()]
     found[:, 2:] = found[:, 2:, ::-1]
     return np.asarray(found)
@@ -152,9 +146,9 @@ def _at_vertices(grid: Grid, forces: Array) -> tuple[Array, Array]:
     creases = there & np.roll(there, -1, axis=1)
     balance = (np.eye(4) - np.roll(np.eye(4), 1, axis=0)) * creases[:, None]
     passed = np.linalg.pinv(balance) @ np.where(there[..., None], around - outside, 0.0)
-    begin = -passed[vertices, corner - 1]
+    begin: Array = -passed[vertices, corner - 1]
     end = np.roll(passed[vertices, corner], -1, axis=1)
-    return begin, end
+    return np.asarray(begin), np.asarray(end, np.float64)
 
 
 def _by_stretch(steps: Array) -> Array:

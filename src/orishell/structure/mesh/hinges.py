@@ -34,21 +34,29 @@ def hinge_elements(mesh: SheetMesh, grid: Grid, stiffness: Array | float) -> Ele
     stiffness: Moment per length of crease and per angle, of every edge (E,) or of all; border edges
     have no spring (force per radian).
     """
-    edge, first, second, nodes = beside_creases(mesh, grid)
-    rotations = mesh.rotations().reshape(-1, 3)
-    first, second = rotations[first], rotations[second]
+    springs, along, dofs, _ = crease_springs(mesh, grid, stiffness)
+    turn = np.concatenate([along, -along], axis=1)
+    elements = springs[:, None, None] * (turn[:, :, None] * turn[:, None])
+    return Elements(elements, dofs, None, mesh.count)
+
+
+def crease_springs(
+    mesh: SheetMesh, grid: Grid, stiffness: Array | float
+) -> tuple[Array, Array, Integers, Integers]:
+    """Springs (m,) at nodes along creases, directions (m, 3), dofs (m, 6) and places (m, 2) there.
+
+    stiffness: As of :func:`hinge_elements`.
+    """
+    edge, *beside, nodes = beside_creases(mesh, grid)
     points = mesh.facets.points[nodes]  # (C, cells+1, 3)
     step = np.linalg.norm(np.diff(points, axis=1), axis=-1)
     share = 0.5 * (np.pad(step, ((0, 0), (1, 0))) + np.pad(step, ((0, 0), (0, 1))))
     along = points[:, -1] - points[:, 0]
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     k = np.broadcast_to(np.asarray(stiffness, np.float64), len(grid.edges_vertices()))[edge]
-    turn = np.concatenate([along, -along], axis=1)
-    elements = (k[:, None] * share)[..., None, None] * (
-        turn[:, None, :, None] * turn[:, None, None]
-    )
-    dofs = np.concatenate([first, second], axis=-1)
-    return Elements(elements.reshape(-1, 6, 6), dofs.reshape(-1, 6), None, mesh.count)
+    places = np.stack(beside, axis=-1).reshape(-1, 2)
+    dofs = mesh.rotations().reshape(-1, 3)[places].reshape(-1, 6)
+    return (k[:, None] * share).ravel(), np.repeat(along, nodes.shape[1], axis=0), dofs, places
 
 
 def beside_creases(mesh: SheetMesh, grid: Grid) -> tuple[Integers, Integers, Integers, Integers]:

@@ -1,0 +1,46 @@
+"""How a shell goes as its load grows, large displacements followed."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+
+Ending = Literal["carries", "snaps", "branches", "lost"]
+"""How a path ends: under the full load; at a load that the shell cannot bear more than; where it
+buckles into another shape, and nothing holds it there; where it could not be followed."""
+
+
+@record
+class LoadPath:
+    """Load against displacement."""
+
+    WRITTEN = (
+        "carries", "ending", "reached", "factors", "displacements", "linear_displacement",
+        "linear_buckling",
+    )  # fmt: skip
+
+    ending: Ending  # how it ends
+    reached: float  # the largest factor of the loads on it; 1 where the shell carries them
+    factors: tuple[float, ...]  # factors of the loads, point by point
+    displacements: tuple[float, ...]  # the largest displacement at each
+    # by linear theory: the largest displacement, and the factor at which it buckles; None if it
+    # does not
+    linear_displacement: float
+    linear_buckling: float | None
+
+    @property
+    def carries(self) -> bool:
+        """Whether it ends under the full load."""
+        return self.ending == "carries"
+
+    def in_words(self) -> str:
+        """How it ends."""
+        share = f"{plain(100 * self.reached, 3)} % of its loads"
+        return {
+            "carries": "carries all loads, large displacements followed",
+            "snaps": f"gives way at {share}: beyond that it snaps into another shape",
+            "branches": f"buckles at {share}, and no shape beside it was found that holds",
+            "lost": f"was followed to {share} only: no balance was found beyond",
+        }[self.ending]

@@ -1,0 +1,150 @@
+"""Whole shells that are followed to large displacements."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from orishell.deployment import Site, feet_ties
+from orishell.deployment.feet import find_feet
+from orishell.design_file import check_design
+from orishell.structure.analyse import analyse
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.results import Analysis
+from orishell.structure.settings import LoadCase, Structure, Support, SupportKind
+
+PARABOLA = {"formula": "-x**2", "range": [-1, 1]}
+ZIGZAG = {"formula": "0.1*cos(2*pi*x)", "range": [0, 2]}
+PATTERN = {"rows": 7, "columns": 5, "heading_deg": 90, "spacing": "equal", "depth": 0.05}
+
+
+def asked(
+    kind: SupportKind, mass: float, *, flap: float = 0.0, crease: Any = "rigid", **keys: Any
+) -> Analysis:
+    """An orthodiagonal shell of 2 x 2 m and 30 panels under its own weight, followed."""
+    tables = {
+        "shell": {"family": "orthodiagonal", "unit": "m"},
+        "target": {"f": PARABOLA, "g": ZIGZAG},
+        "pattern": {**PATTERN, "flap": flap},
+    }
+    file = check_design(tables, Path("x.toml"))
+    design = file.pattern.design(file.f, file.g).with_clipped_flaps()
+    feet = find_feet(design)
+    assert feet is not None
+    tied = keys.pop("tied", False)
+    ties = tuple(feet_ties(design.mechanism, feet.rows)) if tied else ()
+    friction = keys.pop("friction", 0.0)
+    structure = Structure(
+        **{"modulus": 8e9, "thickness": 0.01, "cells": 2, "nonlinear": True, **keys},
+        supports=(Support(at="feet", kind=kind, friction=friction),),
+        cases=(LoadCase(name="own weight", self_weight=True),),
+        crease_stiffness=crease,
+    )
+    return analyse(design, structure, Site("m", feet, ties, mass))
+
+
+def held(analysis: Analysis) -> Equilibrium:
+    (case,) = analysis.cases
+    assert case.equilibrium is not None
+    return case.equilibrium
+
+
+def linear(followed: Analysis) -> Equilibrium:
+    """The same by linear theory."""
+    model = followed.model
+    structure = model.structure.having(nonlinear=False)
+    return held(analyse(model.design, structure, model.site))
+
+
+SMALL = [
+    {"kind": "pinned"},
+    {"kind": "pinned", "crease": "free", "flap": 0.03},
+    {"kind": "fixed", "crease": 50.0},
+    {"kind": "sliding", "tied": True},
+    {"kind": "sliding", "tied": True, "tie_stiffness": 2e5},
+    {"kind": "sliding", "tied": True, "crease": "free", "flap": 0.03},
+    {"kind": "friction", "friction": 10.0},
+]
+
+
+@pytest.mark.parametrize("keys", SMALL)
+def test_small_loads_do_what_linear_theory_says(keys: dict[str, Any]) -> None:
+    """To 1e-4, whatever holds the shell: a thousandth of a kilogram per square metre."""
+    followed = asked(mass=1e-3, **keys)
+    found, expected = held(followed), linear(followed)
+    assert found.path is not None
+    assert found.path.carries
+    for name in ("displacements", "support_forces", "tie_forces", "flap_forces", "stresses"):
+        one, other = getattr(found, name), getattr(expected, name)
+        np.testing.assert_allclose(one, other, atol=1e-4 * np.abs(other).max(initial=0.0))
+    assert found.path.linear_displacement == pytest.approx(expected.displacement.size, rel=1e-9)
+
+
+def test_it_balances_as_it_is_moved() -> None:
+    """Forces and moments about deformed places; the crown sinks further than linear theory says."""
+    followed = asked("pinned", 40.0, thickness=0.003)
+    found = held(followed)
+    assert found.path is not None
+    assert found.path.carries
+    assert found.residual < 1e-8
+    load = np.array(followed.cases[0].load)
+    np.testing.assert_allclose(
+        np.array(found.reaction), -load, atol=1e-8 * float(np.linalg.norm(load))
+    )
+    assert found.displacement.size > 1.05 * found.path.linear_displacement
+    factors, sizes = np.array(found.path.factors), np.array(found.path.displacements)
+    assert factors[0] == sizes[0] == 0
+    assert factors[-1] == 1
+    assert (np.diff(factors) > 0).all()
+
+
+def test_ties_pull_by_their_stretch_as_they_are() -> None:
+    """Force is EA times stretch of the deformed length, and balances the thrust of the feet."""
+    followed = asked("sliding", 40.0, tied=True, tie_stiffness=2e5, thickness=0.004)
+    found, model = held(followed), followed.model
+    ends = model.nodes_of(model.site.ties)
+    before = model.mesh.facets.points[ends]
+    after = before + found.displacements[ends]
+    length, now = (np.linalg.norm(each[:, 1] - each[:, 0], axis=1) for each in (before, after))
+    pulls = np.maximum(2e5 * (now / length - 1), 0)
+    np.testing.assert_allclose(found.tie_forces, pulls, rtol=1e-3, atol=1e-3 * pulls.max())
+    assert found.residual < 1e-8
+
+
+def test_a_shell_that_snaps_does_not_carry() -> None:
+    """Linear theory buckles it at 0.961 of its loads; it is softer by then, and snaps before."""
+    case = asked("pinned", 60.0, thickness=0.003).cases[0]
+    found = case.equilibrium
+    assert found is not None
+    assert found.path is not None
+    assert found.path.ending == "snaps"
+    assert found.path.linear_buckling is not None
+    assert 0.9 < found.path.reached / found.path.linear_buckling < 1
+    assert found.buckling == found.path.reached
+    assert case.carries is False
+    assert "snaps" in case.in_words()
+    assert found.residual < 1e-8
+
+
+def test_feet_that_would_slide_are_not_said_to_hold() -> None:
+    """A vault that needs 1.4 times the friction there is: where it slides to is not followed."""
+    case = asked("friction", 5.0, friction=0.4).cases[0]
+    found = case.equilibrium
+    assert found is not None
+    assert found.path is not None
+    assert found.path.ending == "lost"
+    assert case.carries is False
+    assert "no balance was found" in case.in_words()
+
+
+def test_linear_theory_says_where_it_misleads() -> None:
+    """Displaced by more than 5 % of its height, or a buckling factor below 3; not if followed."""
+    soft = asked("pinned", 60.0, thickness=0.003, nonlinear=False)
+    assert any("nonlinear = true" in text for text in soft.warnings)
+    followed = asked("pinned", 60.0, thickness=0.003)
+    assert not any("nonlinear = true" in text for text in followed.warnings)
+    assert "pressure that turns" in followed.not_covered[0]
+    assert "large displacements" in soft.not_covered[0]
