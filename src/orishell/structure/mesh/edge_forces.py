@@ -145,10 +145,12 @@ def _at_vertices(grid: Grid, forces: Array) -> tuple[Array, Array]:
     outside = around.sum(axis=1, keepdims=True) / there.sum(axis=1)[:, None, None]
     creases = there & np.roll(there, -1, axis=1)
     balance = (np.eye(4) - np.roll(np.eye(4), 1, axis=0)) * creases[:, None]
-    passed = np.linalg.pinv(balance) @ np.where(there[..., None], around - outside, 0.0)
-    begin: Array = -passed[vertices, corner - 1]
+    passed = np.asarray(
+        np.linalg.pinv(balance) @ np.where(there[..., None], around - outside, 0.0), np.float64
+    )
+    begin = -passed[vertices, corner - 1]
     end = np.roll(passed[vertices, corner], -1, axis=1)
-    return np.asarray(begin), np.asarray(end, np.float64)
+    return np.asarray(begin, np.float64), np.asarray(end, np.float64)
 
 
 def _by_stretch(steps: Array) -> Array:
