@@ -78,6 +78,7 @@ class Tent(Model):
     mesh: Any = mesh_sheet(exposure.mesh.points[:6].reshape(3, 2, 3), grid, 2)
     section: Any = Section.solid(STRUCTURE.modulus, THICKNESS, STRUCTURE.poisson)
     supported: Any = ((0, 1), (2, 1))
+    supports: Any = SimpleNamespace(lost=())
     flaps: Any = (((0, 0), (1, 0)), ((1, 0), (2, 0)))
     mass: Any = 32.2
 
@@ -128,6 +129,7 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
             principal=np.stack([stresses[:, 1], -stresses[:, 0]], axis=1),
             buckling_factors=(2.5,),
             buckling_modes=displacements[None],
+            buckling_at_points=(0.1,),
             frequencies=(3.0, 4.0, 7.0),
             modes=np.zeros((3, count, 3)),
         )

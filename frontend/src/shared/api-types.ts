@@ -1089,6 +1089,10 @@ export interface Support {
   kind: "pinned" | "fixed" | "sliding" | "friction";
   /** Coefficient of friction of the ground. */
   friction: number;
+  /** Whether edges of panels are held, too, whose ends are both among these vertices. */
+  edges: boolean;
+  /** Radius of what is held around each vertex, as a base plate does; 0 for points (length). */
+  patch: number;
 }
 
 /** A table of the design file in words. */

@@ -68,7 +68,8 @@ def _model(model: Model, unit: str) -> Iterator[str]:
     for each in model.structure.supports:
         at = each.at if isinstance(each.at, str) else ", ".join(str(list(v)) for v in each.at)
         friction = f" {each.friction:g}" if each.friction else ""
-        yield f"held      {at}: {each.kind}{friction}"
+        broad = " along edges" if each.edges else f" over {each.patch:g} {unit}" * bool(each.patch)
+        yield f"held      {at}: {each.kind}{friction}{broad}"
 
 
 def _loads(case: CaseResult) -> Iterator[str]:

@@ -14,11 +14,12 @@ from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
-from orishell.structure.buckling import turned_by_load
+from orishell.structure.buckling import share_at_points, turned_by_load
 from orishell.structure.combinations import Combination, LimitState
 from orishell.structure.crease_forces import hold_panels, moments, panel_loads
 from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.footings import to_nearest
 from orishell.structure.free_motion import describe_motion
 from orishell.structure.loads import Load, case_loads, sum_forces, vector
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
@@ -197,6 +198,7 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         principal=stresses.principal(),
         buckling_factors=tuple(factors.tolist()),
         buckling_modes=_units(structure, shapes),
+        buckling_at_points=tuple(share_at_points(model, structure, shapes).tolist()),
         frequencies=tuple(frequencies.tolist()),
         modes=_units(structure, modes),
     )
@@ -214,7 +216,7 @@ def _units(structure: Factorised, modes: Array) -> Array:
 
 
 def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:
-    """Forces (S, 3) on supported vertices, their sum, and the share of the loads that they miss."""
+    """Forces (S, 3) at supported vertices, their sum, and the share of the loads that they miss."""
     mesh, structure, points = model.mesh, solved.structure, model.mesh.facets.points
     forces, response = solved.forces, solved.response
     missing = response.taken + structure.pulls(response.forces)
@@ -236,4 +238,5 @@ def _reactions(model: Model, solved: _Solved) -> tuple[Array, Array, float]:
             f"loads and reactions do not balance, {residual:.2g} of the loads are missing: "
             "this is a fault of the program"
         )
-    return at_nodes[model.supports.vertices()], at_nodes.sum(axis=0), residual
+    at_vertices = to_nearest(points, model.supports.at, at_nodes)
+    return at_vertices, at_nodes.sum(axis=0), residual

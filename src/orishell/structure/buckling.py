@@ -30,9 +30,25 @@ def turned_by_load(
     straight = ties + len(model.flaps)
     pairs = structure.conditions.nodes
     pressed = pairs[forces[: len(pairs)] > 0].ravel()
-    points = np.concatenate([model.supports.vertices(), pressed])
+    points = np.concatenate([model.supports.points, pressed])
     pulls = forces[:straight] * np.where(np.arange(straight) < ties, 1.0, -1.0)
     geometric = geometric_stiffness(mesh, membrane, points)
     turning = turning_stiffness(mesh.facets.points, pairs[:straight], pulls, mesh.count)
     free = structure.free
     return csr_array((geometric + turning)[free][:, free])
+
+
+def share_at_points(model: Model, structure: Factorised, modes: Array) -> Array:
+    """Share (k,) of the strain energy of modes (n, k) in panels that are held at points."""
+    points = model.supports.points
+    if not (len(points) and modes.size):
+        return np.zeros(modes.shape[1])
+    elements = model.mesh.elements(model.section)
+    standing = np.asarray(np.isin(model.grid.faces_vertices(), points).any(axis=1))
+    there = standing[model.mesh.panels]
+    energies = []
+    for mode in modes.T:
+        moved = structure.moved(mode)
+        energies.append((elements.forces(moved) * moved[elements.dofs]).sum(axis=1))
+    energy = np.stack(energies)
+    return np.asarray(energy[:, there].sum(axis=1) / energy.sum(axis=1))

@@ -11,7 +11,7 @@ import numpy as np
 from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.edge_forces import (
     EdgeForces,
@@ -84,7 +84,8 @@ def hold_panels(
     springs = min(stiffness, rigid_stiffness(mesh, model.section))
     turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
     forces = mesh.elements(model.section).forces(moved)
-    return _balanced(find_edge_forces(mesh, grid, forces, turning, loads), scale)
+    found = find_edge_forces(mesh, grid, forces, turning, loads, supported=_held(model))
+    return _balanced(found, scale)
 
 
 def hold_moved_panels(
@@ -96,7 +97,13 @@ def hold_moved_panels(
     """
     forces, turning, places = borne
     mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
-    return _balanced(find_edge_forces(mesh, model.grid, forces, turning, loads), scale)
+    found = find_edge_forces(mesh, model.grid, forces, turning, loads, supported=_held(model))
+    return _balanced(found, scale)
+
+
+def _held(model: Model) -> Integers:
+    """Nodes that supports hold, the ground included."""
+    return np.concatenate([model.supports.held[:, 0], model.supports.ground])
 
 
 def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:

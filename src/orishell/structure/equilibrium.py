@@ -149,6 +149,8 @@ class Equilibrium:
     # it does not
     buckling_factors: tuple[float, ...]
     buckling_modes: Array  # their modes (B, N, 3), the largest displacement is 1
+    # share of the strain energy of each mode in panels that are held at points
+    buckling_at_points: tuple[float, ...]
     # the lowest natural frequencies (Hz), loaded as it is: ties that are slack are left out, and
     # free motions, which have none
     frequencies: tuple[float, ...]

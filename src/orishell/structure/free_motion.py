@@ -9,7 +9,6 @@ import numpy as np
 from orishell.numerics.arrays import Array
 from orishell.structure.model import Model
 from orishell.structure.results import FreeMotion, Remedy
-from orishell.structure.settings import Support
 from orishell.structure.solve.active_set import respond, stands
 from orishell.structure.solve.factorised import Factorised
 
@@ -56,7 +55,7 @@ def describe_motion(
 def _remedies(model: Model, stiffness: float) -> dict[Remedy, Factorised]:
     """The shell with those things that it lacks and that may hold it."""
     asked, site = model.structure, model.site
-    pinned = tuple(Support(at=each.at, kind="pinned") for each in asked.supports)
+    pinned = tuple(each.having(kind="pinned", friction=0.0) for each in asked.supports)
     tried: dict[Remedy, Model] = {"pinned": replace(model, structure=asked.having(supports=pinned))}
     if site.rows is not None and not site.ties:
         inner = model.sheet.inner_columns

@@ -251,7 +251,9 @@ class Model:
         Raises InputError: If vertices that are to be held are not there.
         """
         inner, feet = self.sheet.inner_columns, self.site.rows
-        return find_supports(self.structure.supports, self.grid, inner, feet, self.before)
+        return find_supports(
+            self.structure.supports, self.mesh, self.grid, inner, feet, before=self.before
+        )
 
     def conditions(self) -> Conditions:
         """Ties, flaps and feet on the ground, one after the other."""

@@ -22,7 +22,7 @@ def model_parts(model: Model, said: Quantities) -> Iterator[str]:
     asked = model.structure
     yield table((), _rows(model, said))
     yield paragraph(_sections_in_words(model, said), "soft")
-    yield table(("Supports", "how"), ((_place(each), _held(each)) for each in asked.supports))
+    yield table(("Supports", "how"), ((_place(each, said), _held(each)) for each in asked.supports))
 
 
 def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
@@ -85,11 +85,16 @@ def _sections_in_words(model: Model, said: Quantities) -> str:
     )
 
 
-def _place(support: Support) -> str:
+def _place(support: Support, said: Quantities) -> str:
     if isinstance(support.at, str):
-        return {"feet": "feet", "ends": "first and last columns"}[support.at]
-    vertices = ", ".join(f"{row},{column}" for row, column in support.at)
-    return f"vertices {vertices}"
+        words = {"feet": "feet", "ends": "first and last columns"}[support.at]
+    else:
+        words = "vertices " + ", ".join(f"{row},{column}" for row, column in support.at)
+    if support.edges:
+        return f"{words}, and edges between them"
+    if support.patch:
+        return f"{words}, and what is within {said.length(support.patch)} of each"
+    return words
 
 
 def _held(support: Support) -> str:

@@ -18,6 +18,7 @@ import numpy as np
 from orishell.numerics.arrays import Array
 from orishell.structure.crease_forces import hold_moved_panels, moments
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.footings import to_nearest
 from orishell.structure.load_path import Ending, LoadPath
 from orishell.structure.loads import vector
 from orishell.structure.mesh.corotational import Corotational, Folds
@@ -233,9 +234,10 @@ def _deformed(
         if isinstance(part, Feet):
             used = part.used(moved)
     ties = len(model.site.ties)
+    factors = () if path.carries or not path.reached else (path.reached,)
     return replace(
         linear,
-        support_forces=at_nodes[model.supports.vertices()],
+        support_forces=to_nearest(mesh.facets.points, model.supports.at, at_nodes),
         reaction=vector(reaction),
         residual=residual,
         friction=used,
@@ -246,8 +248,9 @@ def _deformed(
         crease_moments=moments(model, edges),
         stresses=stresses.von_mises(),
         principal=stresses.principal(),
-        buckling_factors=() if path.carries or not path.reached else (path.reached,),
+        buckling_factors=factors,
         buckling_modes=np.zeros((0, *places.shape)),
+        buckling_at_points=len(factors) * (0.0,),
         path=path,
     )
 

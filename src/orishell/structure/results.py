@@ -18,6 +18,7 @@ from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
 from orishell.structure.model import Model, Stiffness, stiffness_in_words
 from orishell.structure.plausibility import doubts
+from orishell.structure.point_supports import warn_of_points
 from orishell.structure.verdict import (
     COLLAPSED,
     Finding,
@@ -44,7 +45,7 @@ NOT_COVERED = (
     "the way from the pack to the target",
 )
 Remedy = Literal["ties", "pinned"]
-"""What may hold a shell: ties between its feet, or its supports pinned."""
+"""What may hold a shell: ties between its feet, or pinned supports."""
 REMEDIES: dict[Remedy, str] = {"ties": "ties between its feet", "pinned": "pinned supports"}
 
 
@@ -264,7 +265,7 @@ class Analysis:
     @cached_property
     def warnings(self) -> tuple[str, ...]:
         """Sentences an engineer should read, beside what speaks against single cases."""
-        return tuple(self._warnings())
+        return (*self._warnings(), *warn_of_points(self.model, self.cases))
 
     def _warnings(self) -> Iterator[str]:
         if self.model.change > COARSE:
@@ -283,9 +284,9 @@ class Analysis:
         for case in self.cases:
             for name, text in case.load_warnings():
                 said.setdefault(text, {})[name] = None
-        every = {each.name for each in self.cases}
         for text, names in said.items():
-            of = "all load cases" if set(names) == every else f"load cases {', '.join(names)}"
+            every = names.keys() == {each.name for each in self.cases}
+            of = "all load cases" if every else f"load cases {', '.join(names)}"
             yield f"{of}: {text}"
 
     def name_of(self, case: CaseResult | Governing) -> str:

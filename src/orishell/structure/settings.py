@@ -76,16 +76,31 @@ else:
 class Support(Table):
     """What holds some vertices."""
 
-    WRITTEN: ClassVar = ("at", "kind", "friction")
+    WRITTEN: ClassVar = ("at", "kind", "friction", "edges", "patch")
 
     # the rows that are feet, the first and last columns, or vertices
     at: Place | Annotated[Several[GridVertex], Field(min_length=1)]
     kind: SupportKind  # how they are held
     # coefficient of friction of the ground
     friction: Annotated[Number, Field(ge=0, le=10)] = 0.0
+    # whether edges of panels are held, too, whose ends are both among these vertices
+    edges: bool = False
+    # radius of what is held around each vertex, as a base plate does; 0 for points (length)
+    patch: Annotated[Number, Field(ge=0, le=1e15)] = 0.0
 
     @model_validator(mode="after")
     def _check(self) -> Self:
+        if self.edges and self.patch:
+            raise PydanticCustomError(
+                "edges_and_patch", "either edges or patch", {"key": "patch", "got": self.patch}
+            )
+        for key in ("edges", "patch"):
+            if self.kind == "friction" and getattr(self, key):
+                raise PydanticCustomError(
+                    "broad_friction",
+                    "no {key} where kind = friction: on the ground feet stand on points",
+                    {"key": key, "got": getattr(self, key)},
+                )
         if self.kind == "friction" and not self.friction:
             raise PydanticCustomError(
                 "no_friction",

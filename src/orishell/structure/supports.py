@@ -1,4 +1,4 @@
-"""What holds a shell: which of its vertices, and how."""
+"""What holds a shell: which of its vertices and nodes, and how."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
+from orishell.structure.footings import edge_nodes, patch_nodes
 from orishell.structure.mesh.sheet import SheetMesh
 from orishell.structure.settings import Support, SupportKind
 
@@ -26,50 +27,58 @@ HELD: dict[SupportKind, range] = {
 class Supports:
     """What holds a shell."""
 
-    held: Integers  # vertices (H, 2) that are held, and in which of 6 directions
+    held: Integers  # nodes (H, 2) that are held, and in which of 6 directions
     ground: Integers  # vertices (G,) that stand on the ground
     friction: Array  # its coefficient of friction (G,)
+    at: Integers  # all supported vertices (S,), ascending
+    points: Integers  # those that are held by themselves, without an edge or a patch
+    lost: tuple[float, ...]  # patches in which no other node lies (length)
 
     def vertices(self) -> Integers:
         """All supported vertices (S,), ascending."""
-        return np.unique(np.concatenate([self.held[:, 0], self.ground]))
+        return self.at
 
     def as_if_pinned(self) -> Integers:
-        """Vertices (H, 2) and directions that are held, those on the ground in all three."""
+        """Nodes (H, 2) and directions that are held, those on the ground in all three."""
         ground = np.stack([np.repeat(self.ground, 3), np.tile(range(3), len(self.ground))], axis=1)
         return np.unique(np.concatenate([self.held, ground]), axis=0)
 
     def dofs(self, mesh: SheetMesh) -> Integers:
-        """Dofs (H,) of a mesh that are held: a rotation is held of all panels at a vertex."""
+        """Dofs (H,) of a mesh that are held: a rotation is held of all panels at a node."""
         node, axis = self.held.T
         straight = axis < 3
-        moved = mesh.translations()[node[straight], axis[straight]]
-        turned = [
-            mesh.rotations()[mesh.nodes == each][:, which - 3]
-            for each, which in self.held[~straight].tolist()
-        ]
-        return np.unique(np.concatenate([moved, *turned]))
+        dofs = [mesh.translations()[node[straight], axis[straight]]]
+        for turn in range(3):
+            there = np.isin(mesh.nodes, node[axis == 3 + turn])
+            dofs.append(mesh.rotations()[there][:, turn])
+        return np.unique(np.concatenate(dofs))
 
 
 def find_supports(
     asked: Sequence[Support],
+    mesh: SheetMesh,
     grid: Grid,
     inner: slice,
     feet: tuple[int, int] | None,
+    *,
     before: int,
 ) -> Supports:
     """What holds a shell.
 
     asked: What is to hold it.
+    mesh: Its mesh.
     grid: The grid of the sheet between its flaps.
     inner: Its columns that meet the target.
     feet: Rows that are its feet; None if it does not stand.
     before: Number of columns of folded flaps before the first column of the grid.
-    Raises InputError: If vertices that are to be held are not there.
+    Raises InputError: If vertices or edges that are to be held are not there.
     """
     held: list[Integers] = [np.zeros((0, 2), np.int64)]
     ground: list[Integers] = [np.zeros(0, np.int64)]
     friction: list[Array] = [np.zeros(0)]
+    points: list[Integers] = [np.zeros(0, np.int64)]
+    broad: list[Integers] = [np.zeros(0, np.int64)]
+    lost: list[float] = []
     for number, support in enumerate(asked):
         where = f"[structure] supports[{number}] at"
         if support.at == "feet":
@@ -83,12 +92,34 @@ def find_supports(
         if support.kind == "friction":
             ground.append(vertices)
             friction.append(np.full(len(vertices), support.friction))
+        nodes = _nodes(support, mesh, grid, vertices, f"[structure] supports[{number}]")
+        alone = len(nodes) == len(vertices)
+        (points if alone else broad).append(vertices)
+        if alone and support.patch:
+            lost.append(support.patch)
         axes = np.array(HELD[support.kind], np.int64)
-        held.append(np.stack(np.meshgrid(vertices, axes, indexing="ij"), axis=-1).reshape(-1, 2))
+        held.append(np.stack(np.meshgrid(nodes, axes, indexing="ij"), axis=-1).reshape(-1, 2))
     standing, first = np.unique(np.concatenate(ground), return_index=True)
     return Supports(
-        np.unique(np.concatenate(held), axis=0), standing, np.concatenate(friction)[first]
+        held=np.unique(np.concatenate(held), axis=0),
+        ground=standing,
+        friction=np.concatenate(friction)[first],
+        at=np.unique(np.concatenate([*points, *broad])),
+        points=np.setdiff1d(np.concatenate(points), np.concatenate(broad)),
+        lost=tuple(lost),
     )
+
+
+def _nodes(
+    support: Support, mesh: SheetMesh, grid: Grid, vertices: Integers, where: str
+) -> Integers:
+    """What a support holds: the vertices, and along edges between them or near to them."""
+    if support.edges:
+        level = support.at == "feet"
+        return edge_nodes(mesh, grid, vertices, f"{where} edges", level=level)
+    if support.patch:
+        return patch_nodes(mesh, vertices, support.patch)
+    return vertices
 
 
 def _feet(grid: Grid, inner: slice, feet: tuple[int, int] | None, where: str) -> Integers:

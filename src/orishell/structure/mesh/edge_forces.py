@@ -55,7 +55,13 @@ class EdgeForces:
 
 
 def find_edge_forces(
-    mesh: SheetMesh, grid: Grid, forces: Array, turning: Array | None, panel_loads: Array
+    mesh: SheetMesh,
+    grid: Grid,
+    forces: Array,
+    turning: Array | None,
+    panel_loads: Array,
+    *,
+    supported: Integers | None = None,
 ) -> EdgeForces:
     """What holds every panel at its edges.
 
@@ -65,6 +71,7 @@ def find_edge_forces(
     turning: With which springs of creases hold both panels (C (cells+1), 6), in the order of
     :func:`~orishell.structure.mesh.hinges.hinge_elements`; None if creases turn freely.
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
+    supported: Nodes that are held: supports hold panels at those within them, too.
     """
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
@@ -97,8 +104,12 @@ def find_edge_forces(
     loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
     loaded = loaded.reshape(len(mesh.nodes), -1, 6)
     own = mesh.facets.points[mesh.nodes].reshape(*loaded.shape[:2], 3)
+    within = np.zeros((*mesh.nodes.shape, 1), dtype=bool)
+    if supported is not None:
+        within[:, 1:-1, 1:-1, 0] = np.isin(mesh.nodes[:, 1:-1, 1:-1], supported)
+    by_supports = np.where(within, held.reshape(*mesh.nodes.shape, 6), 0.0)
     total = (
-        _about(loaded, own - origin)
+        _about(loaded + by_supports.reshape(loaded.shape), own - origin)
         + _about(corners, points[:, :, 0] - origin)
         + _about(resultants, middle[:, :, 0] - origin)
     )
