@@ -6,12 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from orishell.deployment import Site
 from orishell.deployment.feet import find_feet
 from orishell.design_file import read_design_file
 from orishell.structure.analyse import analyse
-from orishell.structure.load_settings import LoadCase
+from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.settings import Structure, Support
 from samples import thorough
 
@@ -21,12 +22,12 @@ PINNED = (Support(at="feet", kind="pinned"),)
 STRUCTURE = Structure(
     modulus=8e9, poisson=0.3, supports=PINNED, cases=CASES, thickness=0.01
 ).having(crease_stiffness=RIGID)
-FIGURE_2 = Path(__file__).parents[2] / "examples" / "figure2.toml"
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def largest(cells: int, refine: float = 0.0) -> tuple[float, float, int]:
     """Largest displacement with rigid creases, what changed, and the number of triangles."""
-    file = read_design_file(FIGURE_2)
+    file = read_design_file(EXAMPLES / "figure2.toml")
     design = file.pattern.sized(7, 9).model_copy(update={"flap": 0}).design(file.f, file.g)
     feet = find_feet(design)
     assert feet is not None
@@ -54,3 +55,35 @@ def test_cells_are_halved_until_displacements_change_little() -> None:
     assert change > 0.03 > after
     assert more in {4 * count, 16 * count, 64 * count}
     assert abs(fine - coarse) <= 1.5 * change * fine
+
+
+def stresses(name: str, cells: int, structure: Structure, **pattern: object) -> list[float]:
+    """The largest stress of every case and stiffness."""
+    file = read_design_file(EXAMPLES / f"{name}.toml")
+    design = file.pattern.model_copy(update={"flap": 0, **pattern}).design(file.f, file.g)
+    feet = find_feet(design)
+    assert feet is not None
+    found = analyse(design, structure.having(cells=cells), Site("m", feet, (), 6.0))
+    return [balanced.stress.size for balanced, _ in found.balanced]
+
+
+def test_stress_does_not_grow_with_finer_cells() -> None:
+    """Figure 2's shell, pinned at points, under snow: within 10 %, 0.2 % seen."""
+    snow = (LoadCase(name="snow", snow=Snow(ground=850)),)
+    asked = STRUCTURE.having(cases=snow)
+    (coarse,), (fine,) = (stresses("figure2", cells, asked, rows=7, columns=9) for cells in (4, 8))
+    assert fine == pytest.approx(coarse, rel=0.1)
+
+
+@thorough
+def test_stress_of_a_shelter_settles(record_property: Callable[[str, object], None]) -> None:
+    """Snow and wind on the shelter, with free and with rigid creases: 4, 8 and 16 cells."""
+    wind = Wind(speed=25, terrain="II", direction_deg=90)
+    cases = (
+        LoadCase(name="snow", snow=Snow(ground=850)),
+        LoadCase(name="wind", wind=wind),
+    )
+    asked = STRUCTURE.having(cases=cases, thickness=0.012, crease_stiffness=(0.0, np.inf))
+    found = np.array([stresses("shelter", cells, asked) for cells in (4, 8, 16)])
+    record_property("stresses", found.tolist())
+    assert (found.max(axis=0) < 1.1 * found.min(axis=0)).all(), found
