@@ -12,7 +12,7 @@ from orishell.conventions.row import ORDER, Sign, worst
 from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
 from orishell.structure.combinations import LimitState
-from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, told
+from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, few, told
 from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
@@ -264,7 +264,7 @@ class Analysis:
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
         if far:
             yield (
-                f"linear theory may mislead under {'; '.join(far)}: large displacements are "
+                f"linear theory may mislead under {few(far)}: large displacements are "
                 "followed with nonlinear = true in [structure]"
             )
         yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
@@ -274,8 +274,7 @@ class Analysis:
                 said.setdefault(text, {})[name] = None
         for text, names in said.items():
             every = names.keys() == {each.name for each in self.cases}
-            of = "all load cases" if every else f"load cases {', '.join(names)}"
-            yield f"{of}: {text}"
+            yield f"{'all load cases' if every else f'load cases {few(list(names))}'}: {text}"
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.
