@@ -349,7 +349,7 @@ def test_plywood_stands_with_creases_of_some_stiffness_and_on_the_ground() -> No
     assert pulls.max() == pytest.approx(1738, abs=1)
     assert pulls.argmax() in {0, len(pulls) - 1}  # at a gable
     (rough,) = (case for case in module["on_the_ground"](plywood, 0.3).cases if not case.motion)
-    assert rough.equilibrium.friction == pytest.approx(3.08, abs=0.01)
+    assert rough.equilibrium.friction <= 1 + 1e-9  # stuck feet would need 3.08 times what there is
 
 
 def test_loads_of_the_shelter_by_hand() -> None:
