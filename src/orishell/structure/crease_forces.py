@@ -11,16 +11,15 @@ import numpy as np
 from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.motion.grid import Panel
-from orishell.numerics.arrays import Array, Booleans
+from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.loads import case_loads, sum_forces
 from orishell.structure.mesh.edge_forces import (
-    ABOUT,
     EdgeForces,
     crease_sides,
-    edge_forces,
     find_edge_forces,
     on_creases,
 )
+from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.strips import board_stress, film_stress, one_board
 from orishell.structure.mesh.triangle import Facets
 from orishell.structure.model import Model
@@ -77,32 +76,37 @@ def hold_panels(
 
     moved: Displacements and rotations (D,).
     loads: On panels, as :func:`panel_loads` has them (N).
-    stiffness: Of creases (force per radian): those that are free have no moments, but rounding.
+    stiffness: Of creases (force per radian).
     scale: Sum of the sizes of all loads (N).
     Raises VerificationError: If a panel is not in balance: a fault of the program.
     """
-    elements = model.mesh.elements(model.section)
-    supported = model.supports.held[:, 0]
-    found = find_edge_forces(model.mesh, elements, moved, loads, supported)
-    return _balanced(found, stiffness, scale)
+    mesh, grid = model.mesh, model.grid
+    springs = min(stiffness, rigid_stiffness(mesh, model.section))
+    turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
+    forces = mesh.elements(model.section).forces(moved)
+    found = find_edge_forces(mesh, grid, forces, turning, loads, supported=_held(model))
+    return _balanced(found, scale)
 
 
 def hold_moved_panels(
-    model: Model, borne: tuple[Array, Array], loads: Array, stiffness: float, scale: float
+    model: Model, borne: tuple[Array, Array | None, Array], loads: Array, scale: float
 ) -> tuple[EdgeForces, float]:
     """The same where large displacements are followed.
 
-    borne: Forces (T, 18) of triangles, and where nodes (N, 3) are.
+    borne: Forces (T, 18) of triangles, moments (m, 6) of springs, and where nodes (N, 3) are.
     """
-    forces, places = borne
+    forces, turning, places = borne
     mesh = replace(model.mesh, facets=Facets(places, model.mesh.facets.triangles))
-    supported = model.supports.held[:, 0]
-    return _balanced(edge_forces(mesh, forces, loads, supported), stiffness, scale)
+    found = find_edge_forces(mesh, model.grid, forces, turning, loads, supported=_held(model))
+    return _balanced(found, scale)
 
 
-def _balanced(found: EdgeForces, stiffness: float, scale: float) -> tuple[EdgeForces, float]:
-    if not stiffness:
-        found.per_length[..., ABOUT] = 0.0
+def _held(model: Model) -> Integers:
+    """Nodes that supports hold, the ground included."""
+    return np.concatenate([model.supports.held[:, 0], model.supports.ground])
+
+
+def _balanced(found: EdgeForces, scale: float) -> tuple[EdgeForces, float]:
     residual = found.missing / scale if scale else 0.0
     if residual > UNBALANCED:
         raise VerificationError(

@@ -58,8 +58,8 @@ def crease_notes() -> Iterator[str]:
     yield paragraph(
         f"Forces along creases are means over {SHARES[STRETCHES]} of a crease, in the plane of the "
         "panel on that side of it where they are larger: pull and push square to the crease, shear "
-        "along it, shear across the panel. What panels hand on at their corners, as feet and ties "
-        "do, is apart. All creases are in creases.csv.",
+        "along it, shear across the panel. Forces of supports and ties at corners of panels are "
+        "not among them. All creases are in creases.csv.",
         "soft",
     )
 

@@ -223,8 +223,9 @@ def _deformed(
     )
     at_nodes, reaction, residual = _reactions(model, point, on_nodes, places)
     total = point.factor * float(np.linalg.norm(on_nodes, axis=1).sum())
+    turning = next((each.forces(moved) for each in others if isinstance(each, Folds)), None)
     edges, panel_residual = hold_moved_panels(
-        model, (panels.forces(moved), places), point.factor * on_panels, linear.stiffness, total
+        model, (panels.forces(moved), turning, places), point.factor * on_panels, total
     )
     borne, used = np.zeros(len(model.site.ties) + len(model.flaps)), None
     for part in others:

@@ -11,8 +11,15 @@ So N pulls where it is positive, and M where it is positive stretches the lower 
 panel on the other side of a crease V_in and M are the same; N and V turn by the fold angle.
 
 Between its ends an edge has the force of every node over the length that is nearer to this node
-than to others; as far as the ends, that of the last node. What a corner has beyond this is a force
-of its own there: of supports and ties, of the plate's twist, and of what is singular.
+than to others. At a vertex only the sum for each panel is known, F_k less its part of what acts on
+the vertex from outside: supports, ties, point loads, in equal parts on all panels there. With c_k
+what panel k + 1, counter-clockwise, does to panel k across the crease between them,
+
+    F_k = c_k - c_k-1,
+
+of which the smallest c are taken: about an inner vertex a force that is the same in all four could
+be added. What creases pass on at a vertex belongs to their ends, and they do so by hinges only: M
+is that of their springs.
 """
 
 from __future__ import annotations
@@ -22,7 +29,6 @@ import numpy as np
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sheet import SheetMesh
 
 STRETCHES = 4
@@ -41,7 +47,8 @@ class EdgeForces:
     per_length: Array
     # force and moment about its middle (F, 4, 6) of every edge, along x, y and z
     resultants: Array
-    corners: Array  # force and moment (F, 4, 6) at the corner that every edge begins at
+    # force and moment (F, 4, 6) from outside at the corner that every edge begins at
+    corners: Array
     # what is missing for the balance of a panel, of forces and of moments over its diagonal the
     # larger, of all panels (N)
     missing: float
@@ -49,54 +56,49 @@ class EdgeForces:
 
 def find_edge_forces(
     mesh: SheetMesh,
-    elements: Elements,
-    moved: Array,
+    grid: Grid,
+    forces: Array,
+    turning: Array | None,
     panel_loads: Array,
+    *,
     supported: Integers | None = None,
 ) -> EdgeForces:
     """What holds every panel at its edges.
 
-    elements: The triangles of the mesh as elements.
-    moved: Displacements and rotations (D,).
+    mesh: The mesh, its nodes where they are moved to if displacements are large.
+    grid: The grid of the sheet.
+    forces: With which triangles hold their nodes (T, 18).
+    turning: With which springs of creases hold both panels (C (cells+1), 6), in the order of
+    :func:`~orishell.structure.mesh.hinges.hinge_elements`; None if creases turn freely.
     panel_loads: Loads on panels (F (cells+1)^2, 3) by their own nodes (N).
     supported: Nodes that are held: supports hold panels at those within them, too.
     """
-    return edge_forces(mesh, elements.forces(moved), panel_loads, supported)
-
-
-def edge_forces(
-    mesh: SheetMesh, forces: Array, panel_loads: Array, supported: Integers | None = None
-) -> EdgeForces:
-    """The same by forces (T, 18) with which triangles hold their nodes, where these are."""
     held = np.zeros((mesh.nodes.size, 6))
     np.add.at(held, mesh.places, forces.reshape(-1, 3, 6))
     held[:, :3] -= panel_loads
-    round_, points = (
+    spread, points = (
         _sides(each.reshape(*mesh.nodes.shape, -1))
         for each in (held, mesh.facets.points[mesh.nodes])
     )
-    steps = np.linalg.norm(np.diff(points, axis=2), axis=-1)
-    inner, reach = _per_length(round_, steps)
-
-    ends = 0.5 * steps[..., [0, -1], None] * inner[:, :, [0, -1]]
-    spread = round_.copy()
-    spread[:, :, [0, -1]] = ends
-    middle = 0.5 * (points[:, :, :1] + points[:, :, -1:])
-    resultants = _about(spread, points - middle)
-    corners = round_[:, :, 0] - ends[:, :, 0] - np.roll(ends[:, :, 1], 1, axis=1)
-
     along = points[:, :, -1] - points[:, :, 0]
     along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    about = np.zeros(spread.shape[:3])
+    if turning is not None:
+        about = _hinged(grid, turning, along)
+    at_corners = spread[:, :, 0].copy()
+    begin, end = _at_vertices(grid, at_corners[..., :3])
+    spread[:, :, 0, :3], spread[:, :, -1, :3] = begin, end
+    spread[:, :, [0, -1], 3:] = (-about[..., None] * along[:, :, None])[:, :, [0, -1]]
+    corners = at_corners - spread[:, :, 0] - np.roll(spread[:, :, -1], 1, axis=1)
+    middle = 0.5 * (points[:, :, :1] + points[:, :, -1:])
+    resultants = _about(spread, points - middle)
+
     normal = np.cross(along, np.roll(along, -1, axis=1)).sum(axis=1, keepdims=True)
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    out = np.cross(along, normal)
-    force, moment = inner[..., :3], inner[..., 3:]
-    parts = [
-        np.einsum("fsnx,fsx->fsn", each, axis)
-        for each, axis in ((force, out), (force, along), (force, normal + 0 * out))
-    ]
-    parts.append(-np.einsum("fsnx,fsx->fsn", moment, along))
-    per_length = _by_stretch(reach) @ np.stack(parts, axis=-1)
+    axes = np.stack([np.cross(along, normal), along, normal + 0 * along], axis=2)
+    force = np.einsum("fsnx,fsax->fsna", spread[..., :3], axes)
+    parts = np.concatenate([force, about[..., None]], axis=-1)
+    per_length = _by_stretch(np.linalg.norm(np.diff(points, axis=2), axis=-1)) @ parts
 
     origin = points[:, :1, 0]
     loaded = np.concatenate([panel_loads, 0 * panel_loads], axis=1)
@@ -112,8 +114,8 @@ def edge_forces(
         + _about(resultants, middle[:, :, 0] - origin)
     )
     size = np.linalg.norm(np.ptp(own, axis=1), axis=1)
-    force, moment = (np.linalg.norm(each, axis=1) for each in (total[:, :3], total[:, 3:]))
-    missing = float(max(force.max(), (moment / size).max()))
+    whole, turning = (np.linalg.norm(each, axis=1) for each in (total[:, :3], total[:, 3:]))
+    missing = float(max(whole.max(), (turning / size).max()))
     return EdgeForces(per_length, resultants, corners, missing)
 
 
@@ -124,30 +126,54 @@ def _sides(values: Array) -> Array:
     )
 
 
-def _per_length(forces: Array, steps: Array) -> tuple[Array, Array]:
-    """Forces per length (F, 4, n-1, 6) of nodes between the ends, and where these begin and end.
+def _hinged(grid: Grid, turning: Array, along: Array) -> Array:
+    """Moments (F, 4, n+1) on the nodes of edges, by how they stretch the lower face.
 
-    That is (F, 4, n), from 0 to 1 along the edge. A single cell has no node between the ends: then
-    it is half of what is at the ends, the other half being the next edges'.
+    turning: What springs have of both their panels (C (n+1), 6).
+    along: Directions (F, 4, 3) of edges.
     """
-    length = steps.sum(axis=-1, keepdims=True)
-    start, end = 0 * length, 0 * length + 1
-    if steps.shape[-1] == 1:
-        mean = 0.5 * forces.sum(axis=2, keepdims=True) / length[..., None]
-        return mean, np.concatenate([start, end], axis=-1)
-    nearer = 0.5 * (steps[..., 1:] + steps[..., :-1])
-    place = np.cumsum(steps, axis=-1)
-    between = (place - 0.5 * steps)[..., 1:-1] / length
-    begins = np.concatenate([start, between, end], axis=-1)
-    return forces[:, :, 1:-1] / nearer[..., None], begins
+    creases, sides = crease_sides(grid)
+    # The first panel of a spring runs counter-clockwise along it: a bottom or a left edge.
+    own = sides[np.arange(len(sides)), (sides[:, 0, 1] != 1).astype(np.int64)]
+    first = turning[:, :3].reshape(len(creases), -1, 3)
+    by_edge = np.zeros((len(grid.edges_vertices()), first.shape[1]))
+    by_edge[creases] = np.einsum("cnx,cx->cn", first, along[own[:, 0], own[:, 1]])
+    found = by_edge[grid.faces_edges()]
+    found[:, 2:] = found[:, 2:, ::-1]
+    return np.asarray(found)
 
 
-def _by_stretch(begins: Array) -> Array:
-    """Shares (F, 4, S, n-1) of stretches that nodes have, reaching from (F, 4, n) to the next."""
-    start = np.arange(STRETCHES)[:, None] / STRETCHES
-    low = np.maximum(begins[..., None, :-1], start)
-    high = np.minimum(begins[..., None, 1:], start + 1 / STRETCHES)
-    return np.asarray(STRETCHES * np.maximum(high - low, 0.0))
+def _at_vertices(grid: Grid, forces: Array) -> tuple[Array, Array]:
+    """What creases pass on at the begin and the end (F, 4, 3) of every edge of panels.
+
+    forces: What holds each panel at its corners (F, 4, 3).
+    """
+    vertices, corner = grid.faces_vertices(), np.arange(4)
+    # Corner k of a panel is at place k about its vertex, counter-clockwise.
+    around = np.zeros((grid.vertex_count, 4, 3))
+    there = np.zeros((grid.vertex_count, 4), dtype=bool)
+    around[vertices, corner], there[vertices, corner] = forces, True
+    outside = around.sum(axis=1, keepdims=True) / there.sum(axis=1)[:, None, None]
+    creases = there & np.roll(there, -1, axis=1)
+    balance = (np.eye(4) - np.roll(np.eye(4), 1, axis=0)) * creases[:, None]
+    passed = np.asarray(
+        np.linalg.pinv(balance) @ np.where(there[..., None], around - outside, 0.0), np.float64
+    )
+    begin = -passed[vertices, corner - 1]
+    end = np.roll(passed[vertices, corner], -1, axis=1)
+    return np.asarray(begin, np.float64), np.asarray(end, np.float64)
+
+
+def _by_stretch(steps: Array) -> Array:
+    """What stretches have of nodes, per length (F, 4, S, n+1), by steps (F, 4, n) between these."""
+    place = np.cumsum(np.pad(steps, ((0, 0), (0, 0), (1, 0))), axis=-1)
+    length = place[..., -1:]
+    between = 0.5 * (place[..., 1:] + place[..., :-1])
+    bounds = np.concatenate([0 * length, between, length], axis=-1)[..., None, :]
+    start = (length * np.arange(STRETCHES) / STRETCHES)[..., None]
+    stretch = length[..., None] / STRETCHES
+    inside = np.minimum(bounds[..., 1:], start + stretch) - np.maximum(bounds[..., :-1], start)
+    return np.asarray(np.maximum(inside, 0.0) / np.diff(bounds) / stretch)
 
 
 def _about(forces: Array, arms: Array) -> Array:
