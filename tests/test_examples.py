@@ -311,7 +311,12 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     report = boards.report.structure
     assert report is not None
     assert report.governs is not None
-    assert (report.governs.part, report.governs.case) == ("buckling", "storm across")
+    governs = report.governs
+    assert (governs.part, governs.case, governs.creases) == (
+        "buckling",
+        "winter, drifted right",
+        "free",
+    )
     kit = judge(boards, with_creases(boards))
     assert kit.mass == pytest.approx(86.8, abs=0.05)
     assert kit.buckling == pytest.approx(0.0197, rel=0.01)
@@ -324,7 +329,7 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     plywood = design(module["PLYWOOD"])
     rigid = judge(plywood, with_creases(plywood))
     assert rigid.carries
-    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.32, 0.010)
+    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.36, 0.010)
 
 
 @thorough

@@ -10,7 +10,7 @@ from orishell.structure.combinations import LimitState
 from orishell.structure.model import Stiffness
 
 if TYPE_CHECKING:
-    from orishell.structure.results import CaseResult
+    from orishell.structure.results import CaseResult, Governing
 
 STRENGTH: tuple[LimitState | None, ...] = (None, "ULS")
 """Cases that are judged by strength and buckling: those of no code, and ULS."""
@@ -63,3 +63,15 @@ def _largest(case: CaseResult) -> tuple[str | None, float | None]:
         return (None, None) if found.friction is None else ("friction", found.friction)
     used = found.utilisation
     return (None, None) if used.governs is None else (used.governs, used.shares[used.governs])
+
+
+def told(
+    cases: tuple[CaseResult, ...], found: Sequence[Envelope], governs: Governing | None
+) -> tuple[CaseResult, ...]:
+    """Of many cases those that govern, and those of no code; all cases if they are few."""
+    if len({case.name for case in cases}) <= MANY:
+        return cases
+    kept = {each.case for each in found if each.moves or each.part is not None}
+    if governs is not None:
+        kept.add(governs.case)
+    return tuple(case for case in cases if not case.limit_state or case.name in kept)

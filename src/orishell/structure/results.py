@@ -12,7 +12,7 @@ from orishell.conventions.row import ORDER, Sign, worst
 from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
 from orishell.structure.combinations import LimitState
-from orishell.structure.envelopes import MANY, STRENGTH, Envelope, envelopes
+from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, told
 from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
@@ -83,15 +83,8 @@ class CaseResult:
     """A load case with one stiffness of creases."""
 
     WRITTEN = (
-        "name",
-        "limit_state",
-        "creases",
-        "carries",
-        "findings",
-        "loads",
-        "load",
-        "equilibrium",
-    )
+        "name", "limit_state", "creases", "carries", "findings", "loads", "load", "equilibrium",
+    )  # fmt: skip
 
     name: str  # the case
     stiffness: float  # of creases (force per radian); 0 free, infinite rigid
@@ -255,12 +248,7 @@ class Analysis:
     @property
     def told(self) -> tuple[CaseResult, ...]:
         """The cases that are told in full, the worst first: all, or of many those that govern."""
-        if len({case.name for case in self.cases}) <= MANY:
-            return self.ranked
-        names = {each.case for each in self.envelopes if each.moves or each.part is not None}
-        if self.governs is not None:
-            names.add(self.governs.case)
-        return tuple(case for case in self.ranked if not case.limit_state or case.name in names)
+        return told(self.ranked, self.envelopes, self.governs)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
