@@ -11,6 +11,7 @@ import numpy as np
 from orishell.deployment import Site
 from orishell.deployment.feet import Feet
 from orishell.motion.grid import Grid
+from orishell.structure.changes import Changes
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
@@ -93,7 +94,11 @@ def analysed(structure: Structure = STRUCTURE) -> Analysis:
     ties = (((0, 1), (2, 1)), ((0, 2), (2, 2)), ((1, 1), (2, 1)))
     design = cast("Any", SimpleNamespace(panel=None))
     model = Tent(
-        design, structure, Site("m", Feet((0, 2), 0.0, 0.0, RISE), ties, 1.9), 2, change=0.02
+        design,
+        structure,
+        Site("m", Feet((0, 2), 0.0, 0.0, RISE), ties, 1.9),
+        2,
+        change=Changes(0.02, 0.05, 0.01),
     )
     count, triangles = model.nodes, model.triangles
     displacements = np.zeros((count, 3))

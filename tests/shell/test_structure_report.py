@@ -11,6 +11,13 @@ import pytest
 
 from analysed import LENGTH, RISE, SPAN, STRUCTURE, analysed
 from orishell.conventions.record import as_table
+from orishell.structure.changes import (
+    Changes,
+    Figures,
+    Stop,
+    find_changes,
+    refinement_warnings,
+)
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.load_settings import NO_CODE, LoadCase
 from orishell.structure.results import Analysis, FreeMotion
@@ -38,7 +45,8 @@ def words(found: Analysis) -> str:
 def test_the_model(report: Analysis) -> None:
     model = report.model
     assert (model.nodes, model.triangles, model.freedoms) == (15, 16, 3 * 15 + 3 * 18)
-    assert (model.mass, model.change, model.height, model.thickness) == (32.2, 0.02, RISE, 0.01)
+    assert (model.mass, model.height, model.thickness) == (32.2, RISE, 0.01)
+    assert as_table(model.change) == {"displacement": 0.02, "stress": 0.05, "buckling": 0.01}
     # E t/(1 - nu^2) = 270e6 * 0.01 / 0.91, and t^2/12 of it.
     assert model.membrane_stiffness == pytest.approx([2.967033e6] * 2, rel=1e-6)
     assert model.bending_stiffness == pytest.approx([24.725275] * 2, rel=1e-6)
@@ -208,3 +216,39 @@ def test_it_is_json(report: Analysis) -> None:
     assert (
         json.loads(json.dumps(as_table(report), allow_nan=False))["cases"][0]["equilibrium"] is None
     )
+
+
+@pytest.mark.parametrize(
+    ("change", "stopped", "says"),
+    [
+        (Changes(0.1, 0.1, 0.03), None, ""),
+        (Changes(0.2, 0.1, 0.01), None, "the next coarser one displacement by 20 %. Use finer"),
+        (
+            Changes(0.2, 0.3, 0.04),
+            None,
+            "displacement by 20 %, stress by 30 % and the buckling factor by 4 %. Use finer",
+        ),
+        (Changes(0.04, 0.06, 0.01), "work", "would take too long. From the next coarser mesh"),
+        (Changes(0.2, 0.06, 0.01), "memory", "they changed by 20 % at most: displacement by 20 %"),
+    ],
+)
+def test_figures_that_change_with_the_mesh_are_said(
+    change: Changes, stopped: Stop | None, says: str
+) -> None:
+    """Above 10 % of displacement and stress and 3 % of buckling, and where refinement ended."""
+    text = "\n".join(refinement_warnings(change, stopped))
+    assert says in text
+    assert bool(says) is bool(text)
+
+
+def test_changes_are_those_of_the_case_that_changes_most() -> None:
+    """A case that one mesh only finds to stand, or to buckle, is not settled at all."""
+    coarse = [Figures(1.0, 4.0, 2.0), Figures(3.0, 2.0, None)]
+    fine = [Figures(1.25, 4.0, 2.5), Figures(2.0, 2.0, None)]
+    assert as_table(find_changes(coarse, fine)) == {
+        "displacement": 0.5,
+        "stress": 0.0,
+        "buckling": 0.2,
+    }
+    assert find_changes(coarse, [Figures(), Figures(3.0, 2.0, 5.0)]).largest == 1.0
+    assert find_changes([], []).largest == 0.0

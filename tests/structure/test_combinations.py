@@ -14,6 +14,7 @@ from orishell.cli.structure import summarize_structure
 from orishell.conventions.errors import InputError
 from orishell.design_file import read_design_file
 from orishell.structure.combinations import Combination, Factors, LimitState, combine
+from orishell.structure.envelopes import few
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.page import structure_page
 from orishell.structure.results import Analysis
@@ -228,3 +229,9 @@ def test_a_name_is_not_that_of_a_combination(tmp_path: Path) -> None:
     path.write_text(text + "pressure = 5")
     with pytest.raises(InputError, match="cases of one action each"):
         read_design_file(path)
+
+
+def test_a_sentence_names_few_cases() -> None:
+    assert few(["a", "b"]) == "a; b"
+    assert few(list("abcdefg")) == "a; b; c; d; e; and 2 more"
+    assert few(list("abcdef")) == "a; b; c; d; e; f"

@@ -37,7 +37,7 @@ NOTHING = joined([on_ground(np.zeros(0, np.int64), np.zeros(0))])
 def strip(force: tuple[float, float, float], crease: float = np.inf) -> tuple[SheetMesh, Array]:
     """Two panels in line, clamped at x = 0, under a force that is spread over the other end."""
     x, y = np.meshgrid([0.0, 0.5 * LONG, LONG], [WIDE, 0.0])
-    mesh = mesh_sheet(np.stack([x, y, 0 * x], axis=-1), GRID, 8)
+    mesh = mesh_sheet(np.stack([x, y, 0 * x], axis=-1), GRID, 8, grading=0)
     own, points = mesh.translations(), mesh.facets.points
     root, end = (points[:, 0] == place for place in (0.0, LONG))
     turned = mesh.rotations()[np.isin(mesh.nodes, np.flatnonzero(root))]
@@ -97,7 +97,7 @@ def test_pull_along_a_bar() -> None:
 def test_patches_of_a_linear_field(cells: int) -> None:
     """Their mean is its value in their middle where cells fit into patches, else it is near."""
     x, y = np.meshgrid([0.0, 2.0], [1.0, 0.0])
-    mesh = mesh_sheet(np.stack([x + 0.3 * y, y, 0 * x], axis=-1), Grid(2, 2), cells)
+    mesh = mesh_sheet(np.stack([x + 0.3 * y, y, 0 * x], axis=-1), Grid(2, 2), cells, grading=0)
     middles = mesh.facets.points[mesh.facets.triangles].mean(axis=1)
     turn = mesh.facets.axes()[:, :2, :2]
     tensor = np.array([[3.0, 1.0], [1.0, -2.0]]) * (1 + middles @ [0.5, 2.0, 0.0])[:, None, None]

@@ -105,6 +105,16 @@ export interface CaseResult {
   equilibrium: Equilibrium | null;
 }
 
+/** Shares by which the figures of all cases change from the next coarser mesh. */
+export interface Changes {
+  /** The largest displacement. */
+  displacement: number;
+  /** The largest stress of panels. */
+  stress: number;
+  /** The buckling factor. */
+  buckling: number;
+}
+
 /** The design with the fewest panels, and the others that were looked at. */
 export interface Choice {
   /** Distance from the surface that was asked for (length). */
@@ -612,8 +622,12 @@ export interface Model {
   triangles: number;
   /** Degrees of freedom of the mesh. */
   freedoms: number;
-  /** By what share the largest displacement of a case changed when cells were halved for the last time. */
-  change: number;
+  /** Cells along every side of a panel. */
+  cells: number;
+  /** By how much figures still change with the mesh. */
+  change: Changes;
+  /** Why cells are no finer although ``refine`` asks for it. */
+  stopped: "work" | "memory" | "cells" | null;
   /** Of all panels (kg). */
   mass: number;
   /** Of the shell between its flaps. */

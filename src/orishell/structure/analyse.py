@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.errors import InputError, VerificationError
-from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.deployment import Site
 from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
 from orishell.structure.buckling import share_at_points, turned_by_load
+from orishell.structure.changes import Figures
 from orishell.structure.combinations import Combination, LimitState
 from orishell.structure.crease_forces import hold_panels, moments, panel_loads
 from orishell.structure.envelopes import STRENGTH
@@ -25,6 +26,7 @@ from orishell.structure.loads import Load, case_loads, sum_forces, vector
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.nonlinear import follow
+from orishell.structure.refine import Run, figures, refined
 from orishell.structure.results import Analysis, CaseResult
 from orishell.structure.settings import LoadCase, Structure
 from orishell.structure.solve.active_set import Response, respond, stands
@@ -39,8 +41,6 @@ FREQUENCIES = 3
 """How many frequencies are found."""
 BUCKLING = 3
 """How many buckling factors are found."""
-FINEST = 32
-"""Cells are not halved beyond so many along a side."""
 UNBALANCED = 1e-6
 """Loads and reactions that balance no better than this mean that the program is wrong."""
 
@@ -68,26 +68,31 @@ def analyse(
             keys=("load_case",),
             remedy="give density in [panel], or areal_density in [workshop]",
         )
-    cells = structure.cells
-    model = Model(design, structure, site, cells, built)
-    coarse = _sizes(_solve(replace(model, cells=cells // 2 or 2)))  # 1 is not halved
-    while True:
-        progress(0.0, f"with {cells} x {cells} cells to a panel")
-        model = replace(model, cells=cells)
-        solved = _solve(model)
-        fine = _sizes(solved)
-        moved = np.abs(fine - coarse) / np.where(fine, fine, 1.0)
-        change = float(np.max(moved, where=np.isfinite(moved), initial=0.0))
-        if not structure.refine or change <= structure.refine or 2 * cells > FINEST:
-            break
-        coarse, cells = fine, 2 * cells
-    model = replace(model, change=change)
-    rest = stretch(progress, 0.5, 1.0)
-    results = []
-    for number, each in enumerate(solved):
-        rest(number / len(solved), f"loading {each.case.name}")
-        results.append(_result(model, each))
-    return Analysis(model, tuple(results))
+    model = Model(design, structure, site, structure.cells, built)
+
+    def run(cells: int, told: Progress, *, last: bool) -> Run:
+        return _run(replace(model, cells=cells), told, last=last)
+
+    found, cases, change, stopped = refined(model, run, progress)
+    model = found.told(change, stopped)
+    return Analysis(model, tuple(case.of(model) for case in cases))
+
+
+def _run(model: Model, progress: Progress, *, last: bool) -> Run:
+    """All load cases, with the least stiffness of creases first; figures only if not ``last``."""
+    found: list[CaseResult] = []
+    compared: list[Figures] = []
+    asked = model.structure
+    stiffnesses = tuple(dict.fromkeys(asked.crease_stiffness))
+    total = len(stiffnesses) * len(asked.analysed)
+    for stiffness in stiffnesses:
+        for solved in _solve(model, stiffness):
+            progress(len(compared) / total, f"loading {solved.case.name}")
+            linear = _equilibrium(model, solved, modes=last) if solved.stands else None
+            compared.append(figures(linear))
+            if last:
+                found.append(_result(model, solved, linear))
+    return model, found, compared
 
 
 @record
@@ -105,37 +110,23 @@ class _Solved:
     stands: bool
 
 
-def _solve(model: Model) -> Sequence[_Solved]:
-    """All load cases, with the least stiffness of creases first."""
-    found, asked = [], model.structure
+def _solve(model: Model, stiffness: float) -> Iterator[_Solved]:
+    """All load cases with one stiffness of creases."""
+    asked = model.structure
     cases, known = asked.analysed, asked.arranged
-    for stiffness in dict.fromkeys(asked.crease_stiffness):
-        structure = model.factorised(stiffness)
-        for case in cases:
-            loads = case_loads(model.exposure, case, known)
-            forces = sum_forces(model.exposure, loads)
-            response = respond(structure, structure.free_loads(forces))
-            held = stands(structure, response, model.size)
-            if asked.nonlinear:  # far too soft by linear theory is not so by itself
-                held = response.moves is None
-            state = case.limit_state if isinstance(case, Combination) else None
-            found.append(
-                _Solved(case, known, state, stiffness, structure, loads, forces, response, held)
-            )
-    return found
+    structure = model.factorised(stiffness)
+    for case in cases:
+        loads = case_loads(model.exposure, case, known)
+        forces = sum_forces(model.exposure, loads)
+        response = respond(structure, structure.free_loads(forces))
+        held = stands(structure, response, model.size)
+        if asked.nonlinear:  # far too soft by linear theory is not so by itself
+            held = response.moves is None
+        state = case.limit_state if isinstance(case, Combination) else None
+        yield _Solved(case, known, state, stiffness, structure, loads, forces, response, held)
 
 
-def _sizes(solved: Sequence[_Solved]) -> Array:
-    """The largest displacement of every case, not a number where it does not stand."""
-    return np.array(
-        [
-            each.structure.furthest(each.response.displacements) if each.stands else np.nan
-            for each in solved
-        ]
-    )
-
-
-def _result(model: Model, solved: _Solved) -> CaseResult:
+def _result(model: Model, solved: _Solved, linear: Equilibrium | None) -> CaseResult:
     forces, response = solved.forces, solved.response
     motion = None
     if not solved.stands:
@@ -148,20 +139,19 @@ def _result(model: Model, solved: _Solved) -> CaseResult:
         loads=solved.loads,
         forces=forces,
         motion=motion,
-        equilibrium=_balanced(model, solved) if solved.stands else None,
+        equilibrium=_balanced(model, solved, linear),
         limit_state=solved.limit_state,
     )
 
 
-def _balanced(model: Model, solved: _Solved) -> Equilibrium:
-    linear = _equilibrium(model, solved)
-    if not model.structure.nonlinear:
+def _balanced(model: Model, solved: _Solved, linear: Equilibrium | None) -> Equilibrium | None:
+    if linear is None or not model.structure.nonlinear:
         return linear
     on_panels = panel_loads(model, solved.case, solved.known)
     return follow(linear, solved.forces, on_panels, solved.response)
 
 
-def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
+def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
     mesh, structure, response = model.mesh, solved.structure, solved.response
     moved = structure.moved(response.displacements)
     support_forces, reaction, residual = _reactions(model, solved)
@@ -173,14 +163,14 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
     on_panels = panel_loads(model, solved.case, solved.known)
     edges, panel_residual = hold_panels(model, moved, on_panels, solved.stiffness, total)
     factors, shapes = np.zeros(0), np.zeros((len(structure.free), 0))
-    frequencies, modes = factors, shapes
+    frequencies, swinging = factors, shapes
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
         geometric = turned_by_load(model, structure, response.forces, borne.forces)
         factors, shapes = find_buckling(inverse, geometric, BUCKLING)
-        if model.site.areal_mass:
+        if modes and model.site.areal_mass:
             mass = model.inertia()[structure.free]
-            frequencies, modes = find_frequencies(inverse, mass, FREQUENCIES)
+            frequencies, swinging = find_frequencies(inverse, mass, FREQUENCIES)
     return Equilibrium(
         model=model,
         stiffness=solved.stiffness,
@@ -200,7 +190,7 @@ def _equilibrium(model: Model, solved: _Solved) -> Equilibrium:
         buckling_modes=_units(structure, shapes),
         buckling_at_points=tuple(share_at_points(model, structure, shapes).tolist()),
         frequencies=tuple(frequencies.tolist()),
-        modes=_units(structure, modes),
+        modes=_units(structure, swinging),
     )
 
 

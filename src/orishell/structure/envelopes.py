@@ -75,3 +75,14 @@ def told(
     if governs is not None:
         kept.add(governs.case)
     return tuple(case for case in cases if not case.limit_state or case.name in kept)
+
+
+NAMED = 6
+"""A sentence names so many cases at most; it counts the rest."""
+
+
+def few(names: Sequence[str]) -> str:
+    """Names of cases as a sentence lists them."""
+    if len(names) <= NAMED:
+        return "; ".join(names)
+    return f"{'; '.join(names[: NAMED - 1])}; and {len(names) - NAMED + 1} more"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import fields, replace
 from functools import cached_property
 from typing import Literal
 
@@ -18,10 +19,11 @@ from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
 from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
+from orishell.structure.changes import Changes, Stop
 from orishell.structure.loads import Exposure
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.sections import Section, panel_sections
-from orishell.structure.mesh.sheet import SheetMesh, mesh_sheet
+from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
 from orishell.structure.settings import Structure
 from orishell.structure.solve.conditions import Conditions, between, joined, on_ground
 from orishell.structure.solve.factorise import factorise
@@ -42,8 +44,8 @@ class Model:
     """What is analysed."""
 
     WRITTEN = (
-        "nodes", "triangles", "freedoms", "change", "mass", "height", "thickness",
-        "structure.material", "structure.modulus", "structure.poisson",
+        "nodes", "triangles", "freedoms", "cells", "change", "stopped", "mass", "height",
+        "thickness", "structure.material", "structure.modulus", "structure.poisson",
         "structure.membrane_modulus", "membrane_stiffness", "bending_stiffness",
         "crease_stiffness", "tie_stiffness",
         "structure.strength", "structure.crease_strength", "structure.tie_strength",
@@ -56,9 +58,15 @@ class Model:
     site: Site  # where it stands, what ties it, and what it weighs
     cells: int  # cells along every side of a panel
     built: BuiltPanels | None = None  # its panels, if they have a thickness
-    # by what share the largest displacement of a case changed when cells were halved for the last
-    # time
-    change: float = 0.0
+    change: Changes = Changes()  # by how much figures still change with the mesh
+    stopped: Stop | None = None  # why cells are no finer although ``refine`` asks for it
+
+    def told(self, change: Changes, stopped: Stop | None) -> Model:
+        """The same with what refinement found; what was found of it is kept."""
+        found = replace(self, change=change, stopped=stopped)
+        named = {each.name for each in fields(self)}
+        vars(found).update({k: v for k, v in vars(self).items() if k not in named})
+        return found
 
     @property
     def nodes(self) -> int:
@@ -154,10 +162,13 @@ class Model:
     @cached_property
     def section(self) -> Section:
         """Sections of the triangles."""
-        flat = mesh_sheet(self.sheet.positions(0.0), self.grid, self.cells).facets
-        corners = flat.points[flat.triangles][..., :2]
+        flat = self.sheet.positions(0.0).reshape(-1, 3)[self.grid.faces_vertices(), :2]
         return panel_sections(
-            self.structure, self.design.panel, self.boards, corners, self.mesh.panels
+            self.structure,
+            self.design.panel,
+            self.boards,
+            flat,
+            centres(self.positions, self.cells),
         )
 
     @property

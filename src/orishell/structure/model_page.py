@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import paragraph, table
+from orishell.structure.changes import STOPPED
 from orishell.structure.model import Model, Stiffness
 from orishell.structure.settings import Support
 
@@ -60,9 +61,18 @@ def _rows(model: Model, said: Quantities) -> Iterator[tuple[str, str]]:
         "Mesh",
         f"{model.triangles} triangles, {model.nodes} nodes, {model.freedoms} degrees of freedom",
     )
-    changed = quantity(100 * model.change, "%", 3)
-    refined = f"displacements changed by {changed} when cells were halved for the last time"
-    yield "Refinement", refined
+    yield "Refinement", _changes_in_words(model)
+
+
+def _changes_in_words(model: Model) -> str:
+    """How figures changed with the mesh, and why it is no finer."""
+    shares = (model.change.displacement, model.change.stress, model.change.buckling)
+    moved, stress, buckling = (quantity(100 * share, "%", 2) for share in shares)
+    text = (
+        f"from the next coarser mesh displacements changed by {moved}, stress by {stress}, "
+        f"buckling factors by {buckling}"
+    )
+    return text if model.stopped is None else f"{text}; {STOPPED[model.stopped]}"
 
 
 def _sections_in_words(model: Model, said: Quantities) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
@@ -11,8 +12,9 @@ from orishell.conventions.record import record
 from orishell.conventions.row import ORDER, Sign, worst
 from orishell.document.loaded import LoadedShell
 from orishell.numerics.arrays import Array
+from orishell.structure.changes import refinement_warnings
 from orishell.structure.combinations import LimitState
-from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, told
+from orishell.structure.envelopes import STRENGTH, Envelope, envelopes, few, told
 from orishell.structure.equilibrium import GOVERNING, Equilibrium, Limiting
 from orishell.structure.loaded import loaded_shell
 from orishell.structure.loads import Load, Vector, vector
@@ -28,8 +30,6 @@ from orishell.structure.verdict import (
     ranked,
 )
 
-COARSE = 0.1
-"""Displacements that change by more than this share with cells half as large are not near."""
 LINEAR = "large displacements: all is linear, from the shape as it was designed"
 FOLLOWED = "pressure that turns with the shell: loads keep direction and size as it moves"
 NOT_COVERED = (
@@ -105,6 +105,11 @@ class CaseResult:
     def load(self) -> Vector:
         """Sum of all loads."""
         return vector(self.forces.sum(axis=0))
+
+    def of(self, model: Model) -> CaseResult:
+        """The same of a model that is told what refinement found."""
+        found = self.equilibrium
+        return self if found is None else replace(self, equilibrium=replace(found, model=model))
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
@@ -256,15 +261,11 @@ class Analysis:
         return (*self._warnings(), *warn_of_points(self.model, self.cases))
 
     def _warnings(self) -> Iterator[str]:
-        if self.model.change > COARSE:
-            yield (
-                f"displacements changed by {plain(100 * self.model.change, 3)} % when cells were "
-                "halved: use finer ones (cells, or refine, in [structure])"
-            )
+        yield from refinement_warnings(self.model.change, self.model.stopped)
         far = [self.name_of(case) for found, case in self.balanced if misleads(found)]
         if far:
             yield (
-                f"linear theory may mislead under {'; '.join(far)}: large displacements are "
+                f"linear theory may mislead under {few(far)}: large displacements are "
                 "followed with nonlinear = true in [structure]"
             )
         yield from doubts(self.model.structure, self.model.site.unit, self.model.design.panel)
@@ -274,8 +275,7 @@ class Analysis:
                 said.setdefault(text, {})[name] = None
         for text, names in said.items():
             every = names.keys() == {each.name for each in self.cases}
-            of = "all load cases" if every else f"load cases {', '.join(names)}"
-            yield f"{of}: {text}"
+            yield f"{'all load cases' if every else f'load cases {few(list(names))}'}: {text}"
 
     def name_of(self, case: CaseResult | Governing) -> str:
         """What a case is called, the stiffness of creases said where there are several.

@@ -145,9 +145,9 @@ class StructureTable(Table):
     expression: Expression = "6.10"  # of strength, in EN 1990
     factors: Factors = Factors()  # those of EN 1990
     # cells along every side of a panel, of two triangles each
-    cells: Annotated[int, Field(ge=1, le=32)] = 4
-    # cells are halved until the largest displacement changes by less than this share; 0 to leave
-    # them as they are
+    cells: Annotated[int, Field(ge=1, le=32)] = 6
+    # cells become finer until displacement, stress and buckling change by less than this share from
+    # the next coarser mesh; 0 to leave them as they are
     refine: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     nonlinear: bool = False  # whether large displacements are followed
 

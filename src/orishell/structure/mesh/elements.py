@@ -9,6 +9,7 @@ its own first corner: what is left of displacements there are strains, and round
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +19,9 @@ from orishell.numerics.arrays import Array, Integers
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
+
+CHUNK = 1_500_000
+"""Numbers that are worked on together, at most."""
 
 
 @record
@@ -66,8 +70,19 @@ def assemble(elements: Array, dofs: Integers, count: int) -> csr_array:
     dofs: Their dofs (T, k).
     count: Number of all dofs D.
     """
-    from scipy.sparse import coo_array
+    from scipy.sparse import coo_array, csr_array
 
-    size = dofs.shape[1]
-    rows, columns = np.repeat(dofs, size, axis=1).ravel(), np.tile(dofs, (1, size)).ravel()
-    return coo_array((elements.ravel(), (rows, columns)), shape=(count, count)).tocsr()
+    size, place = dofs.shape[1], dofs.astype(np.int32)
+    total = csr_array((count, count))
+    for some in chunks(len(dofs), size**2):
+        rows = np.repeat(place[some], size, axis=1).ravel()
+        columns = np.tile(place[some], (1, size)).ravel()
+        entries = elements[some].ravel(), (rows, columns)
+        total = total + coo_array(entries, shape=(count, count)).tocsr()
+    return total
+
+
+def chunks(count: int, size: int) -> Iterator[slice]:
+    """Parts of so many matrices of so many numbers, none larger than is quick to work on."""
+    many = max(1, CHUNK // size)
+    return (slice(first, first + many) for first in range(0, count, many))

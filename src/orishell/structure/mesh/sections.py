@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.design import PanelSpec
 from orishell.motion.boards import Boards
-from orishell.numerics.arrays import Array, Booleans, Integers
+from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.settings import Structure
 
 
@@ -46,9 +46,9 @@ class Section:
 LEAST = 1e-3
 """Where no board is, bending is at least that of a membrane with this share of a board's E t."""
 
-SAMPLES = np.array([[4, 1, 1], [1, 4, 1], [1, 1, 4], [2, 2, 2], [0.5, 2.75, 2.75]])
-SAMPLES = np.concatenate([SAMPLES, np.roll(SAMPLES[-1:], 1, 1), np.roll(SAMPLES[-1:], 2, 1)]) / 6
-"""Places in a triangle, by its corners, at which boards are looked for."""
+SAMPLES, WINDOW = 64, 16
+"""Places along a side of a panel at which boards are looked for, and over how many of them what is
+found is averaged, along both sides."""
 
 
 def panel_sections(
@@ -56,16 +56,18 @@ def panel_sections(
     build: PanelSpec | None,
     boards: Boards | None,
     flat: Array,
-    panels: Integers,
+    centres: Array,
 ) -> Section:
     """Sections of the triangles of meshed panels.
 
-    Gaps and chamfers of solid panels are not taken off.
+    Gaps and chamfers of solid panels are not taken off. Boards are averaged over a quarter of the
+    width of a panel, so that sections are the same whatever the mesh, and where corners have no
+    board a vertex still hangs on what is beside it.
 
     build: What panels are made of; None if they are of ``structure.thickness``.
     boards: The boards of a sandwich, numbered by the same panels.
-    flat: Corners (T, 3, 2) of the triangles in the flat sheet.
-    panels: The panel (T,) of each.
+    flat: Corners (F, 4, 2) of the panels in the flat sheet.
+    centres: Middles (F, t, 2) of the panels' triangles, as shares of the way down and across.
     """
     modulus, nu = structure.modulus, structure.poisson
     if build is None or boards is None or build.construction == "bevel":
@@ -74,33 +76,56 @@ def panel_sections(
         return Section.solid(modulus, thickness, nu)
     board = 0.5 * (build.thickness - build.membrane)
     away = 0.5 * (board + build.membrane)
-    top, bottom = (_covered(boards.chosen(boards.sides == side), flat, panels) for side in (1, -1))
-    number = top.astype(np.int64) + bottom  # boards (T, S) at every place
+    places = _places(flat)
+    top, bottom = (_covered(boards.chosen(boards.sides == side), places) for side in (1, -1))
+    number = top.astype(np.int64) + bottom  # boards (F, S, S) at every place
     plane, fabric = (each / (1 - nu**2) for each in (modulus, structure.membrane_modulus))
     alone = plane * board**3 / 12
-    bending = np.choose(number, [0.0, alone, 2 * (alone + plane * board * away**2)])
+    bends = np.choose(number, [0.0, alone, 2 * (alone + plane * board * away**2)])
+    boards_there = _averaged(number.astype(np.float64), centres)
+    bending = _averaged(np.asarray(bends, np.float64), centres)
     between = fabric * build.membrane
     return Section(
-        membrane=(plane * board * number).mean(axis=1) + between,
-        bending=bending.mean(axis=1) + max(between, LEAST * plane * board) * build.membrane**2 / 12,
+        membrane=plane * board * boards_there + between,
+        bending=bending + max(between, LEAST * plane * board) * build.membrane**2 / 12,
         poisson=nu,
         modulus=modulus,
-        reach=np.where(number.mean(axis=1) > 1, 0.5 * build.thickness, 0.5 * board),
+        reach=np.where(boards_there > 1, 0.5 * build.thickness, 0.5 * board),
     )
 
 
-def _covered(boards: Boards, flat: Array, panels: Integers) -> Booleans:
-    """Whether a board covers places (T, S) of the triangles; every panel has one at most."""
-    count = int(panels.max()) + 1
+def _places(flat: Array) -> Array:
+    """Places (F, S, S, 2) in panels with corners (F, 4, 2), downwards and to the right."""
+    share = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    down, right = share[:, None, None], share[:, None]
+    a, b, c, d = (each[:, None, None] for each in flat.swapaxes(0, 1))
+    return np.asarray(
+        (a * (1 - right) + d * right) * (1 - down) + (b * (1 - right) + c * right) * down
+    )
+
+
+def _averaged(found: Array, centres: Array) -> Array:
+    """Means (T,) of what is found at places (F, S, S), about middles of triangles (F, t, 2)."""
+    total = np.pad(found.cumsum(axis=1).cumsum(axis=2), ((0, 0), (1, 0), (1, 0)))
+    first = np.clip(np.rint(centres * SAMPLES - WINDOW / 2), 0, SAMPLES - WINDOW).astype(np.int64)
+    top, left = np.moveaxis(first, -1, 0)
+    bottom, right, panel = top + WINDOW, left + WINDOW, np.arange(len(found))[:, None]
+    inside = total[panel, bottom, right] - total[panel, top, right]
+    inside += total[panel, top, left] - total[panel, bottom, left]
+    return np.asarray(inside / WINDOW**2).ravel()
+
+
+def _covered(boards: Boards, places: Array) -> Booleans:
+    """Whether a board covers places (F, S, S, 2) of panels; every panel has one at most."""
+    count = len(places)
     outline = np.zeros((count, boards.outlines.shape[2], 2))
     outline[boards.panels] = boards.outlines[:, 0, :, :2]
     side = np.roll(outline, -1, axis=1) - outline
-    places = np.einsum("sk,tkx->tsx", SAMPLES, flat)
-    covered = np.ones(places.shape[:2], dtype=bool)
+    covered = np.ones(places.shape[:3], dtype=bool)
     for corner in range(outline.shape[1]):
-        x, y = np.moveaxis(places - outline[panels, corner][:, None], -1, 0)
-        along = side[panels, corner][:, None]
+        x, y = np.moveaxis(places - outline[:, corner, None, None], -1, 0)
+        along = side[:, corner, None, None]
         covered &= along[..., 0] * y >= along[..., 1] * x
     present = np.zeros(count, dtype=bool)
     present[boards.panels] = True
-    return covered & present[panels][:, None]
+    return covered & present[:, None, None]

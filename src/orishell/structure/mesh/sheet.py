@@ -15,8 +15,11 @@ from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import Facets
 
-CELLS = 4
+CELLS = 6
 """Cells along every side of a panel, of two triangles each."""
+GRADING = 0.6
+"""Cells at creases are narrower than those of a uniform mesh by this share, in the limit of many;
+those in the middle are wider by it, of panels that are as long as wide."""
 
 
 @record
@@ -63,19 +66,19 @@ class SheetMesh:
         return np.concatenate([translations, rotations], axis=-1).reshape(-1, 18)
 
 
-def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
+def mesh_sheet(
+    positions: Array, grid: Grid, cells: int = CELLS, grading: float = GRADING
+) -> SheetMesh:
     """Mesh the panels of a folded state.
 
     positions: Vertices (rows, columns, 3).
     cells: Cells along every side of a panel, at least 1.
+    grading: How much narrower cells at creases are; 0 for cells of one width.
     """
     faces, edges = grid.faces_vertices(), grid.faces_edges()
     nodes = _nodes(grid, faces, edges, cells)
     corners = positions.reshape(-1, 3)[faces]
-    down, right = (
-        each.ravel()[None, :, None]
-        for each in np.meshgrid(*[np.linspace(0, 1, cells + 1)] * 2, indexing="ij")
-    )
+    down, right = (each.reshape(len(faces), -1, 1) for each in _places(positions, cells, grading))
     top = corners[:, None, 0] * (1 - right) + corners[:, None, 3] * right
     bottom = corners[:, None, 1] * (1 - right) + corners[:, None, 2] * right
     points = np.empty((int(nodes.max()) + 1, 3))
@@ -86,6 +89,44 @@ def mesh_sheet(positions: Array, grid: Grid, cells: int = CELLS) -> SheetMesh:
     triangles = flat[:, pattern].reshape(-1, 3)
     places = np.arange(flat.size).reshape(flat.shape)[:, pattern].reshape(-1, 3)
     return SheetMesh(Facets(points, triangles), nodes, places)
+
+
+def count_freedoms(grid: Grid, cells: int) -> int:
+    """Number of dofs of a mesh with so many cells along every side of a panel."""
+    inside, panels = cells - 1, len(grid.faces_vertices())
+    nodes = grid.vertex_count + inside * len(grid.edges_vertices()) + panels * inside**2
+    return int(3 * nodes + 3 * panels * (cells + 1) ** 2)
+
+
+def _places(positions: Array, cells: int, grading: float) -> tuple[Array, Array]:
+    """Nodes of all panels (F, cells+1, cells+1), as shares of the way down, and across.
+
+    Panels that share a crease have the same there, so shares down are those of a row of panels,
+    shares across those of a column. Along the longer sides of panels cells differ less: those in
+    the middle would be as long as waves of buckling.
+    """
+    tall = np.linalg.norm(np.diff(positions, axis=0), axis=-1).mean(axis=1)
+    wide = np.linalg.norm(np.diff(positions, axis=1), axis=-1).mean(axis=0)
+    even = np.linspace(0, 1, cells + 1)
+    wave = np.sin(2 * np.pi * even) / (2 * np.pi)
+    down, right = (
+        even - grading * np.minimum(1.0, other.mean() / own)[:, None] * wave
+        for own, other in ((tall, wide), (wide, tall))
+    )
+    shape = len(tall), len(wide), cells + 1, cells + 1
+    both = (
+        np.broadcast_to(down[:, None, :, None], shape),
+        np.broadcast_to(right[None, :, None, :], shape),
+    )
+    first, second = (each.reshape(-1, *shape[2:]) for each in both)
+    return first, second
+
+
+def centres(positions: Array, cells: int) -> Array:
+    """Middles (F, 2 cells^2, 2) of the panels' triangles, as shares of the way down and across."""
+    places = np.stack(_places(positions, cells, GRADING), axis=-1)
+    corners = places.reshape(len(places), -1, 2)[:, _triangles(cells)]
+    return np.asarray(corners.mean(axis=2))
 
 
 def _cells(cells: int) -> Integers:

@@ -23,7 +23,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Integers
-from orishell.structure.mesh.elements import Elements
+from orishell.structure.mesh.elements import Elements, chunks
 from orishell.structure.mesh.sections import Section
 
 DOFS = 6
@@ -60,14 +60,22 @@ class Facets:
 
     def element_stiffness(self, section: Section) -> Array:
         """Stiffness (T, 18, 18) of every triangle in the world's axes."""
-        flat = self.flat()
-        local = np.zeros((len(flat), 18, 18))
-        membrane = membrane_stiffness(flat, section.matrix(section.membrane), section.poisson)
-        plate = plate_stiffness(flat, section.matrix(section.bending))
-        for part, own in ((membrane, IN_PLANE), (plate, OUT_OF_PLANE)):
-            places = (DOFS * np.arange(3)[:, None] + np.array(own)).ravel()
-            local[:, places[:, None], places] = part
-        return self.turned(local)
+        found = np.empty((len(self.triangles), 18, 18))
+        plane, bending = (
+            np.broadcast_to(section.matrix(each), (len(found), 3, 3))
+            for each in (section.membrane, section.bending)
+        )
+        for some in chunks(len(found), 18 * 18):
+            part = Facets(self.points, self.triangles[some])
+            flat = part.flat()
+            membrane = membrane_stiffness(flat, plane[some], section.poisson)
+            plate = plate_stiffness(flat, bending[some])
+            local = np.zeros((len(flat), 18, 18))
+            for stiffness, own in ((membrane, IN_PLANE), (plate, OUT_OF_PLANE)):
+                places = (DOFS * np.arange(3)[:, None] + np.array(own)).ravel()
+                local[:, places[:, None], places] = stiffness
+            found[some] = part.turned(local)
+        return found
 
     def turned(self, local: Array) -> Array:
         """Matrices (T, 18, 18) in the world's axes, of those in every triangle's own axes."""

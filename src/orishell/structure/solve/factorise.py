@@ -11,6 +11,7 @@ from orishell.motion.grid import Grid
 from orishell.numerics.arrays import Array, Integers
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.sheet import SheetMesh
+from orishell.structure.solve.condense import condense
 from orishell.structure.solve.conditions import Conditions, put_rows
 from orishell.structure.solve.factorised import Factorised
 
@@ -39,9 +40,10 @@ def factorise(
     Raises DesignError: If it swings in so many ways.
     """
     vertices = grid.vertices()
-    found = _sprung(elements, mesh, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
+    sheet = mesh, grid
+    found = _sprung(elements, sheet, supported, conditions, vertices[np.ix_([0, -1], [0, -1])])
     if found is None and vertices.size <= SWINGING:
-        found = _sprung(elements, mesh, supported, conditions, vertices)
+        found = _sprung(elements, sheet, supported, conditions, vertices)
     if found is None:
         raise DesignError(
             "the shell is a mechanism of many ways to move: creases that do not fold at the target "
@@ -53,15 +55,15 @@ def factorise(
 
 def _sprung(
     elements: Sequence[Elements],
-    mesh: SheetMesh,
+    sheet: tuple[SheetMesh, Grid],
     supported: Integers,
     conditions: Conditions,
     vertices: Integers,
 ) -> Factorised | None:
     """The structure with springs at some vertices; None if it is singular all the same."""
     from scipy.sparse import csr_array
-    from scipy.sparse.linalg import splu
 
+    mesh, grid = sheet
     first, *others = (each.assembled() for each in elements)
     stiffness = sum(others, first)
     free = np.setdiff1d(np.arange(mesh.count), supported)
@@ -78,12 +80,12 @@ def _sprung(
     springs = np.full(len(rows), SPRING * stiffness.diagonal()[: mesh.translations().size].mean())
     own = np.flatnonzero(conditions.compliance)
     springs[own] = 1 / conditions.compliance[own]
-    inner = stiffness[free][:, free]
     sparse = csr_array(rows)
-    sprung = (inner + sparse.T @ (sparse * springs[:, None])).tocsc()
-    factors = splu(
-        sprung, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-    )
+    sprung = (stiffness[free][:, free] + sparse.T @ (sparse * springs[:, None])).tocsc()
+    del stiffness, first, others
+    factors = condense(mesh, grid, elements, (csr_array(every_row), springs), free)
+    if factors is None:
+        return None
     if _loosest(factors.solve, len(free)) < LOOSE * sprung.diagonal().max():
         return None
     spread = factors.solve(np.ascontiguousarray(rows.T))
