@@ -319,7 +319,7 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     )
     kit = judge(boards, with_creases(boards))
     assert kit.mass == pytest.approx(86.8, abs=0.05)
-    assert kit.buckling == pytest.approx(0.0197, rel=0.01)
+    assert kit.buckling == pytest.approx(0.0241, rel=0.01)
     assert kit.displaced > 1
     assert not kit.carries
     # With free creases it is far too soft for a storm, pinned as it is.
