@@ -329,7 +329,7 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     plywood = design(module["PLYWOOD"])
     rigid = judge(plywood, with_creases(plywood))
     assert rigid.carries
-    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.36, 0.010)
+    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.78, 0.010)
 
 
 @thorough
