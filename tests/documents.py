@@ -67,7 +67,9 @@ def loaded_document(family: str = "parallel-repeating", cells: int = 1) -> Docum
             LoadedCase(
                 "snow, free creases", "fails", False, down, up, np.full(len(triangles), np.nan)
             ),
-            LoadedCase("wind", "holds", True, up, 0.001 * up, stress),
+            LoadedCase(
+                "wind", "holds", True, up, 0.001 * up, stress, ((12.3456, up), (20.0, down))
+            ),
             LoadedCase("snow, rigid creases", "warns", True, down, 0.002 * down, 2 * stress),
         ),
     )

@@ -319,7 +319,7 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     )
     kit = judge(boards, with_creases(boards))
     assert kit.mass == pytest.approx(86.8, abs=0.05)
-    assert kit.buckling == pytest.approx(0.0197, rel=0.01)
+    assert kit.buckling == pytest.approx(0.0241, rel=0.01)
     assert kit.displaced > 1
     assert not kit.carries
     # With free creases it is far too soft for a storm, pinned as it is.
@@ -329,7 +329,7 @@ def test_shelter_stands(capsys: pytest.CaptureFixture[str]) -> None:
     plywood = design(module["PLYWOOD"])
     rigid = judge(plywood, with_creases(plywood))
     assert rigid.carries
-    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.36, 0.010)
+    assert (round(rigid.buckling, 2), round(rigid.displaced, 3)) == (4.78, 0.010)
 
 
 @thorough

@@ -19,6 +19,9 @@ class LoadedCase:
     forces: Array  # loads on nodes (N, 3) (N)
     displacements: Array  # of nodes (N, 3) (length)
     stresses: Array  # the larger of von Mises' stresses (T,) at both faces (force per area)
+    # the lowest factors of all loads under which it buckles, and displacements (N, 3) of the mode,
+    # the largest is 1
+    buckling: tuple[tuple[float, Array], ...] = ()
 
 
 @record

@@ -174,7 +174,7 @@ def _equilibrium(model: Model, solved: _Solved, *, modes: bool) -> Equilibrium:
     if solved.limit_state in STRENGTH:
         inverse = Inverse.of(structure, response.active, response.motions)
         geometric = turned_by_load(model, structure, response.forces, borne.forces)
-        factors, shapes = find_buckling(inverse, geometric, BUCKLING)
+        factors, shapes = find_buckling(inverse, geometric, BUCKLING if modes else 1)
         if modes and model.site.areal_mass:
             mass = model.inertia()[structure.free]
             frequencies, swinging = find_frequencies(inverse, mass, FREQUENCIES)

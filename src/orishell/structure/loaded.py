@@ -43,6 +43,10 @@ def _loaded(analysis: Analysis, case: CaseResult) -> LoadedCase:
         balanced=case.motion is None,
         forces=case.forces,
         displacements=shown.displacements,
+        # Where large displacements are followed there is a factor, but no mode.
+        buckling=()
+        if held is None
+        else tuple(zip(held.buckling_factors, held.buckling_modes, strict=False)),
         stresses=np.zeros(count)
         if case.equilibrium is None
         else case.equilibrium.stresses.max(axis=1),

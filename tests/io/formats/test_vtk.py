@@ -109,6 +109,9 @@ def test_the_structure_beside_the_states(tmp_path: Path) -> None:
         assert (stress in mesh.cell_data) == case.balanced
         if case.balanced:
             np.testing.assert_array_equal(mesh.cell_data[stress][0], case.stresses)
+    _, (_, mode) = shell.cases[1].buckling
+    np.testing.assert_array_equal(mesh.point_data["buckles under 20 times: wind"], mode)
+    assert "buckles under 12.35 times: wind" in mesh.point_data
     assert mesh.field_data["metres_per_unit"] == 1.0
     write_vtk(tmp_path / "again.pvd", document, Settings())
     again = (tmp_path / "again-structure.vtu").read_bytes()

@@ -58,7 +58,7 @@ def _write_state(path: Path, document: Document, state: DocumentState) -> None:
 
 
 def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None:
-    """Write the meshed shell with what loads, deflects and stresses it in every case.
+    """Write the meshed shell with what loads, deflects, stresses and buckles it in every case.
 
     Displacements of a case that nothing holds are those of its free motion, and it has no stresses.
     """
@@ -70,6 +70,8 @@ def _write_structure(path: Path, document: Document, shell: LoadedShell) -> None
         moved = "displacement" if case.balanced else "free motion"
         name = escape(case.name, {'"': "&quot;"})  # meshio writes names as they are
         point_data |= {f"{moved}: {name}": case.displacements, f"load: {name}": case.forces}
+        for factor, mode in case.buckling:
+            point_data[f"buckles under {factor:.4g} times: {name}"] = mode
         if case.balanced:
             cell_data[f"von Mises: {name}"] = [case.stresses]
     cells = ("triangle", shell.triangles)
