@@ -18,6 +18,8 @@ from orishell.structure.solve.moving import Factors, Moving
 
 BALANCED = 1e-8
 """Forces in balance miss at most this share of the loads."""
+NOISY = 1e-3
+"""Step by step of the load, rounding excuses no more than this share of it."""
 TURNS, AIM = 14, 5
 """Newton's steps within a step of the path at most, and about how many are wanted."""
 GROWTH, SMALLEST = 2.0, 1e-4
@@ -193,7 +195,8 @@ def _settled(moving: Moving, near: Moved, loads: Array, factor: float) -> Point 
         missing = moving.size(rest) / scale
         if not np.isfinite(missing):
             return None
-        if missing <= BALANCED * abs(factor) + moving.noise(moved) / scale:
+        noise = min(moving.noise(moved) / scale, NOISY * abs(factor))
+        if missing <= BALANCED * abs(factor) + noise:
             return Point(factor, moved, tangent.negative, missing, moving)
         step = tangent.solve(rest)
         moved, expected = moving.after(moved, step), tangent.expected(step)
