@@ -93,9 +93,9 @@ def survey(seeds: range) -> dict[str, int]:
 
 
 def test_random_shells_keep_to_coulombs_law() -> None:
-    ends = survey(range(30))
-    assert sum(ends.values()) >= 20
-    assert ends["holds"] >= 10
+    ends = survey(range(20))
+    assert sum(ends.values()) >= 14
+    assert ends["holds"] >= 8
 
 
 @pytest.mark.slow
@@ -121,6 +121,17 @@ def test_shells_that_had_no_answer_have_one(path: Path) -> None:
     assert case.equilibrium.residual < 1e-12
     assert case.equilibrium.friction is not None
     assert case.equilibrium.friction <= 1 + 1e-9
+
+
+def test_a_shell_that_goes_far_has_a_state() -> None:
+    """It goes 4e4 times as far as springs would let it: rounding is by y, not by loads."""
+    assert survey(range(512, 513))["slides away"] == 1
+
+
+def test_no_friction_is_needed_where_smooth_ground_does() -> None:
+    """Found by 1e-4 of a coefficient, not by halving until numbers end."""
+    _, held, loads = rough_shell(512).loaded()
+    assert needed_friction(held, loads) == pytest.approx(0.0, abs=2e-4)
 
 
 def test_a_heavier_foot_takes_what_a_lighter_one_lets_slip() -> None:
