@@ -50,11 +50,13 @@ class Change:
 
     forces: Array  # forces (T, k)
     matrices: Array  # their change (T, k, k)
-    borne: Array | None = None  # forces f (T, k) in the elements' own frames
-    slope: Array | None = None  # by how much these change (T, k, k)
+    borne: Array | None = None  # forces f (T, m) in the elements' own frames
+    slope: Array | None = None  # by how much these change (T, m, k)
+    # by what forces are others than those where displacements are (norm of forces)
+    other: float = 0.0
 
     def expected(self, step: Array) -> Array | None:
-        """Forces f (T, k) that are expected after a step (T, k)."""
+        """Forces f (T, m) that are expected after a step (T, k)."""
         if self.borne is None or self.slope is None:
             return None
         return np.asarray(self.borne + np.einsum("tij,tj->ti", self.slope, step))
@@ -277,7 +279,10 @@ class Folds(Elastic):
         return np.concatenate([-pull, pull], axis=1)
 
     def tangent(self, moved: Moved, expected: Array | None = None) -> Change:
-        """Moments (m, 6), and how they change."""
+        """Moments (m, 6), and how they change.
+
+        expected: Moments (m, 1) with which creases turn; None for those that they have.
+        """
         first, vectors = self._relative(moved)
         change = change_matrices(vectors)
         moment = self.stiffness * np.sum(self.along * vectors, axis=1)
@@ -285,14 +290,16 @@ class Folds(Elastic):
         both = np.concatenate([-lever, lever], axis=1)
         tangent = self.stiffness[:, None, None] * both[:, :, None] * both[:, None]
         turned = first @ change_derivatives(vectors, self.along) @ change @ first.swapaxes(1, 2)
-        turned *= moment[:, None, None]
-        spun = moment[:, None, None] * cross_matrices(lever)
+        turning = (moment if expected is None else expected[:, 0])[:, None, None]
+        turned *= turning
+        spun = turning * cross_matrices(lever)
         # The lever changes by -[lever] psi_1 + turned (psi_2 - psi_1).
         tangent[:, 3:, :3] += -spun - turned
         tangent[:, 3:, 3:] += turned
         tangent[:, :3, :3] += spun + turned
         tangent[:, :3, 3:] += -turned
-        return Change(moment[:, None] * both, tangent)
+        slope = self.stiffness[:, None] * both
+        return Change(moment[:, None] * both, tangent, moment[:, None], slope[:, None])
 
     def _relative(self, moved: Moved) -> tuple[Array, Array]:
         """The rotations R_1 (m, 3, 3), and the vectors (m, 3) of R_1^T R_2."""

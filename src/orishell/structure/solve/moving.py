@@ -70,6 +70,11 @@ class Factors:
     changes: tuple[Change, ...]  # of its parts
     _factors: Any
 
+    @property
+    def other(self) -> float:
+        """By what forces are others than those where displacements are (norm of forces)."""
+        return float(np.linalg.norm([each.other for each in self.changes]))
+
     def solve(self, loads: Array) -> Array:
         """Steps (n, ...) by loads (n, ...); not numbers if the tangent is singular."""
         if self._factors is None:

@@ -148,7 +148,7 @@ def _corrected(
     for turn in range(1, TURNS + 1):
         forces, tangent = moving.tangent(ahead.moved, ahead.expected)
         rest = ahead.factor * pull - forces[moving.free]
-        missing = moving.size(rest) / scale
+        missing = (moving.size(rest) + tangent.other) / scale
         if missing <= BALANCED * abs(ahead.factor) + moving.noise(ahead.moved) / scale:
             point = Point(ahead.factor, ahead.moved, tangent.negative, missing, moving)
             return point, ahead.step, tangent, turn
@@ -190,7 +190,7 @@ def _settled(moving: Moving, near: Moved, loads: Array, factor: float) -> Point 
     for _ in range(2 * TURNS):
         forces, tangent = moving.tangent(moved, expected)
         rest = factor * pull - forces[moving.free]
-        missing = moving.size(rest) / scale
+        missing = (moving.size(rest) + tangent.other) / scale
         if not np.isfinite(missing):
             return None
         if missing <= BALANCED * abs(factor) + moving.noise(moved) / scale:
