@@ -89,10 +89,14 @@ def test_any_sheet_whose_flaps_have_a_stop(request: Request, share: float, seed:
     half = np.where(drives == end, np.sqrt(np.finfo(float).eps), 0.0)
     off = np.abs(panel_distances(states) - panel_distances(flat)).reshape(len(drives), -1)
     assert (off.max(axis=1) < rounding + half * size).all()
+    # An angle is off by what corners are, over the narrowest panel: 0.01 of that was seen.
+    sides = flat.reshape(-1, 3)[sheet.grid.faces_vertices()]
+    narrow = np.linalg.norm(np.roll(sides, 1, axis=1) - sides, axis=-1).min()
+    least = 0.2 * rounding / narrow
     measured = measure_fold_angles(states)
     for closed, found in ((folds.row, measured.row), (folds.column, measured.column)):
         difference = np.abs((closed - found + np.pi) % (2 * np.pi) - np.pi)
-        assert (difference.reshape(len(drives), -1).max(axis=1, initial=0) < 1e-11 + half).all()
+        assert (difference.reshape(len(drives), -1).max(axis=1, initial=0) < least + half).all()
 
     # The flap crease that folds most is open by twice the stop; none turns over.
     of_flaps = np.abs(stopped.fold_angles(target).row)[:, list(stopped.flap_columns)]

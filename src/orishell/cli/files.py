@@ -15,6 +15,7 @@ import typer
 
 from orishell.conventions.errors import InputError, printable
 from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.quantities import SPACE
 from orishell.io.formats import ALL, format_modules
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 def say(text: str, *, err: bool = False) -> None:
     """Print lines, with all control characters but line breaks escaped."""
+    text = text.replace(SPACE, " ")  # that of pages, before units
     typer.echo("\n".join(map(printable, text.split("\n"))), err=err)
 
 

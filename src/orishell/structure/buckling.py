@@ -43,7 +43,7 @@ def share_at_points(model: Model, structure: Factorised, modes: Array) -> Array:
     points = model.supports.points
     if not (len(points) and modes.size):
         return np.zeros(modes.shape[1])
-    elements = model.mesh.elements(model.section)
+    elements = model.elements
     standing = np.asarray(np.isin(model.grid.faces_vertices(), points).any(axis=1))
     there = standing[model.mesh.panels]
     energies = []

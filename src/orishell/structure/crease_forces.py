@@ -83,7 +83,7 @@ def hold_panels(
     mesh, grid = model.mesh, model.grid
     springs = min(stiffness, rigid_stiffness(mesh, model.section))
     turning = hinge_elements(mesh, grid, springs).forces(moved) if stiffness else None
-    forces = mesh.elements(model.section).forces(moved)
+    forces = model.elements.forces(moved)
     found = find_edge_forces(mesh, grid, forces, turning, loads, supported=_held(model))
     return _balanced(found, scale)
 

@@ -21,6 +21,7 @@ from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
 from orishell.structure.loads import Exposure
+from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
 from orishell.structure.mesh.sections import Section, panel_sections
 from orishell.structure.mesh.sheet import SheetMesh, centres, mesh_sheet
@@ -286,10 +287,15 @@ class Model:
             ]
         )
 
+    @cached_property
+    def elements(self) -> Elements:
+        """The triangles as elements."""
+        return self.mesh.elements(self.section)
+
     def factorised(self, stiffness: float) -> Factorised:
         """The structure with creases of a stiffness (force per radian), factorised."""
         mesh = self.mesh
-        elements = [mesh.elements(self.section)]
+        elements = [self.elements]
         if stiffness:
             springs = min(stiffness, rigid_stiffness(mesh, self.section))
             elements.append(hinge_elements(mesh, self.grid, springs))

@@ -23,6 +23,7 @@ by the integral of N dw/dr dw/dr r, what counts is the slope along r, not its me
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -42,7 +43,7 @@ def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr
     forces: Along x, along y and in shear (T, 3), in a triangle's axes (force per length).
     points: Nodes (k,) at which forces enter.
     """
-    from scipy.sparse import csr_array, eye_array, vstack
+    from scipy.sparse import csr_array
 
     facets = mesh.facets
     x, y, xy = forces.T
@@ -53,9 +54,17 @@ def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr
     energy = np.einsum("tadi,tde,taej->tij", slopes, tensor, slopes, optimize=True)
     elements = facets.turned(energy * facets.areas()[:, None, None])
     by_rotations = assemble(elements, mesh.dofs(), mesh.count)
-    displaced = eye_array(mesh.count, format="csr")[: mesh.translations().size]
-    smooth = vstack([displaced, smooth_rotations(mesh)], format="csr")
+    smooth = _smoothing(mesh)
     return csr_array(smooth.T @ by_rotations @ smooth)
+
+
+@lru_cache(maxsize=2)
+def _smoothing(mesh: SheetMesh) -> csr_array:
+    """All dofs (D, D) by displacements alone, kept for the load cases of a mesh."""
+    from scipy.sparse import eye_array, vstack
+
+    displaced = eye_array(mesh.count, format="csr")[: mesh.translations().size]
+    return vstack([displaced, smooth_rotations(mesh)], format="csr")
 
 
 def mean_slopes(corners: Array) -> Array:

@@ -3,7 +3,7 @@
 Where a rotation of the vector t is turned further by a small w, exp([w]) exp([t]), its vector
 changes by H(t) w with
 
-    H = 1 - [t]/2 + e [t]^2,        e = (1 - |t|/2 cot(|t|/2)) / |t|^2
+    H = 1 - [t]/2 + e [t]^2,        e = (1 - s/2 cot(s/2)) / s^2,  s = abs(t)
 
 (the inverse of the left Jacobian of SO(3); C. A. Felippa and B. Haugen, "A unified formulation of
 small-strain corotational finite elements", Computer Methods in Applied Mechanics and Engineering

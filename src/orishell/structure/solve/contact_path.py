@@ -156,7 +156,7 @@ def _step(slope: Array, missing: Array) -> Array:
     try:
         return np.asarray(np.linalg.solve(slope, -missing))
     except np.linalg.LinAlgError:
-        return np.asarray(np.linalg.lstsq(slope, -missing, rcond=None)[0])
+        return np.asarray(-np.linalg.pinv(slope) @ missing)
 
 
 def _by_steps(contact: Contact, y: Array) -> Array | None:

@@ -110,15 +110,15 @@ class Factorised:
         return np.asarray(found + self._factors.solve(loads - self._inner @ found))
 
     def quick_solve(self, loads: Array) -> Array:
-        """A^-1 f (n,) of loads (n,), not refined."""
+        """A^-1 f (n, p) of loads (n, p), not refined."""
         return np.asarray(self._factors.solve(loads))
 
     def soft_stiffness(self, moved: Array, active: Booleans) -> Array:
-        """Forces (n,) of panels, hinges and those rows that are active (M,) and give.
+        """Forces (n, p) of panels, hinges and those rows that are active (M,) and give.
 
-        The structure is moved (n,).
+        The structure is moved (n, p).
         """
-        taken = np.where(active & ~self._hard, 0.0, self.springs)
+        taken = np.where(active & ~self._hard, 0.0, self.springs)[:, None]
         return np.asarray(self._inner @ moved - self.rows.T @ (taken * (self.rows @ moved)))
 
     def motions(self, active: Booleans) -> Array:

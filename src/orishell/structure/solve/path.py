@@ -8,6 +8,7 @@ corrected on the plane that is square to the step as it is (E. Ramm, 1981).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -23,6 +24,8 @@ TURNS, AIM = 14, 4
 KEPT = 0.1
 """A tangent, but not the first, which is at a guess, is used again as long as what is missing falls
 to this share of what it was."""
+NOISY = 1e-3
+"""Step by step of the load, rounding excuses no more than this share of it."""
 GROWTH, SMALLEST = 2.0, 1e-4
 """A step is at most so much longer than the last, and no shorter than this share of the first."""
 TOUCHING = 1e-6
@@ -40,6 +43,7 @@ class Point:
     negative: int  # in how many ways it would move on by itself
     residual: float  # what is missing in balance, as a share of the loads
     moving: Moving  # the structure, with what it remembers of the way there
+    nudged: bool = False  # whether there is a nudge beside the loads
 
 
 @record
@@ -102,6 +106,7 @@ def trace(
         if found is None:
             break
         point, before, tangent, tangents = found
+        point = replace(point, nudged=nudge is not None)
         if here.factor < until <= point.factor:
             part = (until - here.factor) / (point.factor - here.factor)
             near = moving.after(here.moved, part * before)
@@ -201,7 +206,8 @@ def _settled(moving: Moving, near: Moved, loads: Array, factor: float) -> Point 
         missing = (moving.size(rest) + tangent.other) / scale
         if not np.isfinite(missing):
             return None
-        if missing <= BALANCED * abs(factor) + moving.noise(moved) / scale:
+        noise = min(moving.noise(moved) / scale, NOISY * abs(factor))
+        if missing <= BALANCED * abs(factor) + noise:
             return Point(factor, moved, tangent.negative, missing, moving)
         if used is None or turn == 2 or missing > KEPT * before:
             used = tangent

@@ -11,7 +11,6 @@ Ties, flaps and feet that act under the load are taken to go on active.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,16 +19,19 @@ from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans, Integers
 from orishell.structure.mesh.elements import assemble
 from orishell.structure.solve.factorised import Factorised
+from orishell.structure.solve.krylov import Apply, largest_values
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 SEED = 0
-ACCURACY = 1e-8
-"""Relative accuracy of modes' values."""
-RESTARTS = 300
-"""Lanczos' iteration for buckling is given up after so many: what it has not found by then is none.
-A shell that is pulled all over has no positive value to find, and many just below 0."""
+SPARE = 2
+"""Vectors of a block beyond the values that are asked for."""
+BLOCKS = 80
+"""Krylov's iteration is given up after so many blocks: what it has not found by then is none. A
+shell that is pulled all over has no positive value to find, and many just below 0."""
+LOOSE = 1e-4
+"""Modes that are off by more than this share by energy are none that are found."""
 
 
 @record
@@ -47,51 +49,32 @@ class Inverse:
         return cls(structure, active, motions, structure.law(active))
 
     def solve(self, loads: Array) -> Array:
-        """Displacements (n,) under loads (n,) without those along free motions."""
+        """Displacements (n, p) under loads (n, p) without those along free motions."""
         structure = self.structure
         direct = structure.quick_solve(loads - self.motions @ (self.motions.T @ loads))
         moved = direct + structure.spread @ (self._law @ (structure.rows @ direct))
         return np.asarray(moved - self.motions @ (self.motions.T @ moved))
 
     def stiffness(self, moved: Array) -> Array:
-        """Forces (n,) of a structure that is moved (n,) as rows which act allow."""
+        """Forces (n, p) of a structure that is moved (n, p) as rows which act allow."""
         return np.asarray(self.structure.soft_stiffness(moved, self.active))
 
 
-def largest(
-    inverse: Inverse, apply: Callable[[Array], Array], count: int, restarts: int | None = None
-) -> tuple[Array, Array]:
+def largest(inverse: Inverse, apply: Apply, count: int) -> tuple[Array, Array]:
     """Largest values (k,) of a matrix relative to the stiffness, and their vectors (n, k).
 
-    apply: Products of the symmetric matrix with vectors (n,).
-    count: Number k of values.
-    restarts: How many iterations there may be. Then those that are found are returned, maybe fewer.
-    """
-    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
+    Those that are found: maybe fewer, if most are about 0.
 
+    apply: Products of the symmetric matrix with vectors (n, p).
+    count: Number k of values.
+    """
     size = len(inverse.structure.free)
-    start = inverse.solve(np.random.default_rng(SEED).standard_normal(size))
-    matrix, stiffness, solved = (
-        LinearOperator((size, size), matvec=each, dtype=np.float64)
-        for each in (apply, inverse.stiffness, inverse.solve)
+    start = np.random.default_rng(SEED).standard_normal((size, min(count + SPARE, size)))
+    values, vectors, errors = largest_values(
+        inverse.solve, inverse.stiffness, apply, start, count, blocks=BLOCKS
     )
-    try:
-        values, vectors = eigsh(
-            matrix,
-            count,
-            M=stiffness,
-            Minv=solved,
-            which="LA",
-            v0=start,
-            tol=ACCURACY,
-            maxiter=restarts,
-        )
-    except ArpackNoConvergence as failure:
-        if restarts is None:
-            raise
-        values, vectors = failure.eigenvalues, failure.eigenvectors  # type: ignore[assignment]
-    order = np.argsort(values)[::-1]
-    return values[order], vectors[:, order]
+    found = errors <= LOOSE * np.abs(values)
+    return values[found], vectors[:, found]
 
 
 def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, Array]:
@@ -106,7 +89,7 @@ def find_frequencies(inverse: Inverse, mass: Array, count: int) -> tuple[Array, 
     def apply(moved: Array) -> Array:
         # Without the free motions' share, so that what is left is in balance.
         bare = moved - free @ (held_back @ moved)
-        return np.asarray(mass * bare - heavy @ (held_back @ bare))
+        return np.asarray(mass[:, None] * bare - heavy @ (held_back @ bare))
 
     values, modes = largest(inverse, apply, count)
     return 1 / np.sqrt(values) / (2 * np.pi), modes - free @ (held_back @ modes)
@@ -145,6 +128,6 @@ def find_buckling(inverse: Inverse, geometric: csr_array, count: int) -> tuple[A
     """
     if not geometric.count_nonzero():  # nothing is loaded
         return np.zeros(0), np.zeros((len(inverse.structure.free), 0))
-    values, modes = largest(inverse, lambda moved: -(geometric @ moved), count, RESTARTS)
+    values, modes = largest(inverse, lambda moved: -(geometric @ moved), count)
     buckles = values > NEVER
     return 1 / values[buckles], modes[:, buckles]
