@@ -66,3 +66,22 @@ def test_no_thickness_holds_what_gives_way(tmp_path: Path) -> None:
     assert loose.analysis is not None
     assert loose.analysis.carries is False
     assert offer(loose) == ""
+
+
+def test_it_is_not_tried_where_every_case_would_be_followed_again(tmp_path: Path) -> None:
+    """Large displacements take a minute a case, and nothing could end them in time.
+
+    It buckles, and what is said of its last load is in balance, without the nudge that found more.
+    """
+    path = tmp_path / "arch.toml"
+    text = ARCH.replace("[[load_case]]", "nonlinear = true\n[[load_case]]")
+    path.write_text(text.format(thickness=0.003, kind="pinned"))
+    shell = make_shell(read_design_file(path), clash="unexamined")
+    assert shell.analysis is not None
+    assert shell.analysis.carries is False
+    found = shell.analysis.cases[0].equilibrium
+    assert found is not None
+    assert found.path is not None
+    assert found.path.ending == "branches"
+    assert found.residual < 1e-8
+    assert offer(shell) == ""

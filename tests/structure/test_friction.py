@@ -15,11 +15,14 @@ from orishell.design_file import read_design_file
 from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.structure.feet import find_feet
+from orishell.structure.free_motion import describe_motion
+from orishell.structure.solve import active_set, bearing
 from orishell.structure.solve.active_set import Response, respond
 from orishell.structure.solve.bearing import driven_motion, needed_friction, with_friction
 from orishell.structure.solve.conditions import on_ground
 from orishell.structure.solve.factorised import GIVE, Factorised
-from structure.rough_shells import loaded_shells, missing
+from orishell.structure.verdict import against_motion
+from structure.rough_shells import loaded_shells, missing, rough_shell
 from structure.test_one_sided import CORNERS, load, middle, slab
 
 SHARP = 1e-8
@@ -29,7 +32,11 @@ POLYGON = 1 / np.cos(np.pi / 96)
 
 
 def require_coulomb(held: Factorised, loads: Array, found: Response) -> None:
-    """Cone and complementarity, of forces and of gaps by displacements, and equilibrium."""
+    """Cone and complementarity, of forces and of gaps by displacements, and equilibrium.
+
+    Forces to 1e-8 of the sum of all loads' sizes, lengths to 1e-8 of the shell's largest
+    displacement; the cone to 1e-9 of what a foot can rub, equilibrium to 1e-8 of the loads.
+    """
     conditions, count = held.conditions, len(held.conditions)
     rough, force = conditions.rough, SHARP * float(np.abs(loads).sum())
     rest = loads - (found.taken + held.pulls(found.forces))[held.free]
@@ -56,7 +63,11 @@ def require_coulomb(held: Factorised, loads: Array, found: Response) -> None:
 
 
 def survey(seeds: range) -> dict[str, int]:
-    """How random shells end, each tried for Coulomb's law and against a linear program."""
+    """How random shells end, each tried for Coulomb's law and against a linear program.
+
+    Shells move if the program misses more than 1e-6 of the loads with its polygon inside the
+    circle; they do not if it misses less than 1e-5 with its polygon outside.
+    """
     ends = dict.fromkeys(("holds", "slides away", "moves", "between"), 0)
     for seed, model, held, loads in loaded_shells(seeds):
         found = respond(held, loads)
@@ -64,7 +75,8 @@ def survey(seeds: range) -> dict[str, int]:
         if found.moves is not None:
             assert loads @ found.moves > 0
             ends["slides away" if found.slides else "moves"] += 1
-            assert found.slides or inner > 3e-7, seed
+            assert not found.unknown, seed
+            assert found.slides or inner > 1e-6, seed
             assert not found.slides or outer < 1e-5, seed
             continue
         assert outer < 1e-5, seed
@@ -81,13 +93,13 @@ def survey(seeds: range) -> dict[str, int]:
 
 
 def test_random_shells_keep_to_coulombs_law() -> None:
-    ends = survey(range(30))
-    assert sum(ends.values()) >= 20
-    assert ends["holds"] >= 10
+    ends = survey(range(20))
+    assert sum(ends.values()) >= 14
+    assert ends["holds"] >= 8
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("first", range(0, 360, 40))
+@pytest.mark.parametrize("first", range(0, 400, 40))
 def test_three_hundred_random_shells_keep_to_coulombs_law(first: int) -> None:
     assert survey(range(first, first + 40))["holds"] >= 10
 
@@ -109,6 +121,17 @@ def test_shells_that_had_no_answer_have_one(path: Path) -> None:
     assert case.equilibrium.residual < 1e-12
     assert case.equilibrium.friction is not None
     assert case.equilibrium.friction <= 1 + 1e-9
+
+
+def test_a_shell_that_goes_far_has_a_state() -> None:
+    """It goes 4e4 times as far as springs would let it: rounding is by y, not by loads."""
+    assert survey(range(512, 513))["slides away"] == 1
+
+
+def test_no_friction_is_needed_where_smooth_ground_does() -> None:
+    """Found by 1e-4 of a coefficient, not by halving until numbers end."""
+    _, held, loads = rough_shell(512).loaded()
+    assert needed_friction(held, loads) == pytest.approx(0.0, abs=2e-4)
 
 
 def test_a_heavier_foot_takes_what_a_lighter_one_lets_slip() -> None:
@@ -153,3 +176,46 @@ def test_friction_that_is_needed_is_that_of_a_push() -> None:
     assert driven_motion(held, lifted, "sticks") is not None
     assert driven_motion(held, lifted, "anchored") is None
     assert needed_friction(held, lifted) is None
+
+
+def test_a_linear_program_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where least squares prove nothing; of 7, 95 and 274 ties and flaps are opposite to rounding.
+
+    Every motion is a proof: loads work on it more than a million times what any ray does.
+    """
+    shells = [
+        shell for seed in (*range(8), 95, 274) for shell in loaded_shells(range(seed, seed + 1))
+    ]
+    expected = [driven_motion(held, loads) for *_, held, loads in shells]
+    monkeypatch.setattr(bearing, "_least_squares", lambda *_: None)
+    for before, (*_, held, loads) in zip(expected, shells, strict=True):
+        found = driven_motion(held, loads)
+        assert (found is None) == (before is None)
+        for motion in (before, found):
+            if motion is None:
+                continue
+            far = held.furthest(motion)
+            rows, count = held.rows @ motion / far, len(held.conditions)
+            slides = np.linalg.norm(
+                rows[count:][: 2 * len(held.conditions.rough)].reshape(-1, 2), axis=1
+            )
+            worst = rows[:count].max()
+            if len(slides):
+                rough = held.conditions.rough
+                worst = max(worst, (rows[rough] + held.conditions.friction[rough] * slides).max())
+            assert loads @ motion / far > bearing.LIMIT * np.linalg.norm(loads) * max(worst, 0.0)
+
+
+def test_what_is_told_where_no_state_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """That no state was found is a finding, by which a case does not carry; it is no crash."""
+    model, held, loads = rough_shell(1).loaded()
+    assert respond(held, loads).moves is None
+    monkeypatch.setattr(active_set, "find_contact", lambda *_: None)
+    found = respond(held, loads)
+    assert found.unknown
+    assert found.moves is not None
+    shape, forces = held.shape(found.moves), held.shape(loads)
+    told = describe_motion(model, 0.0, shape, forces, unknown=True)
+    assert told.in_words().startswith("may move under its loads: no state of sticking")
+    (finding,) = against_motion(told)
+    assert (finding.sign, finding.kind) == ("fails", "unknown")

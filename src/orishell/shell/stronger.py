@@ -29,6 +29,8 @@ def find_stronger(
 
     analysed: Makes the shell of a file, and analyses it.
     """
+    if analysis.model.structure.nonlinear:
+        return ""  # to follow all cases again would take minutes
     if any(case.motion is not None and not case.motion.soft for case in analysis.cases):
         return ""  # thickness holds nothing
     key = "structure.thickness" if file.panel is None else "panel.thickness"

@@ -138,7 +138,13 @@ def _result(model: Model, solved: _Solved, linear: Equilibrium | None) -> CaseRe
         slipped = solved.structure.slipped(response.parted) if soft else 0.0
         slides = response.slides or slipped > SLIDES * solved.structure.furthest(moves)
         motion = describe_motion(
-            model, solved.stiffness, shape, forces, soft=soft and not slides, slides=slides
+            model,
+            solved.stiffness,
+            shape,
+            forces,
+            soft=soft and not slides,
+            slides=slides,
+            unknown=response.unknown,
         )
     return CaseResult(
         name=solved.case.name,

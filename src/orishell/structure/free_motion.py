@@ -35,6 +35,7 @@ def describe_motion(
     *,
     soft: bool = False,
     slides: bool = False,
+    unknown: bool = False,
 ) -> FreeMotion:
     """Say of a free motion what it is, and what would hold the shell: that has been tried.
 
@@ -43,9 +44,7 @@ def describe_motion(
     forces: Forces (N, 3) on them.
     soft: Whether something resists it, but too little.
     slides: Whether feet slip away, though forces within their friction could bear the loads.
-
-    Raises VerificationError: If no set of ties, flaps and feet fits the loads: a fault of the
-    program.
+    unknown: Whether that could be, and what feet do was not found.
     """
     drive, points = model.sheet.target_drive, model.positions.reshape(-1, 3)
     near = model.sheet.positions(np.array([drive - STEP, drive + STEP]))
@@ -62,8 +61,8 @@ def describe_motion(
     folds = abs(part) > SHARE * float(np.linalg.norm(found))
     structure = model.factorised(stiffness)
     loads = structure.free_loads(forces)
-    ground: Ground | None = "slips" if slides else None
-    if not soft and not slides and len(structure.conditions.rough):
+    ground: Ground | None = "unknown" if unknown else "slips" if slides else None
+    if not soft and ground is None and len(structure.conditions.rough):
         if driven_motion(structure, loads, "sticks") is None:
             ground = "slips"
         elif driven_motion(structure, loads, "anchored") is None:

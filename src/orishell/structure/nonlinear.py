@@ -22,7 +22,8 @@ from orishell.structure.feet import Foot, moved_feet
 from orishell.structure.footings import to_nearest
 from orishell.structure.load_path import Ending, LoadPath
 from orishell.structure.loads import vector
-from orishell.structure.mesh.corotational import Corotational, Folds
+from orishell.structure.mesh.corotational import Corotational
+from orishell.structure.mesh.folds import Folds
 from orishell.structure.mesh.hinges import crease_springs, rigid_stiffness
 from orishell.structure.mesh.rotations import logarithms
 from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
@@ -30,7 +31,7 @@ from orishell.structure.model import Model
 from orishell.structure.solve.active_set import Response
 from orishell.structure.solve.contacts import Feet, Links
 from orishell.structure.solve.moving import Moving
-from orishell.structure.solve.path import TOUCHING, Point, climb, trace
+from orishell.structure.solve.path import TOUCHING, Point, climb, settle, trace
 
 FIRST, LONGEST = 0.2, 0.5
 """The share of the loads, or of those at which it buckles by linear theory, that the first step is
@@ -58,7 +59,7 @@ def follow(linear: Equilibrium, loads: Array, on_panels: Array, response: Respon
     every[: loads.size] = loads.ravel()
     first = FIRST * min(1.0, linear.buckling or 1.0)
     path, ending = _path(moving, every, model.thickness, first)
-    last = max(path, key=lambda point: point.factor)
+    last = _highest(path, every)
     told = _told(model, linear, path, response.motions, ending)
     still = _still(last, response.motions)[model.mesh.translations()]
     return replace(_deformed(linear, last, (loads, on_panels), told), displacements=still)
@@ -158,6 +159,18 @@ def _path(
     if path[-1].factor == 1:
         return path, "carries"
     return path, "snaps" if path[-1].factor < top else "lost"
+
+
+def _highest(path: Sequence[Point], loads: Array) -> Point:
+    """The point of a path under the largest load, in balance with that alone, without a nudge."""
+    ranked = sorted(path, key=lambda point: -point.factor)
+    for point in ranked:
+        if not point.nudged:
+            return point
+        settled = settle(point.moving, point.moved, loads, point.factor)
+        if settled is not None:
+            return settled
+    return path[0]
 
 
 def _enough(points: Sequence[Point]) -> bool:

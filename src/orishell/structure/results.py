@@ -52,9 +52,10 @@ REMEDIES: dict[Remedy, str] = {
     "ties": "ties between its feet",
     "pinned": "pinned supports",
 }
-Ground = Literal["slips", "lifts"]
+UNFOUND = "no state of sticking and slipping feet was found in which it bears them"
+Ground = Literal["slips", "lifts", "unknown"]
 """What feet do of a shell that moves: it would stand if they did not slip, or if they were held
-down."""
+down; or what they do was not found."""
 
 
 @record
@@ -79,6 +80,8 @@ class FreeMotion:
         """How a shell moves under its loads, what does not hold it, and what would."""
         if self.soft:
             words = "gives way under its loads, by more than its own size: it is far too soft"
+        elif self.ground == "unknown":
+            words = f"may move under its loads: {UNFOUND}"
         elif self.ground == "slips":
             way = "" if not self.folding else " and opens" if self.opens else " and closes"
             words = f"slips{way} under its loads: its feet need more friction than there is"

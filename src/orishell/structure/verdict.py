@@ -50,7 +50,12 @@ class Finding:
 
 def against_motion(motion: FreeMotion) -> Iterator[Finding]:
     """What speaks against a shell that nothing holds, or next to nothing."""
-    by_ground: dict[str | None, Kind] = {"slips": "slips", "lifts": "lifts off", None: "moves"}
+    by_ground: dict[str | None, Kind] = {
+        "slips": "slips",
+        "lifts": "lifts off",
+        "unknown": "unknown",
+        None: "moves",
+    }
     kind = "gives way" if motion.soft else by_ground[motion.ground]
     yield Finding("fails", kind, motion.in_words(), None)
 

@@ -1,4 +1,4 @@
-"""Triangles and hinges that are moved far and strained little: forces and tangent stiffness.
+"""Triangles that are moved far and strained little: forces and tangent stiffness.
 
 Every triangle is seen from a frame E that goes with it, and what it does there is linear, whatever
 triangle it is: the element-independent corotational formulation. C. C. Rankin and F. A. Brogan, "An
@@ -14,8 +14,6 @@ H takes turns to changes of rotation vectors (``mesh/rotations``), and P = 1 - S
 the frame goes along with: its turn G by displacements, and what that turn moves, S. The frame has
 the plane of the three corners and the turn in it that fits all of them best, so that no corner is
 preferred. The tangent is complete: also what G changes is in it.
-
-A hinge turns by the part along the crease of log(R_1^T R_2), which is the same from both sides.
 """
 
 from __future__ import annotations
@@ -35,6 +33,9 @@ from orishell.structure.mesh.rotations import (
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.triangle import Facets
 
+AT_ONCE = 512
+"""Triangles whose tangents are made together: more take memory, and are not faster."""
+
 
 @record
 class Moved:
@@ -50,11 +51,13 @@ class Change:
 
     forces: Array  # forces (T, k)
     matrices: Array  # their change (T, k, k)
-    borne: Array | None = None  # forces f (T, k) in the elements' own frames
-    slope: Array | None = None  # by how much these change (T, k, k)
+    borne: Array | None = None  # forces f (T, m) in the elements' own frames
+    slope: Array | None = None  # by how much these change (T, m, k)
+    # by what forces are others than those where displacements are (norm of forces)
+    other: float = 0.0
 
     def expected(self, step: Array) -> Array | None:
-        """Forces f (T, k) that are expected after a step (T, k)."""
+        """Forces f (T, m) that are expected after a step (T, k)."""
         if self.borne is None or self.slope is None:
             return None
         return np.asarray(self.borne + np.einsum("tij,tj->ti", self.slope, step))
@@ -149,6 +152,29 @@ class Corotational(Elastic):
 
         expected: Forces f (T, 18) with which triangles turn; None for those that they have.
         """
+        count = len(self.dofs)
+        forces, borne = np.empty((2, count, 18))
+        matrices, slope = np.empty((2, count, 18, 18))
+        for first in range(0, count, AT_ONCE):
+            some = slice(first, first + AT_ONCE)
+            found = self.chosen(some)._tangent(moved, None if expected is None else expected[some])
+            forces[some], borne[some] = found[0], found[2]
+            matrices[some], slope[some] = found[1], found[3]
+        return Change(forces, matrices, borne, slope)
+
+    def chosen(self, some: slice) -> Corotational:
+        """Some of them."""
+        return Corotational(
+            self.corners[some],
+            self.axes[some],
+            self.flat[some],
+            self.stiffness[some],
+            self.dofs[some],
+            self.turns[some],
+        )
+
+    def _tangent(self, moved: Moved, expected: Array | None) -> tuple[Array, Array, Array, Array]:
+        """Forces p (T, 18), their change, forces f (T, 18) and their change."""
         frame, corners, strained = self.seen(moved)
         change, borne, turning = self._borne(corners, strained)
         turns = self._frame_turns(corners)  # G (T, 3, 18)
@@ -167,9 +193,9 @@ class Corotational(Elastic):
             corners, strained, project, forces if expected is None else expected
         )
         whole = _blocks(frame)
-        return Change(
-            _turned(frame, local), whole.swapaxes(1, 2) @ tangent @ whole, forces, slope @ whole
-        )
+        return (
+            _turned(frame, local), whole.swapaxes(1, 2) @ tangent @ whole, forces, slope @ whole,
+        )  # fmt: skip
 
     def _turning(self, corners: Array, strained: Array, project: Array, forces: Array) -> Array:
         """The part of the tangent (T, 18, 18) that forces f (T, 18) have by turning."""
@@ -248,53 +274,3 @@ def _blocks(axes: Array) -> Array:
 def _turned(frame: Array, local: Array) -> Array:
     """Vectors (T, 18) in frames, in the world's axes."""
     return np.asarray(np.einsum("tji,tkj->tki", frame, local.reshape(-1, 6, 3)).reshape(-1, 18))
-
-
-@record
-class Folds(Elastic):
-    """Springs about creases that may be turned far."""
-
-    stiffness: Array  # moment by angle (m,)
-    along: Array  # direction e (m, 3) of the crease as designed
-    dofs: Integers  # dofs (m, 6) of the rotations on both sides
-    turns: Integers  # which of all rotations they are (m, 2)
-
-    @property
-    def rounding(self) -> Array:
-        """What moments (m, 6) are uncertain by, where displacements are by a length: not at all."""
-        return np.zeros(self.dofs.shape)
-
-    def angles(self, moved: Moved) -> Array:
-        """By how much they are turned (m,) (radians)."""
-        return np.asarray(np.sum(self.along * self._relative(moved)[1], axis=1))
-
-    def forces(self, moved: Moved) -> Array:
-        """Moments (m, 6) on both sides."""
-        first, vectors = self._relative(moved)
-        lever = np.einsum("tji,tj->ti", change_matrices(vectors), self.along)
-        moment = self.stiffness * np.sum(self.along * vectors, axis=1)
-        pull = moment[:, None] * np.einsum("tij,tj->ti", first, lever)
-        return np.concatenate([-pull, pull], axis=1)
-
-    def tangent(self, moved: Moved, expected: Array | None = None) -> Change:
-        """Moments (m, 6), and how they change."""
-        first, vectors = self._relative(moved)
-        change = change_matrices(vectors)
-        moment = self.stiffness * np.sum(self.along * vectors, axis=1)
-        lever = np.einsum("tij,tj->ti", first, np.einsum("tji,tj->ti", change, self.along))
-        both = np.concatenate([-lever, lever], axis=1)
-        tangent = self.stiffness[:, None, None] * both[:, :, None] * both[:, None]
-        turned = first @ change_derivatives(vectors, self.along) @ change @ first.swapaxes(1, 2)
-        turned *= moment[:, None, None]
-        spun = moment[:, None, None] * cross_matrices(lever)
-        # The lever changes by -[lever] psi_1 + turned (psi_2 - psi_1).
-        tangent[:, 3:, :3] += -spun - turned
-        tangent[:, 3:, 3:] += turned
-        tangent[:, :3, :3] += spun + turned
-        tangent[:, :3, 3:] += -turned
-        return Change(moment[:, None] * both, tangent)
-
-    def _relative(self, moved: Moved) -> tuple[Array, Array]:
-        """The rotations R_1 (m, 3, 3), and the vectors (m, 3) of R_1^T R_2."""
-        first, second = np.moveaxis(moved.rotations[self.turns], 1, 0)
-        return first, logarithms(first.swapaxes(1, 2) @ second)

@@ -61,10 +61,10 @@ def geometric_stiffness(mesh: SheetMesh, forces: Array, points: Integers) -> csr
 @lru_cache(maxsize=2)
 def _smoothing(mesh: SheetMesh) -> csr_array:
     """All dofs (D, D) by displacements alone, kept for the load cases of a mesh."""
-    from scipy.sparse import eye_array, vstack
+    from scipy.sparse import csr_array, eye_array, vstack
 
     displaced = eye_array(mesh.count, format="csr")[: mesh.translations().size]
-    return vstack([displaced, smooth_rotations(mesh)], format="csr")
+    return csr_array(vstack([displaced, smooth_rotations(mesh)], format="csr"))
 
 
 def mean_slopes(corners: Array) -> Array:

@@ -7,9 +7,10 @@ its loads (:mod:`~orishell.structure.solve.contact_path`), by Coulomb's law
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from orishell.conventions.errors import VerificationError
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array, Booleans
 from orishell.structure.solve.bearing import driven_motion
@@ -19,6 +20,9 @@ from orishell.structure.solve.friction import Contact
 
 TOLERANCE = 1e-7
 """Forces below this share of the largest are none, and gaps below it of the displacements."""
+
+SINGULAR = 1e-15
+"""Where a foot is about to slip or lift, the slope may be singular: to this share of it."""
 
 WITHIN = 1e-9
 """Friction beyond what there is by less than this share has not slipped."""
@@ -40,23 +44,23 @@ class Response:
     parted: Array
     taken: Array  # what panels and hinges take (D,) of all dofs; not numbers where it moves
     motions: Array  # what nothing resists, and the loads do not drive (n, k)
+    # whether forces could bear the loads, and no state of sticking and slipping feet was found;
+    # then it is said to move, as it would if nothing slipped or parted
+    unknown: bool = False
 
 
 def respond(structure: Factorised, loads: Array) -> Response:
     """What loads do to a structure.
 
     loads: Loads (n,) on its free dofs.
-    Raises VerificationError: If forces can bear the loads, and none by Coulomb's law are found.
     """
     moves = driven_motion(structure, loads)
     if moves is not None:
         return _moving(structure, moves)
     found = find_contact(structure, loads)
     if found is None:
-        raise VerificationError(
-            "feet can bear the loads, and no forces of theirs by Coulomb's law were found: "
-            "this is a fault of the program"
-        )
+        held = structure.respond(loads, np.ones(len(structure.rows), dtype=bool))[0]
+        return replace(_moving(structure, held / np.linalg.norm(held)), unknown=True)
     settled = _settled(structure, loads, found.contact, found.y)
     if found.away:
         far = settled.displacements
@@ -76,7 +80,7 @@ def _settled(structure: Factorised, loads: Array, contact: Contact, y: Array) ->
     """The response by the y (M,) of rows in balance, in which small rests are solved for again."""
     root = np.sqrt(structure.springs)
     point = contact.at(y, 1.0)
-    law = np.linalg.solve(point.slope, np.eye(len(y)))
+    law = np.linalg.pinv(point.slope, rcond=SINGULAR)
     p = root * (point.parted - point.forces)
     by_p = root[:, None] * (point.by_parted - point.by_force) @ law
     moved, taken, rest = np.zeros(len(loads)), np.zeros(structure.every_row.shape[1]), loads

@@ -74,16 +74,29 @@ class Links:
         return self.tangent(moved).forces
 
     def tangent(self, moved: Moved, expected: Array | None = None) -> Change:
-        """Forces (m, 6), and how they change."""
+        """Forces (m, 6), and how they change.
+
+        expected: Forces lambda (m, 1), of either sign, with which they turn, and that say which of
+        them bear; None for those that they have.
+        """
         along, gap, length = self._seen(moved)
-        force = np.maximum(0.0, self.borne + self.stiffness * gap)
-        pull = (self.sign * force)[:, None] * along
+        force = self.borne + self.stiffness * gap
+        turning = force if expected is None else expected[:, 0]
+        bears = turning > 0
+        pull = (self.sign * np.where(bears, force, 0.0))[:, None] * along
         outer = along[:, :, None] * along[:, None]
-        stiff = np.where(force > 0, self.stiffness, 0.0)[:, None, None] * outer
-        stiff += (self.sign * force / length)[:, None, None] * (np.eye(3) - outer)
+        stiff = np.where(bears, self.stiffness, 0.0)[:, None, None] * outer
+        turns = self.sign * np.maximum(turning, 0.0) / length
+        stiff += turns[:, None, None] * (np.eye(3) - outer)
         upper = np.concatenate([stiff, -stiff], axis=2)
+        slope = (self.sign * self.stiffness)[:, None] * along
+        other = np.where(bears, np.minimum(force, 0.0), np.maximum(force, 0.0))
         return Change(
-            np.concatenate([-pull, pull], axis=1), np.concatenate([upper, -upper], axis=1)
+            np.concatenate([-pull, pull], axis=1),
+            np.concatenate([upper, -upper], axis=1),
+            force[:, None],
+            np.concatenate([-slope, slope], axis=1)[:, None],
+            float(np.linalg.norm(other)),
         )
 
     def _seen(self, moved: Moved) -> tuple[Array, Array, Array]:

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any, Protocol, Self
 
 import numpy as np
@@ -62,13 +63,22 @@ class Part(Protocol):
 
 
 @record
-class Factors:
-    """A tangent, factorised."""
+class Tangent:
+    """How forces change with displacements and turns; factorised once it has to be."""
 
-    negative: int  # number of its motions that release energy
     structure: Moving  # what it is of
     changes: tuple[Change, ...]  # of its parts
-    _factors: Any
+
+    @cached_property
+    def negative(self) -> int:
+        """Number of its motions that release energy."""
+        factors = self._factors
+        return 0 if factors is None else int((factors.U.diagonal() < 0).sum())
+
+    @property
+    def other(self) -> float:
+        """By what forces are others than those where displacements are (norm of forces)."""
+        return float(np.linalg.norm([each.other for each in self.changes]))
 
     def solve(self, loads: Array) -> Array:
         """Steps (n, ...) by loads (n, ...); not numbers if the tangent is singular."""
@@ -76,14 +86,16 @@ class Factors:
             return np.full(loads.shape, np.nan)
         return np.asarray(self._factors.solve(loads))
 
-    def forces(self, step: Array) -> Array:
-        """Forces (n,) of a small step (n,)."""
-        structure, every = self.structure, self.structure.every(step)
-        total = np.zeros(structure.count)
-        for part, change in zip(structure.parts, self.changes, strict=True):
-            forces = np.einsum("tij,tj->ti", change.matrices, every[part.dofs])
-            total += np.bincount(part.dofs.ravel(), forces.ravel(), structure.count)
-        return np.asarray(total[structure.free])
+    def unfactorised(self) -> Tangent:
+        """The same without its factors, which take memory."""
+        return replace(self)
+
+    @cached_property
+    def _factors(self) -> Any:
+        """Its factors; None if it is singular."""
+        structure = self.structure
+        matrix = structure.sparsity.matrix([each.matrices for each in self.changes])
+        return _factorised(matrix, np.where(structure.straight, structure.steady, 0.0))
 
     def softest(self) -> Array:
         """About the motion (n,) that takes the least force, the largest displacement 1."""
@@ -114,7 +126,7 @@ class Moving:
     # stiffness that the tangent has beyond its own on displacements, so that motions which nothing
     # resists and nothing drives have one (force per length): balance is without it
     steady: float
-    _sparsity: Sparsity
+    sparsity: Sparsity  # where the entries of its tangent are
 
     @classmethod
     def of(
@@ -189,7 +201,7 @@ class Moving:
 
     def tangent(
         self, moved: Moved, expected: Sequence[Array | None] | None = None
-    ) -> tuple[Array, Factors]:
+    ) -> tuple[Array, Tangent]:
         """Forces (D,) of all parts, and their tangent.
 
         expected: Forces that each part is expected to have.
@@ -200,10 +212,7 @@ class Moving:
         total = np.zeros(self.count)
         for part, each in zip(self.parts, changes, strict=True):
             total += np.bincount(part.dofs.ravel(), each.forces.ravel(), self.count)
-        matrix = self._sparsity.matrix([each.matrices for each in changes])
-        factors = _factorised(matrix, np.where(self.straight, self.steady, 0.0))
-        negative = 0 if factors is None else int((factors.U.diagonal() < 0).sum())
-        return total, Factors(negative, self, changes, factors)
+        return total, Tangent(self, changes)
 
     def noise(self, moved: Moved) -> float:
         """Norm of forces that are but rounding errors of displacements."""

@@ -8,18 +8,24 @@ corrected on the plane that is square to the step as it is (E. Ramm, 1981).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.structure.mesh.corotational import Moved
-from orishell.structure.solve.moving import Factors, Moving
+from orishell.structure.solve.moving import Moving, Tangent
 
 BALANCED = 1e-8
 """Forces in balance miss at most this share of the loads."""
-TURNS, AIM = 14, 5
-"""Newton's steps within a step of the path at most, and about how many are wanted."""
+TURNS, AIM = 14, 4
+"""Newton's steps within a step of the path at most, and about how many tangents are wanted."""
+KEPT = 0.1
+"""A tangent, but not the first, which is at a guess, is used again as long as what is missing falls
+to this share of what it was."""
+NOISY = 1e-3
+"""Step by step of the load, rounding excuses no more than this share of it."""
 GROWTH, SMALLEST = 2.0, 1e-4
 """A step is at most so much longer than the last, and no shorter than this share of the first."""
 TOUCHING = 1e-6
@@ -37,6 +43,7 @@ class Point:
     negative: int  # in how many ways it would move on by itself
     residual: float  # what is missing in balance, as a share of the loads
     moving: Moving  # the structure, with what it remembers of the way there
+    nudged: bool = False  # whether there is a nudge beside the loads
 
 
 @record
@@ -79,10 +86,11 @@ def trace(
     points = [start]
     _, tangent = moving.tangent(start.moved)
     before = tangent.solve(pull)
+    slope, tangent = before, tangent.unfactorised()
     unit = float(np.linalg.norm(before[moving.straight]))
     length = first * unit
     while not done(points):
-        here, slope = points[-1], tangent.solve(pull)
+        here = points[-1]
         stood = here.moving.settled(here.moved) if here.factor else moving
         way, found = _along(moving, slope, before), None
         while found is None and length > SMALLEST * first * unit:
@@ -97,7 +105,8 @@ def trace(
                 length *= 0.5
         if found is None:
             break
-        point, before, tangent, turns = found
+        point, before, tangent, tangents = found
+        point = replace(point, nudged=nudge is not None)
         if here.factor < until <= point.factor:
             part = (until - here.factor) / (point.factor - here.factor)
             near = moving.after(here.moved, part * before)
@@ -105,7 +114,8 @@ def trace(
             points.append(last or point)
             break
         points.append(point)
-        length = min(length * min(GROWTH, np.sqrt(AIM / turns)), longest * unit)
+        slope, tangent = tangent.solve(pull), tangent.unfactorised()
+        length = min(length * min(GROWTH, np.sqrt(AIM / tangents)), longest * unit)
     return points
 
 
@@ -142,20 +152,22 @@ def _along(moving: Moving, slope: Array, before: Array) -> float:
 
 def _corrected(
     moving: Moving, ahead: _Ahead, pull: Array
-) -> tuple[Point, Array, Factors, int] | None:
-    """The next point, the step (n,) and tangent there, and Newton's steps; None without end."""
-    scale, worst = moving.size(pull), np.inf
+) -> tuple[Point, Array, Tangent, int] | None:
+    """The next point, the step (n,) and tangent there, and how many were; None without end."""
+    scale, worst, used, before, tangents = moving.size(pull), np.inf, None, 0.0, 1
     for turn in range(1, TURNS + 1):
         forces, tangent = moving.tangent(ahead.moved, ahead.expected)
         rest = ahead.factor * pull - forces[moving.free]
-        missing = moving.size(rest) / scale
+        missing = (moving.size(rest) + tangent.other) / scale
         if missing <= BALANCED * abs(ahead.factor) + moving.noise(ahead.moved) / scale:
             point = Point(ahead.factor, ahead.moved, tangent.negative, missing, moving)
-            return point, ahead.step, tangent, turn
+            return point, ahead.step, tangent, tangents
         if not np.isfinite(missing) or (turn > TURNS // 2 and missing > worst):
             return None
-        worst = min(worst, missing)
-        both = tangent.solve(np.stack([rest, pull], axis=1))
+        if used is None or turn == 2 or missing > KEPT * before:
+            used, tangents = tangent, tangents + 1
+        worst, before = min(worst, missing), missing
+        both = used.solve(np.stack([rest, pull], axis=1))
         across = ahead.step[moving.straight]
         along = across @ both[moving.straight, 1]
         change = -(across @ both[moving.straight, 0]) / along if along else 0.0
@@ -186,15 +198,19 @@ def settle(moving: Moving, near: Moved, loads: Array, factor: float) -> Point | 
 
 def _settled(moving: Moving, near: Moved, loads: Array, factor: float) -> Point | None:
     pull = loads[moving.free]
-    scale, moved, expected = moving.size(pull), near, None
-    for _ in range(2 * TURNS):
+    scale, before, used = moving.size(pull), 0.0, None
+    moved, expected = near, None
+    for turn in range(1, 2 * TURNS + 1):
         forces, tangent = moving.tangent(moved, expected)
         rest = factor * pull - forces[moving.free]
-        missing = moving.size(rest) / scale
+        missing = (moving.size(rest) + tangent.other) / scale
         if not np.isfinite(missing):
             return None
-        if missing <= BALANCED * abs(factor) + moving.noise(moved) / scale:
+        noise = min(moving.noise(moved) / scale, NOISY * abs(factor))
+        if missing <= BALANCED * abs(factor) + noise:
             return Point(factor, moved, tangent.negative, missing, moving)
-        step = tangent.solve(rest)
+        if used is None or turn == 2 or missing > KEPT * before:
+            used = tangent
+        before, step = missing, used.solve(rest)
         moved, expected = moving.after(moved, step), tangent.expected(step)
     return None

@@ -21,8 +21,9 @@ class Sparsity:
     size: int  # n
     rows: Integers  # the row of every entry (E,), column by column
     starts: Integers  # the first entry of every column (n + 1,)
-    # the entry that each number of each element goes to (M,); E if it is on a dof that is held
-    places: Integers
+    # the entry that each number of each element goes to (T k^2,), kind by kind; E if it is on a dof
+    # that is held
+    places: tuple[Integers, ...]
 
     @classmethod
     def of(cls, dofs: Sequence[Integers], free: Integers, count: int) -> Sparsity:
@@ -39,17 +40,25 @@ class Sparsity:
             own = number[each]
             row, column = own[:, :, None], own[:, None, :]
             keys.append(np.where((row >= 0) & (column >= 0), column * size + row, -1).ravel())
-        entries, places = np.unique(np.concatenate(keys), return_inverse=True)
-        held = int(len(entries) > 0 and entries[0] < 0)
-        entries = entries[held:]
-        places = np.where(places < held, len(entries), places - held)
+        entries = np.unique(np.concatenate([np.unique(each) for each in keys]))
+        entries = entries[entries >= 0]
         starts = np.searchsorted(entries, size * np.arange(size + 1))
-        return cls(size, entries % size, starts, places)
+        places = tuple(
+            _short(np.where(each < 0, len(entries), np.searchsorted(entries, each)))
+            for each in keys
+        )
+        return cls(size, _short(entries % size), _short(starts), places)
 
     def matrix(self, elements: Sequence[Array]) -> csc_array:
         """The matrix of elements (T, k, k), kind by kind."""
         from scipy.sparse import csc_array
 
-        numbers = np.concatenate([each.ravel() for each in elements])
-        values = np.bincount(self.places, numbers, len(self.rows) + 1)[:-1]
-        return csc_array((values, self.rows, self.starts), shape=(self.size, self.size))
+        values = np.zeros(len(self.rows) + 1)
+        for places, each in zip(self.places, elements, strict=True):
+            values += np.bincount(places, each.ravel(), len(values))
+        return csc_array((values[:-1], self.rows, self.starts), shape=(self.size, self.size))
+
+
+def _short(numbers: Integers) -> Integers:
+    """The same numbers in half the memory."""
+    return np.asarray(numbers, np.int32)
