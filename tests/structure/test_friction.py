@@ -16,7 +16,7 @@ from orishell.numerics.arrays import Array
 from orishell.shell.make import make_shell
 from orishell.structure.feet import find_feet
 from orishell.structure.free_motion import describe_motion
-from orishell.structure.solve import active_set
+from orishell.structure.solve import active_set, bearing
 from orishell.structure.solve.active_set import Response, respond
 from orishell.structure.solve.bearing import driven_motion, needed_friction, with_friction
 from orishell.structure.solve.conditions import on_ground
@@ -93,9 +93,9 @@ def survey(seeds: range) -> dict[str, int]:
 
 
 def test_random_shells_keep_to_coulombs_law() -> None:
-    ends = survey(range(30))
-    assert sum(ends.values()) >= 20
-    assert ends["holds"] >= 10
+    ends = survey(range(20))
+    assert sum(ends.values()) >= 14
+    assert ends["holds"] >= 8
 
 
 @pytest.mark.slow
@@ -121,6 +121,17 @@ def test_shells_that_had_no_answer_have_one(path: Path) -> None:
     assert case.equilibrium.residual < 1e-12
     assert case.equilibrium.friction is not None
     assert case.equilibrium.friction <= 1 + 1e-9
+
+
+def test_a_shell_that_goes_far_has_a_state() -> None:
+    """It goes 4e4 times as far as springs would let it: rounding is by y, not by loads."""
+    assert survey(range(512, 513))["slides away"] == 1
+
+
+def test_no_friction_is_needed_where_smooth_ground_does() -> None:
+    """Found by 1e-4 of a coefficient, not by halving until numbers end."""
+    _, held, loads = rough_shell(512).loaded()
+    assert needed_friction(held, loads) == pytest.approx(0.0, abs=2e-4)
 
 
 def test_a_heavier_foot_takes_what_a_lighter_one_lets_slip() -> None:
@@ -165,6 +176,34 @@ def test_friction_that_is_needed_is_that_of_a_push() -> None:
     assert driven_motion(held, lifted, "sticks") is not None
     assert driven_motion(held, lifted, "anchored") is None
     assert needed_friction(held, lifted) is None
+
+
+def test_a_linear_program_says_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where least squares prove nothing; of 7, 95 and 274 ties and flaps are opposite to rounding.
+
+    Every motion is a proof: loads work on it more than a million times what any ray does.
+    """
+    shells = [
+        shell for seed in (*range(8), 95, 274) for shell in loaded_shells(range(seed, seed + 1))
+    ]
+    expected = [driven_motion(held, loads) for *_, held, loads in shells]
+    monkeypatch.setattr(bearing, "_least_squares", lambda *_: None)
+    for before, (*_, held, loads) in zip(expected, shells, strict=True):
+        found = driven_motion(held, loads)
+        assert (found is None) == (before is None)
+        for motion in (before, found):
+            if motion is None:
+                continue
+            far = held.furthest(motion)
+            rows, count = held.rows @ motion / far, len(held.conditions)
+            slides = np.linalg.norm(
+                rows[count:][: 2 * len(held.conditions.rough)].reshape(-1, 2), axis=1
+            )
+            worst = rows[:count].max()
+            if len(slides):
+                rough = held.conditions.rough
+                worst = max(worst, (rows[rough] + held.conditions.friction[rough] * slides).max())
+            assert loads @ motion / far > bearing.LIMIT * np.linalg.norm(loads) * max(worst, 0.0)
 
 
 def test_what_is_told_where_no_state_is_found(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -65,7 +65,7 @@ def needed_friction(structure: Factorised, loads: Array) -> float | None:
     low, high = 0.0, GREATEST
     if not len(structure.conditions.rough) or _moves(structure, loads, high):
         return None
-    while high - low > CLOSE * high:
+    while high - low > CLOSE * max(high, CLOSE):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if _moves(structure, loads, middle) else (low, middle)
     return high

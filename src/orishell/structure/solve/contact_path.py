@@ -32,9 +32,10 @@ FEW, SHORT = 15, 1e-2
 """The same along a path."""
 SHARP = 1e-2, 1e-4
 """Steps below this may turn as the tangent beyond an edge does: tried in turn."""
-BEYOND, ROUNDED = 1e3, 0.01
-"""A path that goes beyond so many times its start has no end; F is balanced
-on it up to what rounds so many times its y."""
+BEYOND = 1e3
+"""A path that goes beyond so many times its start has no end."""
+EXACT, ROUNDED = 1e-3, 0.01
+"""F is balanced up to what rounds so many times its y; and along a path."""
 
 
 @record
@@ -132,12 +133,12 @@ def solve(
     contact: Contact, y: Array, theta: float, steps: int = STEPS, smooth: float = 0.0
 ) -> tuple[Array, bool]:
     """Newton's steps from y (M,), each as long as it helps; and whether they found balance."""
-    enough = BALANCED * float(np.linalg.norm(contact.opened))
+    opened = float(np.linalg.norm(contact.opened))
     shortest = SHORTEST if steps == STEPS else SHORT
     point = contact.at(y, theta, smooth)
     misses = float(np.linalg.norm(point.missing))
     for _ in range(steps):
-        if misses <= enough:
+        if misses <= _enough(opened, y):
             return y, True
         step, share = _step(point.slope, point.missing), 1.0
         while True:
@@ -149,7 +150,12 @@ def solve(
             if share < shortest:
                 return y, False
         y, point, misses = y + share * step, tried, missed
-    return y, misses <= enough
+    return y, misses <= _enough(opened, y)
+
+
+def _enough(opened: float, y: Array, rounded: float = EXACT) -> float:
+    """What F may miss, by a norm of what loads open: far out it is rounded as y (M,) is."""
+    return BALANCED * max(opened, rounded * float(np.linalg.norm(y)))
 
 
 def _step(slope: Array, missing: Array) -> Array:
@@ -230,9 +236,8 @@ class Path:
     def _corrected(self, x: Array, ahead: Array, step: float) -> Array | None:
         """The solution (M+1,) beside a step ahead; None if it is not near."""
         guess = found = x + step * ahead
-        # Far out F is rounded as y is.
-        opened, y = np.linalg.norm(self.contact.opened), self.scale * np.linalg.norm(found[:-1])
-        enough = BALANCED * float(max(opened, ROUNDED * y))
+        opened = float(np.linalg.norm(self.contact.opened))
+        enough = _enough(opened, self.scale * found[:-1], ROUNDED)
         for _ in range(12):
             point = self._at(found)
             if np.linalg.norm(point.missing) <= enough:
