@@ -10,9 +10,11 @@ lambda_0 is what was borne before: it is taken over step by step until gaps vani
 Lagrangian method (M. R. Hestenes and M. J. D. Powell, 1969). A foot on rough ground sticks by a
 spring to where it was after the last step, and slides where that would pull more than Coulomb's
 mu lambda: the return mapping of plasticity (P. Wriggers, "Computational Contact Mechanics", 2006).
-That spring is taken over, too. How much friction there is follows lambda as it was last taken over,
-times how much the loads have grown since, so that Newton's steps find friction that stays as it is;
-it is taken over until it does.
+That spring is taken over, too. Tangents know how friction changes with lambda, and are not
+symmetric.
+
+Who bears is told by the lambda that a step led to expect, of either sign: gaps by themselves are
+off by what turns make of them, and with a penalty that is a large force.
 """
 
 from __future__ import annotations
