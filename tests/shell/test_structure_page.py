@@ -18,7 +18,8 @@ from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
 from orishell.structure.files import write_structure_files
-from orishell.structure.page import structure_page
+from orishell.structure.load_path import LoadPath
+from orishell.structure.page import PATHS, structure_page
 from orishell.structure.results import Analysis
 
 if TYPE_CHECKING:
@@ -189,3 +190,24 @@ def test_files_are_the_same_each_time_and_hold_each_other(tmp_path: Path) -> Non
     assert base64.b64encode(png) in one
     with Image.open(tmp_path / "one" / "structure.png") as picture:
         assert picture.width == 2600
+
+
+def test_large_displacements_have_a_picture_of_load_against_displacement(tmp_path: Path) -> None:
+    """With all points of the paths, and linear theory beside them; without them there is none."""
+    way = LoadPath("carries", 1.0, (0.0, 0.5, 1.0), (0.0, 0.01, 0.03), 0.02, 1.4)
+    followed = analysed(STRUCTURE.having(nonlinear=True))
+    cases = tuple(
+        each
+        if each.equilibrium is None
+        else replace(each, equilibrium=replace(each.equilibrium, path=way))
+        for each in followed.cases
+    )
+    followed = replace(followed, cases=cases)
+    pages = []
+    for name, each in (("linear", analysed()), ("followed", followed)):
+        (tmp_path / name).mkdir()
+        write_structure_files(tmp_path / name, loaded(), each)
+        pages.append((tmp_path / name / "structure.html").read_text(encoding="utf-8"))
+    assert [text.count("data:image/png;base64,") for text in pages] == [1, 2]
+    assert [PATHS in text for text in pages] == [False, True]
+    assert "nonlinear: it carries all loads, large displacements followed" in words(pages[1])

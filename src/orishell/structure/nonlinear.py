@@ -58,10 +58,12 @@ def follow(linear: Equilibrium, loads: Array, on_panels: Array, response: Respon
     every = np.zeros(moving.count)
     every[: loads.size] = loads.ravel()
     first = FIRST * min(1.0, linear.buckling or 1.0)
-    path, ending = _path(moving, every, model.thickness, first)
+    path, ending = _path(moving, every, model.thickness, first, response.displacements)
     last = _highest(path, every)
-    told = _told(model, linear, path, response.motions, ending)
-    still = _still(last, response.motions)[model.mesh.translations()]
+    # Where feet rub, nothing is free: they have slipped as far as they had to.
+    motions = response.motions[:, : 0 if model.supports.friction.any() else None]
+    told = _told(model, linear, path, motions, ending)
+    still = _still(last, motions)[model.mesh.translations()]
     return replace(_deformed(linear, last, (loads, on_panels), told), displacements=still)
 
 
@@ -110,18 +112,19 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
             )
         )
     if len(ground):
-        none = np.zeros((len(ground), 2))
-        pressed = bears[len(pairs) :][: len(ground)]
+        stood, rubbed = np.zeros((2, len(ground), 2))
+        normal, rubs = np.split(response.forces[len(pairs) :], [len(ground)])
         friction = model.supports.friction
+        rough = np.flatnonzero(friction)
+        rubbed[rough] = TOUCHING * rubs[: 2 * len(rough)].reshape(-1, 2)
         parts.append(
             Feet(
                 dofs=translations[ground],
                 stiffness=PENALTY * typical,
                 friction=friction,
-                borne=pressed,
-                available=friction * pressed,
-                rubbed=none,
-                stood=none,
+                borne=TOUCHING * np.maximum(normal, 0.0),
+                rubbed=rubbed,
+                stood=stood,
             )
         )
     loose = len(pairs) or len(ground) or not stiffness or response.motions.shape[1]
@@ -135,11 +138,11 @@ def movable(model: Model, stiffness: float, response: Response) -> Moving:
 
 
 def _path(
-    moving: Moving, loads: Array, thickness: float, first: float
+    moving: Moving, loads: Array, thickness: float, first: float, along: Array
 ) -> tuple[list[Point], Ending]:
     """The path, and how it ends."""
     if any(isinstance(part, Feet) for part in moving.parts):
-        path = climb(moving, loads, first=first, longest=LONGEST)
+        path = climb(moving, loads, along, first=first, longest=LONGEST)
         return path, "carries" if path[-1].factor == 1 else "lost"
     path = trace(moving, loads, first=first, longest=LONGEST, done=_enough)
     nudge = np.zeros(moving.count)

@@ -10,9 +10,11 @@ lambda_0 is what was borne before: it is taken over step by step until gaps vani
 Lagrangian method (M. R. Hestenes and M. J. D. Powell, 1969). A foot on rough ground sticks by a
 spring to where it was after the last step, and slides where that would pull more than Coulomb's
 mu lambda: the return mapping of plasticity (P. Wriggers, "Computational Contact Mechanics", 2006).
-That spring is taken over, too. How much friction there is follows lambda as it was last taken over,
-times how much the loads have grown since, so that Newton's steps find friction that stays as it is;
-it is taken over until it does.
+That spring is taken over, too. Tangents know how friction changes with lambda, and are not
+symmetric.
+
+Who bears is told by the lambda that a step led to expect, of either sign: gaps by themselves are
+off by what turns make of them, and with a penalty that is a large force.
 """
 
 from __future__ import annotations
@@ -119,7 +121,6 @@ class Feet:
     stiffness: float  # k (force per length)
     friction: Array  # coefficients of friction mu (m,)
     borne: Array  # lambda_0 (m,)
-    available: Array  # friction (m,) that there is
     rubbed: Array  # friction (m, 2) after the last step
     stood: Array  # displacements (m, 2) where they stick
 
@@ -142,37 +143,29 @@ class Feet:
 
     def used(self, moved: Moved) -> float:
         """The largest share of its friction that one of them uses."""
-        rubs = self._rubs(moved)
+        rubs = np.linalg.norm(self.forces(moved)[:, :2], axis=1)
         most = self.friction * self.bears(moved)
         return float(np.max(rubs[most > 0] / most[most > 0], initial=0.0))
 
     def settled(self, moved: Moved) -> Self:
         """The same after a step that ends here: feet that slid stand where they are."""
-        now, rubs = moved.displacements[self.dofs[:, :2]], self._rubs(moved)
-        slid = (rubs >= self.available)[:, None]
-        return replace(self.taken_over(moved), stood=np.where(slid, now, self.stood))
+        now, slid = moved.displacements[self.dofs[:, :2]], ~self._seen(moved)[2]
+        return replace(self.taken_over(moved), stood=np.where(slid[:, None], now, self.stood))
 
     def taken_over(self, moved: Moved) -> Self:
         """The same with lambda_0 and friction by what is borne now."""
-        borne = self.bears(moved)
-        rubbed = self.forces(moved)[:, :2]
-        return replace(self, borne=borne, available=self.friction * borne, rubbed=rubbed)
+        return replace(self, borne=self.bears(moved), rubbed=self.forces(moved)[:, :2])
 
     def missing(self, moved: Moved) -> float:
         """Norm of the forces by which what should not give does."""
-        borne, rubbed, rubs = self.bears(moved), self.forces(moved)[:, :2], self._rubs(moved)
-        over = np.where(rubs >= self.available, self.available - self.friction * borne, 0.0)
-        creeps = np.where((rubs < self.available)[:, None], rubbed - self.rubbed, 0.0)
-        parts = (borne - self.borne, over, creeps.ravel())
+        presses, _, sticks = self._seen(moved)
+        creeps = np.where(sticks[:, None], self.forces(moved)[:, :2] - self.rubbed, 0.0)
+        parts = (np.maximum(presses, 0.0) - self.borne, creeps.ravel())
         return float(np.linalg.norm(np.concatenate(parts)))
 
-    def _rubs(self, moved: Moved) -> Array:
-        """How much friction acts (m,)."""
-        return np.asarray(np.linalg.norm(self.forces(moved)[:, :2], axis=1) * (1 + ROUNDING))
-
     def grown(self, ratio: float) -> Self:
-        """The same under loads that have grown by a ratio."""
-        return replace(self, available=ratio * self.available)
+        """The same under loads that have grown by a ratio: a guess of what it bears then."""
+        return replace(self, borne=ratio * self.borne, rubbed=ratio * self.rubbed)
 
     def forces(self, moved: Moved) -> Array:
         """Forces (m, 3) that move them."""
@@ -180,17 +173,26 @@ class Feet:
 
     def tangent(self, moved: Moved, expected: Array | None = None) -> Change:
         """Forces (m, 3), and how they change."""
-        presses = self.bears(moved)
-        active = np.where(presses > 0, self.stiffness, 0.0)
-        went = moved.displacements[self.dofs[:, :2]] - self.stood
-        tried = np.where(presses[:, None] > 0, self.rubbed + self.stiffness * went, 0.0)
-        size = np.linalg.norm(tried, axis=1)[:, None]
-        sticks = size <= self.available[:, None]
-        way = tried / np.where(size > 0, size, 1.0)
-        share = self.available[:, None] / np.where(size > 0, size, 1.0)
-        across = share[..., None] * (np.eye(2) - way[:, :, None] * way[:, None])
+        presses, tried, sticks = self._seen(moved)
+        bears = presses > 0
+        active = np.where(bears, self.stiffness, 0.0)
+        most = self.friction * np.maximum(presses, 0.0)
+        size = np.linalg.norm(tried, axis=1)
+        way = tried / np.where(size > 0, size, 1.0)[:, None]
+        share = most / np.where(size > 0, size, 1.0)
+        across = share[:, None, None] * (np.eye(2) - way[:, :, None] * way[:, None])
         change = np.zeros((len(self.dofs), 3, 3))
-        change[:, :2, :2] = active[:, None, None] * np.where(sticks[..., None], np.eye(2), across)
+        stuck = sticks[:, None, None]
+        change[:, :2, :2] = active[:, None, None] * np.where(stuck, np.eye(2), across)
+        change[:, :2, 2] = np.where(sticks, 0.0, -self.friction * active)[:, None] * way
         change[:, 2, 2] = active
-        rubs = np.where(sticks, tried, share * tried)
-        return Change(np.concatenate([rubs, -presses[:, None]], axis=1), change)
+        rubs = np.where(sticks[:, None], tried, most[:, None] * way) * bears[:, None]
+        return Change(np.concatenate([rubs, -np.maximum(presses, 0.0)[:, None]], axis=1), change)
+
+    def _seen(self, moved: Moved) -> tuple[Array, Array, Booleans]:
+        """Forces lambda_0 + k g (m,), friction (m, 2) if none slid, and which of them stick."""
+        presses = self.borne + self.stiffness * self.gaps(moved)
+        went = moved.displacements[self.dofs[:, :2]] - self.stood
+        tried = self.rubbed + self.stiffness * went
+        most = self.friction * np.maximum(presses, 0.0)
+        return presses, tried, np.linalg.norm(tried, axis=1) <= most

@@ -120,12 +120,19 @@ def trace(
 
 
 def climb(
-    moving: Moving, loads: Array, *, first: float, until: float = 1.0, longest: float = np.inf
+    moving: Moving,
+    loads: Array,
+    along: Array,
+    *,
+    first: float,
+    until: float = 1.0,
+    longest: float = np.inf,
 ) -> list[Point]:
     """Follow the path step by step of the load, where it depends on what went before: friction.
 
-    Parameters are as for :func:`trace`. What does not give is taken over at every point. Returns
-    the points, which end before a load that nothing was found in balance with.
+    along: How far it moves (n,) by linear theory.
+    Other parameters are as for :func:`trace`. What does not give is taken over at every point.
+    Returns the points, which end before a load that nothing was found in balance with.
     """
     points = [Point(0.0, moving.start(), 0, 0.0, moving)]
     step = first
@@ -134,7 +141,9 @@ def climb(
         factor = min(here.factor + step, until)
         stood = here.moving.settled(here.moved) if here.factor else moving
         grown = stood.grown(factor / (here.factor or TOUCHING))
-        point = settle(grown, here.moved, loads, factor)
+        ahead = (factor - here.factor) * along
+        expected = grown.tangent(here.moved)[1].expected(ahead)
+        point = settle(grown, moving.after(here.moved, ahead), loads, factor, expected)
         if point is None:
             step *= 0.25
             continue
@@ -181,25 +190,38 @@ def _corrected(
     return None
 
 
-def settle(moving: Moving, near: Moved, loads: Array, factor: float) -> Point | None:
+def settle(
+    moving: Moving,
+    near: Moved,
+    loads: Array,
+    factor: float,
+    expected: list[Array | None] | None = None,
+) -> Point | None:
     """Equilibrium under a factor of the loads, from nearby; None if Newton's steps do not end.
 
     What bears without giving is taken over until nothing gives.
+
+    expected: Forces that parts are expected to have nearby.
     """
     least = BALANCED * abs(factor) * moving.size(loads[moving.free])
-    point = _settled(moving, near, loads, factor)
+    point = _settled(moving, near, loads, factor, expected)
     for _ in range(SETTLING):
         if point is None or moving.missing(point.moved) <= least + moving.noise(point.moved):
             return point
         moving = moving.taken_over(point.moved)
-        point = _settled(moving, point.moved, loads, factor)
+        point = _settled(moving, point.moved, loads, factor, None)
     return None
 
 
-def _settled(moving: Moving, near: Moved, loads: Array, factor: float) -> Point | None:
+def _settled(
+    moving: Moving,
+    moved: Moved,
+    loads: Array,
+    factor: float,
+    expected: list[Array | None] | None,
+) -> Point | None:
     pull = loads[moving.free]
     scale, before, used = moving.size(pull), 0.0, None
-    moved, expected = near, None
     for turn in range(1, 2 * TURNS + 1):
         forces, tangent = moving.tangent(moved, expected)
         rest = factor * pull - forces[moving.free]
