@@ -11,15 +11,17 @@ import numpy as np
 from orishell.deployment import Site
 from orishell.deployment.feet import Feet
 from orishell.motion.grid import Grid
+from orishell.structure.case import CaseResult
 from orishell.structure.changes import Changes
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.free_motion import FreeMotion
 from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind
 from orishell.structure.loads import Exposure, case_loads, sum_forces, vector
 from orishell.structure.mesh.edge_forces import EdgeForces
 from orishell.structure.mesh.sections import Section
 from orishell.structure.mesh.sheet import mesh_sheet
 from orishell.structure.model import Model
-from orishell.structure.results import Analysis, CaseResult, FreeMotion
+from orishell.structure.results import Analysis
 from orishell.structure.settings import Structure, Support
 
 SPAN, LENGTH, RISE, THICKNESS = 4.0, 3.0, 2.0, 0.01

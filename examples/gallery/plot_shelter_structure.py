@@ -24,7 +24,7 @@ from orishell import Shell
 from orishell.cli.structure import summarize_structure
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.structure.files import draw_structure
+from orishell.structure.pages.files import draw_structure
 
 example = runpy.run_path(str(EXAMPLES / "shelter_structure.py"))
 design, judge, row = (example[name] for name in ("design", "judge", "row"))

@@ -24,6 +24,7 @@ from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
 from orishell.locking.report import MeetingReport, PanelReport
 from orishell.search.figures import NAMES
+from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import AtCrease, CreaseForces
 from orishell.structure.equilibrium import (
     CreaseMoment,
@@ -37,7 +38,7 @@ from orishell.structure.equilibrium import (
 from orishell.structure.load_settings import LoadCase, Snow, Wind
 from orishell.structure.loads import Load
 from orishell.structure.model import Model
-from orishell.structure.results import Analysis, CaseResult, Governing
+from orishell.structure.results import Analysis, Governing
 from orishell.structure.settings import StructureTable, Support
 from public_names import public_objects
 

@@ -17,9 +17,9 @@ from analysed import STRUCTURE, analysed
 from documents import demo_document
 from orishell.document import Document
 from orishell.document.loaded import LoadedCase, LoadedShell
-from orishell.structure.files import write_structure_files
 from orishell.structure.load_path import LoadPath
-from orishell.structure.page import PATHS, structure_page
+from orishell.structure.pages.files import write_structure_files
+from orishell.structure.pages.page import PATHS, structure_page
 from orishell.structure.results import Analysis
 
 if TYPE_CHECKING:

@@ -19,8 +19,9 @@ from orishell.structure.changes import (
     refinement_warnings,
 )
 from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.free_motion import FreeMotion
 from orishell.structure.load_settings import NO_CODE, LoadCase
-from orishell.structure.results import Analysis, FreeMotion
+from orishell.structure.results import Analysis
 
 ROOT = np.sqrt(2)
 AREA = SPAN * LENGTH * ROOT

@@ -8,7 +8,7 @@ from design_tables import formula, tables
 from orishell.design_file import check_design
 from orishell.shell.make import make_shell
 from orishell.shell.steps import MEASURES
-from orishell.structure.files import write_structure_files
+from orishell.structure.pages.files import write_structure_files
 
 
 def test_nothing_is_displaced_nor_buckles(tmp_path: Path) -> None:

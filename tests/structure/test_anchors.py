@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from analysed import analysed
-from orishell.structure.anchor_tables import anchor_csv
 from orishell.structure.anchors import ASSUMED, anchors_in_words
+from orishell.structure.pages.anchor_tables import anchor_csv
 from orishell.structure.results import Analysis
 
 UP, ASIDE = 30.0, 12.0

@@ -22,12 +22,13 @@ from orishell.conventions.errors import InputError
 from orishell.conventions.quantities import Quantities, plain
 
 if TYPE_CHECKING:
+    from orishell.structure.case import CaseResult
     from orishell.structure.crease_forces import AtCrease
     from orishell.structure.equilibrium import CreaseMoment, Equilibrium
     from orishell.structure.load_path import LoadPath
     from orishell.structure.loads import Vector
     from orishell.structure.model import Model
-    from orishell.structure.results import Analysis, CaseResult
+    from orishell.structure.results import Analysis
 
 ROUNDING = 1e-6
 """Components of a vector below this share of the largest are none."""
@@ -151,7 +152,7 @@ def _between(found: AtCrease | CreaseMoment) -> str:
 
 def _envelopes(report: Analysis) -> Iterator[str]:
     """What governs each limit state of a code, and how many cases it has."""
-    from orishell.structure.results import creases_in_words
+    from orishell.structure.case import creases_in_words
 
     for each in report.envelopes:
         what = "in equilibrium under all of them"

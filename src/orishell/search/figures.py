@@ -15,9 +15,9 @@ from orishell.conventions.record import Angle, read_key, written_fields
 from orishell.design_file.search import Limit
 from orishell.shell.report import Report
 from orishell.shell.steps import Step
+from orishell.structure.case import CaseResult
 from orishell.structure.combinations import LimitState
 from orishell.structure.equilibrium import Equilibrium
-from orishell.structure.results import CaseResult
 
 Read = Callable[[Report], float | None]
 Share = Callable[[Equilibrium], float | None]

@@ -21,7 +21,7 @@ from orishell.io.formats.fold import FORMAT as FOLD
 from orishell.shell.make import Shell
 from orishell.shell.pictures import draw_pictures, lay_surface
 from orishell.shell.steps import Clock
-from orishell.structure.files import write_structure_files
+from orishell.structure.pages.files import write_structure_files
 
 
 def write_shell(

@@ -11,7 +11,8 @@ from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import Quantities
 from orishell.design_file import DesignFile
 from orishell.shell.remedies import SECONDS
-from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.case import CaseResult
+from orishell.structure.results import Analysis
 from orishell.structure.verdict import LARGE, LEAST_BUCKLING
 
 SOFT = 3.0

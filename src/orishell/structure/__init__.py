@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 from orishell.conventions.imports import import_on_demand
 
 if TYPE_CHECKING:
+    from orishell.structure.case import CaseResult
     from orishell.structure.equilibrium import Equilibrium
+    from orishell.structure.free_motion import FreeMotion
     from orishell.structure.load_settings import LoadCase, PointLoad, Snow, Wind, Zone
-    from orishell.structure.results import Analysis, CaseResult, FreeMotion
+    from orishell.structure.results import Analysis
     from orishell.structure.settings import Structure, Support
 
 __all__ = [
@@ -31,7 +33,9 @@ __getattr__, __dir__ = import_on_demand(
     __name__,
     {
         "orishell.structure.equilibrium": ("Equilibrium",),
-        "orishell.structure.results": ("Analysis", "CaseResult", "FreeMotion"),
+        "orishell.structure.case": ("CaseResult",),
+        "orishell.structure.free_motion": ("FreeMotion",),
+        "orishell.structure.results": ("Analysis",),
         "orishell.structure.load_settings": ("LoadCase", "PointLoad", "Snow", "Wind", "Zone"),
         "orishell.structure.settings": ("Structure", "Support"),
     },

@@ -15,6 +15,7 @@ from orishell.design import Design
 from orishell.numerics.arrays import Array
 from orishell.solids import BuiltPanels
 from orishell.structure.buckling import share_at_points, turned_by_load
+from orishell.structure.case import CaseResult
 from orishell.structure.changes import Figures
 from orishell.structure.combinations import Combination, LimitState
 from orishell.structure.crease_forces import hold_panels, moments, panel_loads
@@ -28,7 +29,7 @@ from orishell.structure.mesh.stresses import facet_stresses, panel_stresses
 from orishell.structure.model import Model
 from orishell.structure.nonlinear import follow
 from orishell.structure.refine import Run, figures, refined
-from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.results import Analysis
 from orishell.structure.settings import LoadCase, Structure
 from orishell.structure.solve.active_set import Response, respond, stands
 from orishell.structure.solve.factorised import Factorised

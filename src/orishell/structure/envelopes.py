@@ -10,7 +10,8 @@ from orishell.structure.combinations import LimitState
 from orishell.structure.model import Stiffness
 
 if TYPE_CHECKING:
-    from orishell.structure.results import CaseResult, Governing
+    from orishell.structure.case import CaseResult
+    from orishell.structure.results import Governing
 
 STRENGTH: tuple[LimitState | None, ...] = (None, "ULS")
 """Cases that are judged by strength and buckling: those of no code, and ULS."""

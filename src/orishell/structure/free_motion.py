@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.numerics.arrays import Array
 from orishell.structure.model import Model
-from orishell.structure.results import FreeMotion, Ground, Remedy
 from orishell.structure.solve.active_set import respond, stands
 from orishell.structure.solve.bearing import (
     GREATEST,
@@ -25,6 +26,62 @@ LARGER = 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0
 """Times the least coefficient of friction that may do are tried."""
 SHARE = 0.1
 """A motion that takes this share of its vertices' displacements from folding is a folding one."""
+
+
+Remedy = Literal["friction", "ties", "pinned"]
+"""What may hold a shell: more friction, ties between its feet, or its supports pinned."""
+REMEDIES: dict[Remedy, str] = {
+    "friction": "friction of {friction:g}",
+    "ties": "ties between its feet",
+    "pinned": "pinned supports",
+}
+UNFOUND = "no state of sticking and slipping feet was found in which it bears them"
+Ground = Literal["slips", "lifts", "unknown"]
+"""What feet do of a shell that moves: it would stand if they did not slip, or if they were held
+down; or what they do was not found."""
+
+
+@record
+class FreeMotion:
+    """A motion that the loads drive, and that nothing resists, or next to nothing."""
+
+    displacements: Array  # of all nodes (N, 3), the largest is 1, the way that the loads drive it
+    folding: bool  # whether it is the shell's own folding motion, not one of the shell as a whole
+    # whether it opens the shell; it closes it otherwise. None where it is no folding motion
+    opens: bool | None
+    holds: tuple[Remedy, ...] = ()  # what would hold the shell: each was tried with these loads
+    # whether something resists it, but so little that it goes beyond the size of the shell
+    soft: bool = False
+    # whether its feet slip: it would stand if they stuck. Or whether they lift, or slip because
+    # others lift: it would stand if they were held down. None if neither would hold it
+    ground: Ground | None = None
+    # the coefficient of friction with which it stands, tried with these loads; None if none does,
+    # or none was asked for
+    friction: float | None = None
+
+    def in_words(self) -> str:
+        """How a shell moves under its loads, what does not hold it, and what would."""
+        if self.soft:
+            words = "gives way under its loads, by more than its own size: it is far too soft"
+        elif self.ground == "unknown":
+            words = f"may move under its loads: {UNFOUND}"
+        elif self.ground == "slips":
+            way = "" if not self.folding else " and opens" if self.opens else " and closes"
+            words = f"slips{way} under its loads: its feet need more friction than there is"
+        elif self.ground == "lifts" and not self.folding:
+            words = "tips, or lifts off, under its loads: nothing holds its feet down"
+        elif not self.folding:
+            words = "slides or tips as a whole under its loads: its supports do not hold it"
+        elif self.opens:
+            words = "opens under its loads: nothing holds the feet together"
+        else:
+            words = "closes under its loads: nothing holds the feet apart"
+        if self.holds:
+            told = [REMEDIES[each].format(friction=self.friction) for each in self.holds]
+            return f"{words}; {' or '.join(told)} would"
+        if self.soft:
+            return words
+        return f"{words}; neither ties between its feet nor pinned supports would"
 
 
 def describe_motion(

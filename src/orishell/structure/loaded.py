@@ -9,7 +9,8 @@ import numpy as np
 from orishell.document.loaded import LoadedCase, LoadedShell
 
 if TYPE_CHECKING:
-    from orishell.structure.results import Analysis, CaseResult
+    from orishell.structure.case import CaseResult
+    from orishell.structure.results import Analysis
 
 
 def loaded_shell(analysis: Analysis) -> LoadedShell:

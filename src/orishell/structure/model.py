@@ -16,10 +16,10 @@ from orishell.design import Design
 from orishell.motion import Mechanism
 from orishell.motion.boards import Boards
 from orishell.motion.grid import Grid, Panel, Vertex, VertexPair
-from orishell.motion.quads import area_vectors
 from orishell.numerics.arrays import Array, Integers
 from orishell.solids import BuiltPanels
 from orishell.structure.changes import Changes, Stop
+from orishell.structure.flaps import hung_area, kept_apart
 from orishell.structure.loads import Exposure
 from orishell.structure.mesh.elements import Elements
 from orishell.structure.mesh.hinges import hinge_elements, rigid_stiffness
@@ -199,45 +199,17 @@ class Model:
             grid=self.grid,
             before=self.before,
             areal_mass=np.full(len(facets.triangles), mass),
-            hung=mass * self._hung(),
+            hung=mass * hung_area(self.flapped, self.grid, len(facets.points)),
             unit=self.site.unit,
             ground=float(points[..., 2].min() if standing else facets.points[:, 2].min()),
             span=span if standing else None,
             feet=self.site.rows,
         )
 
-    def _hung(self) -> Array:
-        """Area (N,) of flaps, half of every panel at each of the vertices that it hangs on."""
-        hung = np.zeros(len(self.mesh.facets.points))
-        vertices, flat = self.grid.vertices(), self.flapped.positions(0.0)
-        for panel, column in self._flap_columns():
-            corners = np.stack(
-                [
-                    flat[:-1, panel],
-                    flat[1:, panel],
-                    flat[1:, panel + 1],
-                    flat[:-1, panel + 1],
-                ],
-                axis=1,
-            )
-            area = np.linalg.norm(area_vectors(corners), axis=1)
-            hung[vertices[:-1, column]] += 0.5 * area
-            hung[vertices[1:, column]] += 0.5 * area
-        return hung
-
-    def _flap_columns(self) -> list[tuple[int, int]]:
-        """Columns of panels that are flaps, and the column of this grid that each hangs on."""
-        last = self.grid.columns - 1
-        return [(panel, 0 if panel == 0 else last) for panel in self.flapped.flap_columns]
-
     @cached_property
     def flaps(self) -> tuple[VertexPair, ...]:
         """Vertices that two neighbouring flaps keep apart: of the folding sheet, as all are."""
-        return tuple(
-            ((row - 1, column + self.before), (row + 1, column + self.before))
-            for _, column in self._flap_columns()
-            for row in range(1, self.grid.rows - 1)
-        )
+        return kept_apart(self.flapped, self.grid, self.before)
 
     def nodes_of(self, pairs: Sequence[VertexPair]) -> Integers:
         """Nodes (m, 2) at pairs of vertices of the folding sheet."""

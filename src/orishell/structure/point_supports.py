@@ -10,7 +10,7 @@ from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.model import Model
 
 if TYPE_CHECKING:
-    from orishell.structure.results import CaseResult
+    from orishell.structure.case import CaseResult
 
 LOCAL = 0.65
 """A mode is local to points that hold the shell if so much of its strain energy is in panels there:

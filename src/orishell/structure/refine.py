@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from orishell.conventions.progress import Progress
+from orishell.structure.case import CaseResult
 from orishell.structure.changes import Changes, Figures, Stop, find_changes
 from orishell.structure.equilibrium import Equilibrium
 from orishell.structure.mesh.sheet import count_freedoms
 from orishell.structure.model import Model
-from orishell.structure.results import CaseResult
 
 LADDER = 1, 2, 3, 4, 6, 8, 12, 16, 24, 32
 """Cells along a side, one after the other."""

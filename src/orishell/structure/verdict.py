@@ -15,7 +15,7 @@ from orishell.conventions.row import ORDER, Sign
 
 if TYPE_CHECKING:
     from orishell.structure.equilibrium import Equilibrium
-    from orishell.structure.results import FreeMotion
+    from orishell.structure.free_motion import FreeMotion
 
 Kind = Literal[
     "moves",

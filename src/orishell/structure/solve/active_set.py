@@ -24,6 +24,9 @@ TOLERANCE = 1e-7
 SINGULAR = 1e-15
 """Where a foot is about to slip or lift, the slope may be singular: to this share of it."""
 
+UNBALANCED = 1e-5
+"""Loads that miss more than this share drive a motion."""
+
 WITHIN = 1e-9
 """Friction beyond what there is by less than this share has not slipped."""
 
@@ -65,6 +68,11 @@ def respond(structure: Factorised, loads: Array) -> Response:
     if found.away:
         far = settled.displacements
         return _moving(structure, far / np.linalg.norm(far), slides=True)
+    rest = loads - (settled.taken + structure.pulls(settled.forces))[structure.free]
+    if np.linalg.norm(rest) > UNBALANCED * np.linalg.norm(loads):
+        motions = structure.motions(np.zeros(len(structure.rows), dtype=bool))
+        shape = motions @ (motions.T @ rest)
+        return replace(_moving(structure, shape / np.linalg.norm(shape)), unknown=True)
     return settled
 
 

@@ -6,14 +6,15 @@ from collections.abc import Iterator, Sequence
 
 from orishell.conventions.quantities import Quantities, figure, quantity
 from orishell.io.html_pages import bullets, heading, paragraph, picture, static_page, table
-from orishell.structure.anchor_tables import anchor_parts
+from orishell.structure.case import CaseResult, creases_in_words
 from orishell.structure.crease_forces import AtCrease
-from orishell.structure.crease_tables import crease_notes, crease_table
 from orishell.structure.envelopes import STRENGTH
 from orishell.structure.equilibrium import CreaseMoment, Equilibrium, PairForce
 from orishell.structure.loads import KINDS, Vector
-from orishell.structure.model_page import model_parts
-from orishell.structure.results import Analysis, CaseResult, creases_in_words
+from orishell.structure.pages.anchor_tables import anchor_parts
+from orishell.structure.pages.crease_tables import crease_notes, crease_table
+from orishell.structure.pages.model_page import model_parts
+from orishell.structure.results import Analysis
 from orishell.structure.verdict import COLLAPSED
 
 ROUNDING = 1e-9

@@ -10,10 +10,11 @@ from orishell.conventions.quantities import Quantities
 from orishell.document import Document
 from orishell.document.loaded import LoadedShell
 from orishell.plot import DrawnCase, DrawnPath, draw_load_paths, plot_structure
-from orishell.structure.anchor_tables import anchor_csv
-from orishell.structure.crease_tables import crease_csv
-from orishell.structure.page import structure_page
-from orishell.structure.results import Analysis, CaseResult
+from orishell.structure.case import CaseResult
+from orishell.structure.pages.anchor_tables import anchor_csv
+from orishell.structure.pages.crease_tables import crease_csv
+from orishell.structure.pages.page import structure_page
+from orishell.structure.results import Analysis
 
 
 def write_structure_files(directory: Path, document: Document, analysis: Analysis) -> None:

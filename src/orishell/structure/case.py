@@ -1,0 +1,109 @@
+"""What an analysis found of one load case, and whether the shell carries it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cached_property
+
+from orishell.conventions.record import record
+from orishell.conventions.row import Sign, worst
+from orishell.numerics.arrays import Array
+from orishell.structure.combinations import LimitState
+from orishell.structure.envelopes import STRENGTH
+from orishell.structure.equilibrium import Equilibrium
+from orishell.structure.free_motion import FreeMotion
+from orishell.structure.loads import Load, Vector, vector
+from orishell.structure.model import Model, Stiffness, stiffness_in_words
+from orishell.structure.verdict import (
+    COLLAPSED,
+    Finding,
+    against_equilibrium,
+    against_motion,
+    ranked,
+)
+
+
+@record
+class CaseResult:
+    """A load case with one stiffness of creases."""
+
+    WRITTEN = (
+        "name", "limit_state", "creases", "carries", "findings", "loads", "load", "equilibrium",
+    )  # fmt: skip
+
+    name: str  # the case
+    stiffness: float  # of creases (force per radian); 0 free, infinite rigid
+    loads: tuple[Load, ...]  # what loads it, kind by kind
+    forces: Array  # on nodes (N, 3), of all loads (N)
+    motion: FreeMotion | None  # what nothing resists; None if there is equilibrium
+    equilibrium: Equilibrium | None  # what holds it; None if it moves
+    # what a code combines it for: "ULS" is judged by strength and buckling, "EQU" by equilibrium
+    # alone, "SLS" by displacements; None if no code does, then by all
+    limit_state: LimitState | None = None
+
+    @property
+    def creases(self) -> Stiffness:
+        """Their stiffness."""
+        return stiffness_in_words(self.stiffness)
+
+    @property
+    def load(self) -> Vector:
+        """Sum of all loads."""
+        return vector(self.forces.sum(axis=0))
+
+    def of(self, model: Model) -> CaseResult:
+        """The same of a model that is told what refinement found."""
+        found = self.equilibrium
+        return self if found is None else replace(self, equilibrium=replace(found, model=model))
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """What speaks against it, the worst first."""
+        if self.motion is not None:
+            return ranked(against_motion(self.motion))
+        assert self.equilibrium is not None
+        strength = self.limit_state in STRENGTH
+        return ranked(against_equilibrium(self.equilibrium, strength=strength))
+
+    @property
+    def sign(self) -> Sign:
+        """Whether it fails, wants attention, or holds."""
+        return worst(each.sign for each in self.findings)
+
+    @property
+    def carries(self) -> bool | None:
+        """Whether the shell carries these loads; None if the strength of something is not known."""
+        if self.sign == "fails":
+            return False
+        return None if any(each.kind == "unknown" for each in self.findings) else True
+
+    @property
+    def used(self) -> float:
+        """The largest share of what is borne: above 1 where it does not carry its loads."""
+        if self.equilibrium is None:
+            return float("inf")
+        if self.limit_state in STRENGTH:
+            return self.equilibrium.used
+        return self.equilibrium.displacement.share / COLLAPSED
+
+    def in_words(self) -> str:
+        """What the shell does under these loads."""
+        said = "; ".join(each.text for each in self.findings if each.sign == self.sign)
+        if self.sign == "fails" or not said:
+            return said or "carries its loads"
+        doubt = (
+            "carries its loads as far as is known" if self.carries is None else "carries its loads"
+        )
+        return f"{doubt}, but {said}"
+
+    def load_warnings(self) -> Iterator[tuple[str, str]]:
+        """Of which case, and what an engineer should read of its loads."""
+        if all(load.kind != "self_weight" for load in self.loads):
+            yield self.name, "own weight is left out (self_weight = true)"
+        yield from ((load.case, load.caution) for load in self.loads if load.caution)
+
+
+def creases_in_words(creases: Stiffness) -> str:
+    """Creases of a stiffness, as the name of a case has them."""
+    return f"{creases} creases" if isinstance(creases, str) else f"creases of {creases:g} N"

@@ -1,0 +1,1 @@
+"""The page, the picture and the tables on a shell as a structure."""
