@@ -11,7 +11,7 @@ as it turns, g being mean slopes of its displacements. By Gauss they follow from
 n being the outer normal. Along a side from corner i to j, d = x_j - x_i, w is a cubic, as it is in
 bending (DKT), by w and its slopes s at both ends:
 
-    int w ds = |d| ((w_i + w_j)/2 + d . (s_i - s_j)/12).
+    int w ds = abs(d) ((w_i + w_j)/2 + d . (s_i - s_j)/12).
 
 u and v are linear. Slopes at nodes are those of parabolas through w at three nodes in a row, along
 both rows of a panel's nodes. The plate's own rotations would not do: a cell alone bends without

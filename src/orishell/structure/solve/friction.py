@@ -5,16 +5,16 @@ With S^1/2 = W, gaps h = W g and forces l = W^-1 lambda by springs alike, A = W 
     H h + A l = W g_f,        h = h' + e l,
 
 where e l is what a row gives, and h' what it parts or slips. With l^ = (mu l_n, l_t) forces are in
-the cone |l^_t| <= l^_n, which is its own dual. Coulomb's law is complementary in it once a foot is
+the cone abs(l^_t) <= l^_n, which is its own dual. Coulomb's law is complementary in it once a foot is
 said to part by mu times its slip more than it does (De Saxce and Feng 1998): v is in the cone and
 l^ v = 0 for
 
-    v_t = -h'_t,        mu v_n = mu |h'_t| - h'_n.
+    v_t = -h'_t,        mu v_n = mu abs(h'_t) - h'_n.
 
 All of that holds for one number by row, y = r l^ - v with any r > 0: with the projection P onto the
 cone,
 
-    r l^ = P(y),        v = P(y) - y,        h'_n = mu (theta |v_t| - v_n),
+    r l^ = P(y),        v = P(y) - y,        h'_n = mu (theta abs(v_t) - v_n),
 
 where theta = 1. A tie, a flap or smooth ground has P(y) = max(y, 0). So cone and complementarity
 hold exactly whatever y is, and what is left is equilibrium, F(y) = H h + A l - W g_f = 0. F is what
