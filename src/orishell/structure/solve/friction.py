@@ -5,9 +5,9 @@ With S^1/2 = W, gaps h = W g and forces l = W^-1 lambda by springs alike, A = W 
     H h + A l = W g_f,        h = h' + e l,
 
 where e l is what a row gives, and h' what it parts or slips. With l^ = (mu l_n, l_t) forces are in
-the cone abs(l^_t) <= l^_n, which is its own dual. Coulomb's law is complementary in it once a foot is
-said to part by mu times its slip more than it does (De Saxce and Feng 1998): v is in the cone and
-l^ v = 0 for
+the cone abs(l^_t) <= l^_n, which is its own dual. Coulomb's law is complementary in it once a foot
+is said to part by mu times its slip more than it does (De Saxce and Feng 1998): v is in the cone
+and l^ v = 0 for
 
     v_t = -h'_t,        mu v_n = mu abs(h'_t) - h'_n.
 
