@@ -70,7 +70,7 @@ def respond(structure: Factorised, loads: Array) -> Response:
         return _moving(structure, far / np.linalg.norm(far), slides=True)
     rest = loads - (settled.taken + structure.pulls(settled.forces))[structure.free]
     if np.linalg.norm(rest) > UNBALANCED * np.linalg.norm(loads):
-        motions = structure.motions(np.zeros(len(structure.rows), dtype=bool))
+        motions = structure.free_motions()
         shape = motions @ (motions.T @ rest)
         return replace(_moving(structure, shape / np.linalg.norm(shape)), unknown=True)
     return settled

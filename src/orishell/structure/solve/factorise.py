@@ -20,6 +20,8 @@ LOOSE, LOOSEST = 3e-14, 3
 by which that is found."""
 SWINGING = 400
 """At most so many vertices have springs."""
+HELD = 1e-9
+"""A motion of the whole that moves supported vertices by less than this share is free."""
 SPRING = 1e-4
 """Springs at vertices, by the mean stiffness of nodes."""
 
@@ -101,9 +103,24 @@ def _sprung(
         springs,
         spread,
         0.5 * (flexibility + flexibility.T),
+        _rigid_motions(mesh, free, supported),
         sprung,
         factors,
     )
+
+
+def _rigid_motions(mesh: SheetMesh, free: Integers, supported: Integers) -> Array:
+    """Motions of the whole (n, r) that supported dofs (H,) leave; orthonormal."""
+    away = mesh.facets.points - mesh.facets.points.mean(axis=0)
+    size = float(np.linalg.norm(np.ptp(away, axis=0)))
+    motions = np.zeros((mesh.count, 6))
+    for axis, unit in enumerate(np.eye(3)):
+        motions[mesh.translations()[:, axis], axis] = 1.0
+        motions[mesh.translations(), 3 + axis] = np.cross(unit, away) / size
+        motions[mesh.rotations()[..., axis], 3 + axis] = 1 / size
+    _, sizes, ways = np.linalg.svd(motions[supported], full_matrices=True)
+    held = int((sizes > HELD * sizes.max(initial=0.0)).sum())
+    return np.linalg.qr(motions[free] @ ways[held:].T)[0]
 
 
 def _loosest(solve: Callable[[Array], Array], size: int) -> float:
