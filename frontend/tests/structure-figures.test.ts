@@ -4,9 +4,8 @@ import type { CaseResult, Analysis } from "../src/shared/api-types.ts";
 import { structureFigures } from "../src/shared/structure-figures.ts";
 
 function caseOf(name: string, creases: CaseResult["creases"], displaced: number | null): CaseResult {
-  const moves = displaced === null ? "opens under its loads" : null;
-  const stands = displaced === null ? null : { displacement: { size: displaced } };
-  return { name, creases, loads: [], load: [0, 0, 0], moves, stands } as unknown as CaseResult;
+  const equilibrium = displaced === null ? null : { displacement: { size: displaced } };
+  return { name, creases, loads: [], load: [0, 0, 0], equilibrium } as unknown as CaseResult;
 }
 
 const reportOf = (cases: CaseResult[], governs: Analysis["governs"] = null): Analysis =>
@@ -16,11 +15,10 @@ test("a shell that was not analysed has no figures", () => {
   expect(structureFigures(null, "m")).toEqual([]);
 });
 
-test("what moves, the largest displacement and what governs are named with their cases", () => {
+test("the largest displacement and what governs are named with their cases", () => {
   const cases = [caseOf("snow", "free", null), caseOf("wind", "free", 0.02), caseOf("snow", 150, 0.05), caseOf("wind", 150, 0.01)];
   const governs = { part: "ties", case: "wind", creases: "free", utilisation: 0.803 } as const;
   expect(structureFigures(reportOf(cases, governs), "m")).toEqual([
-    { name: "Moves", value: "snow, free creases", note: "the shell opens under its loads" },
     { name: "Displaced", value: "0.05 m", note: "at most, under snow, creases of 150 N" },
     { name: "Used", value: "80.3 %", note: "the force in a tie governs, under wind, free creases" },
   ]);
