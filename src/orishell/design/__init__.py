@@ -9,6 +9,7 @@ from orishell.design.design import (
 )
 from orishell.design.panel import Construction, PanelSpec, Setback
 from orishell.design.path import Path
+from orishell.design.piece import Piece
 from orishell.design.rails import Rail, Sliding, Turning
 from orishell.design.surface import Lattice, Surface
 
@@ -21,6 +22,7 @@ __all__ = [
     "PanelSpec",
     "Parameter",
     "Path",
+    "Piece",
     "Rail",
     "Setback",
     "Sliding",
