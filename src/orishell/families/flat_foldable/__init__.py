@@ -1,0 +1,4 @@
+"""Flat-foldable: quadrilateral meshes that fold with one degree of freedom and close completely.
+
+Derived in docs/theory/flat-foldable.md.
+"""
