@@ -21,6 +21,7 @@ exact derivatives by complex steps. The last axis of all arrays is one of many s
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -64,15 +65,29 @@ class Net:
 
     def march(self) -> Sheet:
         """The sheet; sectors are not numbers, or lengths negative, where there is none."""
+        mode, row_signs, column_signs, ties = self._ties()
+        a, b = self._sectors(ties, mode)
+        return Sheet(self, a, b, *self._lengths(a, b), row_signs, column_signs)
+
+    def with_straight_columns(self) -> Net:
+        """The same with a = b, or as near as there is, along the middle row and column."""
+        mode, _, _, ties = self._ties()
+        straight = np.where(mode[..., None], 0.5 * ties, 0.0)
+        i, j = self.middle
+        return replace(self, row_angles=straight[i], column_angles=straight[:, j])
+
+    def _ties(self) -> tuple[Booleans, Array, Array, Numbers]:
+        """Modes (R, C), signs of creases, and log tan(a/2) +- log tan(b/2) (R, C, B)."""
         mode = self.row_mode
         row_signs = np.ones((mode.shape[0], mode.shape[1] + 1))
         column_signs = np.ones((mode.shape[0] + 1, mode.shape[1]))
         row_signs[:, 1:] = np.cumprod(np.where(mode, 1.0, -1.0), axis=1)
         column_signs[1:] = np.cumprod(np.where(mode, -1.0, 1.0), axis=0)
         m = -(row_signs[:, 1:, None] * self.x[:, None]) / (column_signs[1:, :, None] * self.y)
-        ties = np.log(np.where(mode[..., None], (m - 1) / (m + 1), (1 + m) / (1 - m)))
-        a, b = self._sectors(ties, mode)
-        return Sheet(self, a, b, *self._lengths(a, b), row_signs, column_signs)
+        # A vertex with equal tangents has no sectors: m = 1.
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ties = np.log(np.where(mode[..., None], (m - 1) / (m + 1), (1 + m) / (1 - m)))
+        return mode, row_signs, column_signs, ties
 
     def _sectors(self, ties: Numbers, mode: Booleans) -> tuple[Numbers, Numbers]:
         """Sectors a and b (R, C, B): from the cross to the four quadrants beside it."""
