@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from orishell.conventions.record import record
-from orishell.families.flat_foldable.folding import HalfFolds, fold
+from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.net import Sheet
 from orishell.families.flat_foldable.rates import Chains
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array
+
+SMALL = 1e-7
+"""Squares of angles below this are so small that two terms of a series are exact (radians)."""
 
 
 @record
@@ -127,19 +130,19 @@ class FlatFoldable:
         return self.sheet.net.middle
 
 
-def turned(places: Array, by: Array) -> Array:
+def turned(places: Numbers, by: Numbers) -> Numbers:
     """Places (3, ..., B) turned by rotation vectors (3, B) (radians): Rodrigues' formula."""
-    angle = np.sqrt((by * by).sum(axis=0))
+    square = (by * by).sum(axis=0)
+    small = np.abs(square) < SMALL
+    angle = np.sqrt(np.where(small, 1.0, square))
+    sine = np.where(small, 1 - square / 6, np.sin(angle) / angle)
+    versine = np.where(small, 0.5 - square / 24, (1 - np.cos(angle)) / angle**2)
     w = by.reshape(3, *(1,) * (places.ndim - 2), -1)
     across = _cross(w, places)
-    return np.asarray(
-        places
-        + np.sinc(angle / np.pi) * across
-        + 0.5 * np.sinc(0.5 * angle / np.pi) ** 2 * _cross(w, across)
-    )
+    return np.asarray(places + sine * across + versine * _cross(w, across))
 
 
-def _cross(u: Array, v: Array) -> Array:
+def _cross(u: Numbers, v: Numbers) -> Numbers:
     return np.stack(
         [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     )
