@@ -37,7 +37,7 @@ class Weights:
     near: float = 0.05  # of vertices from where they were at the start, along the mean plane
     even: float = 5e-3  # of lengths of edges from their mean, by logarithms
     smooth: float = 3e-3  # of second differences of what makes the sheet
-    ratio: float = 0.1  # of logarithms of edges that are too short or too long
+    ratio: float = 0.2  # of logarithms of edges that are too short or too long
 
 
 @record
