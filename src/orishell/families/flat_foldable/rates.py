@@ -109,7 +109,9 @@ class Chains:
         ends = np.empty((count + 1, len(start))), np.empty((count + 1, len(start)))
         half = Rates(rows.low[i], rows.high[i], rows.second[i]).half()
         for order, first in ((range(i + 1, count), i + 1), (range(i - 1, -1, -1), i)):
-            way = _chain((half.high, half.second), order, rows, self.row_signs[:, j], self.row_axes[:, j])
+            way = _chain(
+                (half.high, half.second), order, rows, self.row_signs[:, j], self.row_axes[:, j]
+            )
             for step, found in enumerate(way):
                 place = first + step if first > i else first - step
                 for each, value in zip(ends, found, strict=True):
