@@ -40,7 +40,7 @@ class Net:
 
     x: Numbers  # (R, B), tangents of half the fold angles of the row creases at t = 1, signed
     y: Numbers  # (C, B), those of the column creases
-    # log tan(a/2) along the middle row (C, B) and the middle column (R, B), the same where they meet
+    # log tan(a/2) along the middle row (C, B) and the middle column (R, B), alike where they meet
     row_angles: Numbers
     column_angles: Numbers
     row_lengths: Numbers  # (C-1, B), of the edges along the middle row
@@ -49,8 +49,8 @@ class Net:
     bottom: Numbers  # (C, B)
     left: Numbers  # (R, B)
     right: Numbers  # (R, B)
-    # corners (4, 2, B), top left, top right, bottom left, bottom right: by shares of the ways from
-    # the nearest inner vertex to the border vertices beside the corner, along the row and the column
+    # corners (4, 2, B), top left, top right, bottom left, bottom right: from the nearest inner
+    # vertex by shares of the ways to the border vertices beside it, along the row and the column
     corners: Numbers
 
     @property
