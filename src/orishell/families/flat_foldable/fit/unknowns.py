@@ -127,6 +127,22 @@ class Unknowns:
         return np.einsum("ab,bijk->aijk", self.frame, moved) + self.shift[:, None, None, None]
 
     @cached_property
+    def places_at_start(self) -> Array:
+        """Vertices (R+2, C+2, 3) at the start."""
+        sheet = self.sheet(self.first[:, None])
+        places = self.places(sheet, sheet.flat(), self.first[:, None])
+        return np.moveaxis(places[..., 0], 0, -1)
+
+    @cached_property
+    def smoothing(self) -> Array:
+        """Rows (K, P): second differences of lists, and how far they are from the start."""
+        whole = np.eye(len(self.first))
+        x, y, row, column, along, down, *borders = self.parts
+        bends = [np.diff(whole[part], 2, axis=0) for part in (x, y, row, column, along, down)]
+        kept = [0.3 * whole[part] for part in borders] + [0.1 * whole[part] for part in (x, y)]
+        return np.concatenate([*bends, *kept])
+
+    @cached_property
     def sides(self) -> Array:
         """On which side (R+2, 1) of the surface each row is."""
         return self.lift * np.where(np.arange(len(self.start.x) + 2) % 2 == 0, 1.0, -1.0)[:, None]
