@@ -33,7 +33,9 @@ class Unknowns:
     first: Array  # the unknowns (P,) at the start
 
     @classmethod
-    def covering(cls, piece: Piece, rows: int, columns: int, sector: float, folded: float) -> Unknowns:
+    def covering(
+        cls, piece: Piece, rows: int, columns: int, sector: float, folded: float
+    ) -> Unknowns:
         """The Miura sheet with a sector angle and a fold angle of its row creases (radians)."""
         unit = graded_net(rows, columns, folds=[folded], sectors=[sector])
         places = _folded(unit)
@@ -43,7 +45,12 @@ class Unknowns:
         wide = 2 * across / (columns + 1) / np.linalg.norm(along)
         tall = 2 * high / (rows + 1) / np.linalg.norm(up)
         start = graded_net(
-            rows, columns, folds=[folded], sectors=[sector], row_lengths=[wide], column_lengths=[tall]
+            rows,
+            columns,
+            folds=[folded],
+            sectors=[sector],
+            row_lengths=[wide],
+            column_lengths=[tall],
         )
         places = _folded(start)
         along, up = places[:, 1, 3] - places[:, 1, 1], places[:, 1, 1] - places[:, 3, 1]
@@ -55,7 +62,14 @@ class Unknowns:
         middle = laid.reshape(3, -1).mean(axis=1)
         heights = np.einsum("a,aij->ij", piece.axes[2], laid - middle[:, None, None])
         offset = 0.5 * float(heights[::2].mean() - heights[1::2].mean())
-        lengths = (start.row_lengths, start.column_lengths, start.top, start.bottom, start.left, start.right)
+        lengths = (
+            start.row_lengths,
+            start.column_lengths,
+            start.top,
+            start.bottom,
+            start.left,
+            start.right,
+        )
         first = np.concatenate(
             [
                 np.log(np.abs(start.x)).ravel(),
@@ -75,7 +89,19 @@ class Unknowns:
         """Where what stands: as in ``first``."""
         net = self.start
         rows, columns = len(net.x), len(net.y)
-        sizes = [rows, columns, columns, rows - 1, columns - 1, rows - 1, columns, columns, rows, rows, 8]
+        sizes = [
+            rows,
+            columns,
+            columns,
+            rows - 1,
+            columns - 1,
+            rows - 1,
+            columns,
+            columns,
+            rows,
+            rows,
+            8,
+        ]
         ends = np.cumsum(sizes).tolist()
         return [slice(end - size, end) for end, size in zip(ends, sizes, strict=True)]
 
