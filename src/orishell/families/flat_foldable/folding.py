@@ -26,7 +26,9 @@ class HalfFolds:
     column: tuple[Numbers, Numbers]  # of column creases (R+1, C, B)
 
     @classmethod
-    def of(cls, tangents: tuple[Numbers, Numbers], c: Numbers | float, s: Numbers | float) -> HalfFolds:
+    def of(
+        cls, tangents: tuple[Numbers, Numbers], c: Numbers | float, s: Numbers | float
+    ) -> HalfFolds:
         """Those at t = s/c from tangents of half the fold angles at t = 1: finite up to c = 0."""
         found = []
         for each in tangents:

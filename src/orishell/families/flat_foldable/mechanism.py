@@ -123,11 +123,8 @@ class FlatFoldable:
 
     @cached_property
     def _chains(self) -> Chains:
-        return Chains.of(self._flat[..., 0], *(each[..., 0] for each in self._shares), self._middle)
-
-    @property
-    def _middle(self) -> tuple[int, int]:
-        return self.sheet.net.middle
+        row, column = (each[..., 0] for each in self._shares)
+        return Chains.of(self._flat[..., 0], row, column, self.sheet.net.middle)
 
 
 def turned(places: Numbers, by: Numbers) -> Numbers:

@@ -40,7 +40,7 @@ class Net:
 
     x: Numbers  # (R, B), tangents of half the fold angles of the row creases at t = 1, signed
     y: Numbers  # (C, B), those of the column creases
-    # log tan(a/2) along the middle row (C, B) and the middle column (R, B), the same where they meet
+    # log tan(a/2) along the middle row (C, B) and the middle column (R, B), alike where they meet
     row_angles: Numbers
     column_angles: Numbers
     row_lengths: Numbers  # (C-1, B), of the edges along the middle row
@@ -49,8 +49,8 @@ class Net:
     bottom: Numbers  # (C, B)
     left: Numbers  # (R, B)
     right: Numbers  # (R, B)
-    # corners (4, 2, B), top left, top right, bottom left, bottom right: by shares of the ways from
-    # the nearest inner vertex to the border vertices beside the corner, along the row and the column
+    # corners (4, 2, B), top left, top right, bottom left, bottom right: from the nearest inner
+    # vertex by shares of the ways to the border vertices beside it, along the row and the column
     corners: Numbers
 
     @property
@@ -66,13 +66,18 @@ class Net:
     def march(self) -> Sheet:
         """The sheet; sectors are not numbers, or lengths negative, where there is none."""
         mode, row_signs, column_signs, ties = self._ties()
-        a, b = self._sectors(ties, mode)
-        return Sheet(self, a, b, *self._lengths(a, b), row_signs, column_signs)
+        with np.errstate(all="ignore"):
+            a, b = self._sectors(ties, mode)
+            lengths = self._lengths(a, b)
+        return Sheet(self, a, b, *lengths, row_signs, column_signs)
 
     def with_straight_columns(self) -> Net:
-        """The same with a = b, or as near as there is, along the middle row and column."""
-        mode, _, _, ties = self._ties()
-        straight = np.where(mode[..., None], 0.5 * ties, 0.0)
+        """The same, its creases going straight on along the middle row and column.
+
+        Columns do where rows fold more (a = b), and rows where columns do (a + b = pi).
+        """
+        _, _, _, ties = self._ties()
+        straight = 0.5 * ties
         i, j = self.middle
         return replace(self, row_angles=straight[i], column_angles=straight[:, j])
 
@@ -97,7 +102,9 @@ class Net:
         logs = a, np.where(mode[..., None], ties - a, a - ties)
         for part in _quadrants(i, j):
             seen = part.seen(*(each[part.place].copy() for each in logs))
-            _march_sectors(*seen, part.seen_ties(ties[part.place], mode[part.place]), mode[part.place])
+            _march_sectors(
+                *seen, part.seen_ties(ties[part.place], mode[part.place]), mode[part.place]
+            )
             for each, found in zip(logs, part.seen(*seen), strict=True):
                 each[part.place] = found
         a, b = (2 * np.arctan(np.exp(each)) for each in logs)
@@ -113,7 +120,9 @@ class Net:
         for part in _quadrants(i, j):
             (down, right), (below, beside) = part.place, part.edges
             _march_lengths(
-                rows[down, beside], columns[below, right], *part.seen_sectors(a[part.place], b[part.place])
+                rows[down, beside],
+                columns[below, right],
+                *part.seen_sectors(a[part.place], b[part.place]),
             )
         return rows, columns
 

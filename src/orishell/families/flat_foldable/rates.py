@@ -3,7 +3,7 @@ r"""Bounds of the accelerations of a flat-foldable sheet's edges.
 From the middle crease one comes to a panel across creases with unit axes a_k that fold at rates
 rho_k', so that it turns at omega = sum rho_k' a_k. Neighbouring creases turn against each other
 and mostly cancel. So they are taken in pairs: both axes of a pair lie in one panel, and the angle
-phi between them never changes. With p and q the sizes of their rates and g the product of the signs,
+phi between them never changes. With p and q the sizes of their rates, g the product of the signs,
 
     size(Omega)^2 = (p - q)^2 + 2 p q (1 + g cos phi),
 
@@ -109,24 +109,21 @@ class Chains:
         ends = np.empty((count + 1, len(start))), np.empty((count + 1, len(start)))
         half = Rates(rows.low[i], rows.high[i], rows.second[i]).half()
         for order, first in ((range(i + 1, count), i + 1), (range(i - 1, -1, -1), i)):
-            way = _chain((half.high, half.second), order, rows, self.row_signs[:, j], self.row_axes[:, j])
+            way = _chain(
+                (half.high, half.second), order, rows, self.row_signs[:, j], self.row_axes[:, j]
+            )
             for step, found in enumerate(way):
                 place = first + step if first > i else first - step
                 for each, value in zip(ends, found, strict=True):
                     each[place] = value
-        panels = (
-            np.empty((across + 1, count + 1, len(start))),
-            np.empty((across + 1, count + 1, len(start))),
-        )
+        w, bent = (np.empty((across + 1, count + 1, len(start))) for _ in range(2))
         signs, axes = self.column_signs.T, self.column_axes.swapaxes(0, 1)
         for order in (range(j, across), range(j - 1, -1, -1)):
             for step, found in enumerate(_chain(ends, order, columns, signs, axes)):
                 place = j + step if order.step > 0 else j - step
-                for each, value in zip(panels, found, strict=True):
-                    each[place] = value
-        w, bent = panels
-        size = ((w + spin) ** 2 + bent).swapaxes(0, 1)  # (R+1, C+1, S)
-        size = np.pad(size, ((1, 1), (1, 1), (0, 0)), constant_values=np.inf)
+                w[place], bent[place] = found
+        panels = ((w + spin) ** 2 + bent).swapaxes(0, 1)  # (R+1, C+1, S)
+        size = np.pad(panels, ((1, 1), (1, 1), (0, 0)), constant_values=np.inf)
         # An edge is one of both panels beside it: the smaller bound holds.
         of_rows = np.minimum(size[:-1, 1:-1], size[1:, 1:-1])
         of_columns = np.minimum(size[1:-1, :-1], size[1:-1, 1:])

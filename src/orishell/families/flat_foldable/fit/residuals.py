@@ -173,7 +173,9 @@ class Problem:
         points = vertices.reshape(-1, 3)
         at, after, before = (each[chosen] for each in self.corners)
         p, q = points[after] - points[at], points[before] - points[at]
-        normal = units(np.cross(vertices[1:, 1:] - vertices[:-1, :-1], vertices[:-1, 1:] - vertices[1:, :-1]))
+        normal = units(
+            np.cross(vertices[1:, 1:] - vertices[:-1, :-1], vertices[:-1, 1:] - vertices[1:, :-1])
+        )
         n = np.repeat(normal.reshape(-1, 3), 4, axis=0)[chosen]
         return np.cross(q, n), np.cross(n, p), dots(np.cross(p, q), n), lengths(p) * lengths(q)
 
@@ -218,4 +220,4 @@ def border(points: Array) -> tuple[Array, Array, Array, Array]:
 
 def _along(slopes: Array, directions: Array) -> Array:
     """Parts (..., P) of derivatives (..., 3, P) along directions (..., 3)."""
-    return np.einsum("...ap,...a->...p", slopes, directions)
+    return np.asarray(np.einsum("...ap,...a->...p", slopes, directions))

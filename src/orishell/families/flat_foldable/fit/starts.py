@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -53,17 +53,50 @@ class Fit:
     reached: Reached
 
 
+@record
+class Task:
+    """What is asked for: a sheet of R x C inner vertices on a piece."""
+
+    piece: Piece
+    rows: int
+    columns: int
+    conditions: Conditions
+
+    def tried(self, start: Start, course: Course, progress: Progress = no_progress) -> Fit | None:
+        """The sheet that a start leads to; None where it does not keep the conditions itself."""
+        seen = start.on(self.piece)
+        of = Unknowns.covering(seen, self.rows, self.columns, SECTOR, start.folded)
+        found = follow(seen, of, self.conditions, course, progress)
+        return None if found is None else Fit(start, of, *found)
+
+    def ranked(self, starts: list[Start], progress: Progress) -> list[Start]:
+        """Starts, those first that lead nearest with a coarse sheet."""
+        coarse, share = self.coarse()
+        scores = []
+        for number, start in enumerate(starts):
+            found = coarse.tried(start, FAST)
+            scores.append(np.inf if found is None else found.reached.score(share))
+            progress((number + 1) / len(starts), WHAT)
+        return [starts[k] for k in np.argsort(scores, kind="stable")]
+
+    def coarse(self) -> tuple[Task, float]:
+        """The same with fewer panels, and how much larger these are."""
+        panels = self.rows + 1, self.columns + 1
+        share = max(1.0, max(panels) / COARSE)
+        small = [min(each, max(4, round(each / share))) for each in panels]
+        # Odd numbers of panels stay odd: then there are crests at both ends, or there are not.
+        rows, columns = (each - (each - of) % 2 - 1 for each, of in zip(small, panels, strict=True))
+        return replace(self, rows=rows, columns=columns), share
+
+
 def fit_sheet(
-    piece: Piece,
-    rows: int,
-    columns: int,
-    conditions: Conditions,
+    task: Task,
     *,
     direction: int | None = None,
     folded: float | None = None,
     progress: Progress = no_progress,
 ) -> Fit | None:
-    """The sheet of R x C inner vertices that comes nearest to a piece; None if there is none.
+    """The sheet that comes nearest to a piece; None if there is none that keeps the conditions.
 
     Parameters
     ----------
@@ -81,55 +114,6 @@ def fit_sheet(
         )
     ]
     if len(starts) > 1:
-        starts = _ranked(piece, rows, columns, conditions, starts, stretch(progress, 0, SHARE))
+        starts = task.ranked(starts, stretch(progress, 0, SHARE))
     finishing = stretch(progress, SHARE, 1)
-    for start in starts:
-        found = _tried(piece, rows, columns, conditions, start, THOROUGH, finishing)
-        if found is not None:
-            return found
-    return None
-
-
-def _ranked(
-    piece: Piece,
-    rows: int,
-    columns: int,
-    conditions: Conditions,
-    starts: list[Start],
-    progress: Progress,
-) -> list[Start]:
-    """Starts, those first that lead nearest with a coarse sheet."""
-    coarse, share = _coarse(rows, columns)
-    scores = []
-    for number, start in enumerate(starts):
-        found = _tried(piece, *coarse, conditions, start, FAST)
-        scores.append(np.inf if found is None else found.reached.score(share))
-        progress((number + 1) / len(starts), WHAT)
-    return [starts[k] for k in np.argsort(scores, kind="stable")]
-
-
-def _coarse(rows: int, columns: int) -> tuple[tuple[int, int], float]:
-    """Inner vertices of a sheet of about the same shape, and its panels' size to the others'."""
-    share = max(1.0, (max(rows, columns) + 1) / COARSE)
-    small = [max(4, round((each + 1) / share)) for each in (rows, columns)]
-    # Odd numbers of panels stay odd: crests at both ends, or not.
-    small = [
-        min(each, of + 1) - (each - of - 1) % 2
-        for each, of in zip(small, (rows, columns), strict=True)
-    ]
-    return (small[0] - 1, small[1] - 1), share
-
-
-def _tried(
-    piece: Piece,
-    rows: int,
-    columns: int,
-    conditions: Conditions,
-    start: Start,
-    course: Course,
-    progress: Progress = no_progress,
-) -> Fit | None:
-    seen = start.on(piece)
-    of = Unknowns.covering(seen, rows, columns, SECTOR, start.folded)
-    found = follow(seen, of, conditions, course, progress)
-    return None if found is None else Fit(start, of, *found)
+    return next(filter(None, (task.tried(each, THOROUGH, finishing) for each in starts)), None)

@@ -101,13 +101,19 @@ class Unknowns:
         """The nets of unknowns (P, B)."""
         start = self.start
         x, y, row, column, *edges, corners = (unknowns[part] for part in self.parts)
+        row_lengths, column_lengths, top, bottom, left, right = (np.exp(each) for each in edges)
         i, j = start.middle
         return Net(
             np.sign(start.x) * np.exp(x),
             np.sign(start.y) * np.exp(y),
             row,
             np.concatenate([column[:i], row[j : j + 1], column[i:]]),
-            *(np.exp(each) for each in edges),
+            row_lengths,
+            column_lengths,
+            top,
+            bottom,
+            left,
+            right,
             corners.reshape(4, 2, -1),
         )
 
@@ -143,7 +149,7 @@ class Unknowns:
             / STEP
         )
         moved[..., SHIFT] = self.size * np.eye(3)[:, None, None]
-        return np.einsum("ab,bijp->ijap", self.frame, moved, optimize=True)
+        return np.asarray(np.einsum("ab,bijp->ijap", self.frame, moved, optimize=True))
 
     def _add_border(self, found: Array, unknowns: Array, folded: Array) -> None:
         top, bottom, left, right = (np.arange(part.start, part.stop) for part in self.parts[6:10])
