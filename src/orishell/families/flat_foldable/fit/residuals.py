@@ -89,10 +89,15 @@ class Problem:
     def _exists(self, sheet: Sheet, flat: Numbers) -> bool:
         """Whether there is such a sheet, its panels convex and no sector or edge next to nothing."""
         sectors = np.stack([sheet.a[..., 0].real, sheet.b[..., 0].real])
-        if not (sheet.net.row_mode.all() and (np.abs(sectors - np.pi / 2) < np.pi / 2 - SLIMMEST).all()):
+        if not (
+            sheet.net.row_mode.all() and (np.abs(sectors - np.pi / 2) < np.pi / 2 - SLIMMEST).all()
+        ):
             return False
         lengths = [each[..., 0].real for each in (sheet.rows, sheet.columns)]
-        return min(each.min(initial=1.0) for each in lengths) > 0 and least_sine(flat[..., 0].real) > SLIMMEST
+        return (
+            min(each.min(initial=1.0) for each in lengths) > 0
+            and least_sine(flat[..., 0].real) > SLIMMEST
+        )
 
     def _parts(
         self, found: Array, places: Numbers, edges: list[Numbers], unknowns: Array, vectors: Numbers
