@@ -40,7 +40,9 @@ class Piece:
     @cached_property
     def centre(self) -> Array:
         """A point (3,) in its middle: the mean of its corners' means along the rim."""
-        return np.asarray(np.mean([self.vertices[side].mean(axis=0) for side in self.sides], axis=0))
+        return np.asarray(
+            np.mean([self.vertices[side].mean(axis=0) for side in self.sides], axis=0)
+        )
 
     @cached_property
     def axes(self) -> Array:
