@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import percent, tidy_degrees
+from orishell.conventions.formatting import tidy_degrees
 from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.design import Design
 from orishell.families.flat_foldable.fit.conditions import Conditions
@@ -21,12 +22,9 @@ from orishell.families.flat_foldable.placement import posed
 from orishell.polylines import Closeness
 
 LOOSE = 0.01
-"""Vertices that leave the offset surfaces by more than this share of the diagonal draw a warning."""
+"""Vertices that leave the offset surfaces by a larger share of the diagonal draw a warning."""
 USELESS = 0.05
 """From this share on the sheet is refused: the best sweeps of the other families come as near."""
-DEEPER = 1.0
-"""The shell may be farther from the target than its crests by this share of the diagonal, times
-what is ``LOOSE``: else its panels cut corners, which draws a warning."""
 
 
 @record
@@ -37,7 +35,7 @@ class Asked:
     rows: int
     columns: int
     edge_ratio: float
-    direction: float | None  # of the rows to those of the piece (radians)
+    direction: int | None  # of the rows to those of the piece (a multiple of 90 degrees)
     fold: float | None  # at the start (radians)
 
 
@@ -51,8 +49,7 @@ def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
     """
     piece = asked.surface.piece
     task = Task(piece, asked.rows, asked.columns, Conditions(asked.edge_ratio))
-    quarter = None if asked.direction is None else round(float(np.rad2deg(asked.direction)))
-    fit = fit_sheet(task, direction=quarter, folded=asked.fold, progress=progress)
+    fit = fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=progress)
     if fit is None:
         raise DesignError(
             "no Miura-ori over the plan of the surface, from which a fit begins, has panels "
@@ -108,7 +105,7 @@ def _warnings(fit: Fit) -> Iterator[str]:
     if reached.vertices > LOOSE:
         yield (
             "the sheet follows the surface loosely: its vertices leave the surfaces on which "
-            f"crests and valleys should lie by up to {percent(reached.vertices)} of the target's "
+            f"crests and valleys should lie by up to {_percent(reached.vertices)} of the target's "
             f"diagonal, near vertex {row}, {column}"
         )
 
@@ -120,8 +117,8 @@ def _useless(asked: Asked, fit: Fit) -> DesignError:
         "no sheet of this family was found that follows the surface",
         keys=("pattern.edge_ratio", "pattern.rows", "pattern.columns"),
         place=f"near vertex {row}, {column}",
-        size=f"the nearest leaves it by {percent(reached.vertices)} of its diagonal, "
-        f"{percent(reached.mesh)} with its corrugation; {percent(USELESS)} is allowed",
+        size=f"the nearest leaves it by {_percent(reached.vertices)} of its diagonal, "
+        f"{_percent(reached.mesh)} with its corrugation; {_percent(USELESS)} is allowed",
         candidates=_remedies(asked),
         excess=reached.vertices / USELESS - 1,
     )
@@ -130,3 +127,7 @@ def _useless(asked: Asked, fit: Fit) -> DesignError:
 def _remedies(asked: Asked) -> Iterator[Remedy]:
     yield Remedy({"pattern.edge_ratio": 2 * asked.edge_ratio})
     yield Remedy({"pattern.rows": 2 * asked.rows + 1, "pattern.columns": 2 * asked.columns + 1})
+
+
+def _percent(share: float) -> str:
+    return f"{plain(100 * share)} %"
