@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,9 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from orishell.design import Design
+from orishell.families.flat_foldable.mechanism import FlatFoldable
+from orishell.families.flat_foldable.named import graded_net
+from orishell.families.flat_foldable.net import Net
 from orishell.families.longitudinal_linear_repeating import (
     LongitudinalLinearRepeating,
     RowKind,
@@ -111,6 +114,70 @@ def enlarged(sheet: LongitudinalLinearRepeating, scale: float) -> LongitudinalLi
     return LongitudinalLinearRepeating(sheet.columns, sheet.first_row, lengths)
 
 
+def random_net(rows: int, columns: int, seed: int, *, mixed: bool = False) -> Net:
+    """A sheet near a Miura-ori sheet, the nearer the larger it is: its lists depart in waves.
+
+    If mixed, the row creases of every third row fold less than the columns do: as those rows are
+    straight, and others zigzag across the columns, panels between them are wedges, and long.
+    """
+    rng = np.random.default_rng(seed)
+    degrees = np.full(rows, 85.0)
+    if mixed:
+        degrees[1 + rows // 2 :: 3] = degrees[rows // 2 - 2 :: -3] = 15.0
+    longer = 1 + 0.4 * columns if mixed else 1.0
+    net = graded_net(
+        rows, columns, folds=list(np.deg2rad(degrees)), sectors=[1.1], column_lengths=[longer]
+    )
+
+    def waves(count: int, size: float) -> np.ndarray:
+        along, parts = np.linspace(0, np.pi, count), np.arange(1, 4)
+        phases, sizes = rng.uniform(0, 6, (3, 1)), rng.uniform(-size, size, 3)
+        return np.asarray(sizes @ np.cos(np.outer(parts, along) + phases))[:, None]
+
+    small = 0.2 / max(rows, columns, 6)
+    row, column = (
+        angles + waves(len(angles), small) for angles in (net.row_angles, net.column_angles)
+    )
+    column[net.middle[0]] = row[net.middle[1]]
+    return replace(
+        net,
+        x=net.x * np.exp(waves(rows, small)),
+        y=net.y * np.exp(waves(columns, small)),
+        row_angles=row,
+        column_angles=column,
+        row_lengths=np.exp(waves(columns - 1, 0.1)),
+        column_lengths=longer * np.exp(waves(rows - 1, 0.1)),
+    )
+
+
+TURNED: dict[str, Any] = {
+    "heading": 0.7,
+    "turn": np.array([0.3, -0.4, 0.8]),
+    "place": np.array([1.0, -2.0, 0.5]),
+}
+
+
+def flat_foldable(net: Net, scale: float = 1.0, **pose: Any) -> FlatFoldable:
+    """The sheet of a net, enlarged."""
+    lengths = ("row_lengths", "column_lengths", "top", "bottom", "left", "right")
+    scaled = replace(net, **{name: scale * getattr(net, name) for name in lengths})
+    if "place" in pose:
+        pose = {**pose, "place": scale * pose["place"]}
+    return FlatFoldable(scaled.march(), **pose)
+
+
+def of_flat_foldable(net: Net, **pose: Any) -> Sample:
+    return Sample(
+        lambda: flat_foldable(net, **pose),
+        lambda scale: flat_foldable(net, scale, **pose),
+        rounding=(1e-14, 1e-15),
+    )
+
+
+def miura_net(rows: int = 5, columns: int = 6) -> Net:
+    return graded_net(rows, columns, folds=[np.deg2rad(80)], sectors=[np.deg2rad(60)])
+
+
 @dataclass(frozen=True)
 class Sample:
     """A sheet that keeps the contract, by the same curves or sectors at any scale."""
@@ -156,6 +223,12 @@ SAMPLES: dict[str, Sample] = {
         f"longitudinal, sine from {first}": of_longitudinal(SINE, 5, 5, first, 1)
         for first in ("F", "S")
     },
+    "flat-foldable, Miura": of_flat_foldable(miura_net()),
+    "flat-foldable, one row": of_flat_foldable(random_net(1, 4, 1), **TURNED),
+    "flat-foldable, one column": of_flat_foldable(random_net(4, 1, 1), **TURNED),
+    "flat-foldable": of_flat_foldable(random_net(6, 5, 2)),
+    "flat-foldable, turned": of_flat_foldable(random_net(6, 5, 2), **TURNED),
+    "flat-foldable, mixed": of_flat_foldable(random_net(7, 6, 3, mixed=True), **TURNED),
     "toy": Sample(lambda: Miura(Grid(5, 6), np.deg2rad(60), np.deg2rad(50))),
 }
 """Of every family the kinds of sheets that its closed form tells apart."""
@@ -200,6 +273,14 @@ DRAWN: dict[str, Kind] = {
     "parallel": Kind(requests().map(mechanism_of), 150),
     "orthodiagonal": Kind(orthodiagonal_requests().map(mechanism_of), 150, slim=True),
     "longitudinal": Kind(longitudinal_sheets(), 60, 1e-11, 1e-9),
+    "flat-foldable": Kind(
+        st.builds(
+            lambda seed, mixed: flat_foldable(random_net(5, 4, seed, mixed=mixed), **TURNED),
+            st.integers(0, 10**6),
+            st.booleans(),
+        ),
+        60,
+    ),
     "toy": Kind(
         st.builds(
             lambda gamma, target: Miura(Grid(4, 5), gamma, target),

@@ -1,4 +1,4 @@
-"""The piece of a surface that a shell is to cover: triangles with normals, and four sides.
+"""A piece of surface that a shell is to cover: what fits know of their target.
 
 Distances are of third order in the size of the triangles: over the foot q in a triangle with
 corners v_i, shares b_i and unit normals n_i, a surface with these normals is the height
@@ -11,189 +11,157 @@ tessellation, ACM TOG 27 (2008) 141). So the distance (p - q) . n - h changes wi
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from orishell.conventions.record import record
+from orishell.motion.quads import dots, lengths
 from orishell.numerics.arrays import Array, Integers
 
-Sides = tuple[Integers, Integers, Integers, Integers]
-SIDES = ("top", "right", "bottom", "left")
-AT_ONCE = 2**21
-"""Pairs of a point and a step of the rim that are looked at together."""
+Side = Integers
+"""Numbers of vertices (K,) along a side of the rim, from corner to corner."""
 
 
 @record
 class Piece:
-    """An open piece of surface with a rim of four sides.
-
-    Seen from the side of its normals the sides run clockwise: the top from left to right, the
-    right side down, the bottom from right to left, the left side up.
-    """
+    """Triangles with smooth normals, and a rim of four sides."""
 
     vertices: Array  # (V, 3)
-    normals: Array  # (V, 3), of unit length
+    normals: Array  # (V, 3), unit vectors
     triangles: Integers  # (T, 3), counter-clockwise seen from the side of the normals
-    # numbers of the vertices along the top, right, bottom and left, from corner to corner: the
-    # last of each is the first of the next
-    rim: Sides
+    # The top from left to right, the right side downwards, the bottom from right to left and the
+    # left side upwards, seen from there.
+    sides: tuple[Side, Side, Side, Side]
 
     @classmethod
-    def of_grid(cls, points: Array, normals: Array) -> Piece:
-        """The piece of a grid of points (A, B, 3) and unit normals: rows down, columns right."""
-        number = np.arange(points[..., 0].size).reshape(points.shape[:2])
-        a, b = number[:-1, :-1], number[:-1, 1:]
-        c, d = number[1:, 1:], number[1:, :-1]
-        triangles = np.stack([a, d, c, a, c, b], axis=-1).reshape(-1, 3)
-        rim = number[0], number[:, -1], number[-1, ::-1], number[::-1, 0]
-        return cls(points.reshape(-1, 3), normals.reshape(-1, 3), triangles, rim)
+    def of_lattice(cls, points: Array, normals: Array) -> Piece:
+        """The piece of a lattice of points (A, B, 3), its first row the top, with their normals."""
+        rows, columns = points.shape[:2]
+        number = np.arange(rows * columns).reshape(rows, columns)
+        a, b, c, d = number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]
+        triangles = np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
+        sides = number[0], number[:, -1], number[-1, ::-1], number[::-1, 0]
+        return cls(points.reshape(-1, 3), normals.reshape(-1, 3), triangles, sides)
 
-    @property
-    def sides(self) -> tuple[Array, Array, Array, Array]:
-        """Points (K, 3) along the top, right, bottom and left."""
-        top, right, bottom, left = (self.vertices[each] for each in self.rim)
-        return top, right, bottom, left
+    @cached_property
+    def centre(self) -> Array:
+        """A point (3,) in its middle: the mean of its corners' means along the rim."""
+        return np.asarray(
+            np.mean([self.vertices[side].mean(axis=0) for side in self.sides], axis=0)
+        )
 
-    @property
+    @cached_property
+    def axes(self) -> Array:
+        """Unit vectors (3, 3): from left to right, from bottom to top, and its mean normal."""
+        p, q, r = np.moveaxis(self.vertices[self.triangles], 1, 0)
+        normal = np.cross(q - p, r - p).sum(axis=0)
+        normal /= np.linalg.norm(normal)
+        _, right, _, left = (self.vertices[side].mean(axis=0) for side in self.sides)
+        across = right - left - ((right - left) @ normal) * normal
+        across /= np.linalg.norm(across)
+        return np.stack([across, np.cross(normal, across), normal])
+
+    @cached_property
     def diagonal(self) -> float:
-        """The diagonal of its box."""
+        """Diagonal of its box."""
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
     @property
-    def along(self) -> float:
-        """How long it is from left to right: the mean of top and bottom (length)."""
-        return 0.5 * (_length(self.sides[0]) + _length(self.sides[2]))
+    def extents(self) -> tuple[float, float]:
+        """Mean lengths from left to right and from bottom to top, along the surface."""
+        top, right, bottom, left = (
+            float(lengths(np.diff(self.vertices[side], axis=0)).sum()) for side in self.sides
+        )
+        return 0.5 * (top + bottom), 0.5 * (left + right)
 
-    @property
-    def across(self) -> float:
-        """How long it is from the top down: the mean of left and right (length)."""
-        return 0.5 * (_length(self.sides[1]) + _length(self.sides[3]))
-
-    @property
-    def area(self) -> float:
-        """Area of its triangles."""
-        return float(0.5 * np.linalg.norm(self._double_areas(), axis=-1).sum())
-
-    def mean_plane(self) -> tuple[Array, Array]:
-        """A point and the unit normal (3,) of the plane in which its rim encloses the most."""
-        weights = np.linalg.norm(self._double_areas(), axis=-1)
-        middle = self.vertices[self.triangles].mean(axis=1)
-        normal = self._double_areas().sum(axis=0)
-        return weights @ middle / weights.sum(), normal / np.linalg.norm(normal)
+    def turned(self) -> Piece:
+        """The same with its right side as the top."""
+        top, right, bottom, left = self.sides
+        return replace(self, sides=(right, bottom, left, top))
 
     def flattened(self, share: float) -> Piece:
-        """The piece with its departure from its mean plane times a share, normals to match."""
-        middle, axis = self.mean_plane()
-        height = (self.vertices - middle) @ axis
-        # A plane's normal changes by the inverse of what its points change by.
-        rise = self.normals @ axis
-        normals = share * self.normals + (1 - share) * rise[:, None] * axis
-        size = np.linalg.norm(normals, axis=-1, keepdims=True)
-        return Piece(
-            self.vertices - (1 - share) * height[:, None] * axis,
-            np.where(size > 1e-12, normals / np.maximum(size, 1e-12), axis),
-            self.triangles,
-            self.rim,
-        )
+        """The piece whose departures from its mean plane are a share, above 0, of what they are."""
+        normal = self.axes[2]
+        heights = (self.vertices - self.centre) @ normal
+        vertices = self.vertices - ((1 - share) * heights)[:, None] * normal
+        normals = self.normals + (1 / share - 1) * (self.normals @ normal)[:, None] * normal
+        normals = normals / lengths(normals)[:, None]
+        return replace(self, vertices=vertices, normals=normals)
 
     def nearest(self, points: Array) -> tuple[Array, Array]:
-        """Distances (N,) of points (N, 3), positive on the side of the normals, and normals (N, 3).
+        """Signed distances (N,) of points (N, 3), and unit normals (N, 3) where they are nearest.
 
-        The normals are those of the piece, of unit length, where it is nearest. Beyond the rim the
-        piece goes on in its tangent planes.
+        Beyond the rim it is the distance from the plane that touches there.
         """
-        points = np.ascontiguousarray(points)
-        _, index, foot = self._tree.squared_distance(self.vertices, self.triangles, points)
+        _, index, feet = self._tree.squared_distance(
+            self.vertices, self.triangles, np.ascontiguousarray(points)
+        )
         corners = self.triangles[index]
-        normals = self.normals[corners]  # (N, 3 corners, 3)
-        steps = self.vertices[corners] - foot[:, None]
+        normals, steps = self.normals[corners], self.vertices[corners] - feet[:, None]
         shares = _shares(steps)
-        normal = _unit(np.einsum("ni,nij->nj", shares, normals))
-        rise = np.einsum("nij,nij->ni", steps, normals) * np.einsum("nij,nj->ni", normals, normal)
-        height = 0.5 * np.einsum("ni,ni->n", shares, rise)
-        return np.einsum("nj,nj->n", points - foot, normal) - height, normal
+        normal = np.einsum("nk,nki->ni", shares, normals)
+        normal /= lengths(normal)[:, None]
+        return dots(points - feet, normal) - _height(shares, steps, normals, normal), normal
 
     def beside(self, side: int, points: Array) -> tuple[Array, Array]:
-        """Distances (N,) of points (N, 3) from a side, within the surface; directions (N, 3).
+        """Distances (N,) of points (N, 3) from a side, within the surface and positive outside.
 
-        The sides are numbered top, right, bottom, left. Distances are positive outside, directions
-        of unit length: they lie in the surface, square to the side, and point outwards.
+        And the unit vectors (N, 3) along which they are measured: square to the rim, outwards.
+        Beyond its corners a side goes on straight.
         """
-        line, outward = self._beside[side]
+        line, directions = self._outwards[side]
         points = np.asarray(points)
-        step = max(AT_ONCE // len(line), 1)
-        parts = [
-            _from_line(points[k : k + step], line, outward) for k in range(0, len(points), step)
-        ]
-        if not parts:
-            return np.zeros(0), np.zeros((0, 3))
-        distances, directions = (np.concatenate(each) for each in zip(*parts, strict=True))
-        return distances, directions
+        start, step = line[:-1], np.diff(line, axis=0)
+        away = points[:, None] - start
+        share = np.clip(np.einsum("nki,ki->nk", away, step) / dots(step, step), 0, 1)
+        away -= share[..., None] * step
+        piece = dots(away, away).argmin(axis=1)
+        found = np.arange(len(points))
+        away, share = away[found, piece], share[found, piece]
+        shares, ends = np.stack([1 - share, share], axis=-1), np.stack([piece, piece + 1], axis=-1)
+        outwards = np.einsum("nk,nki->ni", shares, directions[ends])
+        outwards /= lengths(outwards)[:, None]
+        steps = line[ends] - (points - away)[:, None]
+        height = _height(shares, steps, directions[ends], outwards)
+        return dots(away, outwards) - height, outwards
+
+    @cached_property
+    def _outwards(self) -> tuple[tuple[Array, Array], ...]:
+        """Points (K, 3) along each side, and unit vectors out of the piece there."""
+        found = []
+        for side in self.sides:
+            line = self.vertices[side]
+            edges = np.diff(line, axis=0)
+            edges /= lengths(edges)[:, None]
+            along = np.concatenate([edges[:1], edges[:-1] + edges[1:], edges[-1:]])
+            if len(line) > 3:  # at its ends as a parabola through three points
+                along[0] += 0.5 * (edges[0] - edges[1])
+                along[-1] += 0.5 * (edges[-1] - edges[-2])
+            outwards = np.cross(self.normals[side], along)
+            found.append((line, outwards / lengths(outwards)[:, None]))
+        return tuple(found)
 
     @cached_property
     def _tree(self) -> Any:
         import igl
 
         tree = igl.AABB()
-        tree.init(self.vertices, self.triangles)
+        tree.init(self.vertices, np.ascontiguousarray(self.triangles))
         return tree
-
-    @cached_property
-    def _beside(self) -> tuple[tuple[Array, Array], ...]:
-        """Points (K, 3) along each side, and directions out of the piece there."""
-        found = []
-        for numbers in self.rim:
-            line = self.vertices[numbers]
-            edges = _unit(np.diff(line, axis=0))
-            tangents = np.concatenate([edges[:1], edges[:-1] + edges[1:], edges[-1:]])
-            if len(line) > 3:  # at the ends as a parabola through the last three points
-                tangents[0] = edges[0] + 0.5 * (edges[0] - edges[1])
-                tangents[-1] = edges[-1] + 0.5 * (edges[-1] - edges[-2])
-            found.append((line, _unit(np.cross(self.normals[numbers], tangents))))
-        return tuple(found)
-
-    def _double_areas(self) -> Array:
-        """Normals (T, 3) of the triangles, twice as long as their areas."""
-        p, q, r = (self.vertices[self.triangles[:, k]] for k in range(3))
-        return np.cross(q - p, r - p)
-
-
-def _from_line(points: Array, line: Array, outward: Array) -> tuple[Array, Array]:
-    """Distances (N,) of points (N, 3) from a line (K, 3) along directions (K, 3) of its points."""
-    edges = np.diff(line, axis=0)
-    squares = np.maximum((edges**2).sum(axis=-1), 1e-300)
-    away = points[:, None] - line[:-1]  # (N, K-1, 3)
-    at = np.clip(np.einsum("nki,ki->nk", away, edges) / squares, 0.0, 1.0)
-    away -= at[..., None] * edges
-    nearest = (away**2).sum(axis=-1).argmin(axis=1)
-    row = np.arange(len(points))
-    share, away = at[row, nearest], away[row, nearest]
-    shares = np.stack([1 - share, share], axis=-1)
-    ends = np.stack([nearest, nearest + 1], axis=-1)
-    directions = outward[ends]
-    direction = _unit(np.einsum("ni,nij->nj", shares, directions))
-    steps = line[ends] - (points - away)[:, None]
-    rise = np.einsum("nij,nij->ni", steps, directions)
-    rise *= np.einsum("nij,nj->ni", directions, direction)
-    height = 0.5 * np.einsum("ni,ni->n", shares, rise)
-    return np.einsum("nj,nj->n", away, direction) - height, direction
 
 
 def _shares(steps: Array) -> Array:
     """Barycentric coordinates (N, 3) of points, given the steps (N, 3, 3) to the corners."""
     p, q, r = np.moveaxis(steps, 1, 0)
     whole = np.cross(q - p, r - p)
-    size = np.maximum((whole**2).sum(axis=-1), 1e-300)
-    first = (np.cross(q, r) * whole).sum(axis=-1) / size
-    second = (np.cross(r, p) * whole).sum(axis=-1) / size
-    return np.stack([first, second, 1 - first - second], axis=-1)
+    areas = [np.cross(q, r), np.cross(r, p), np.cross(p, q)]
+    return np.stack([dots(each, whole) for each in areas], axis=-1) / dots(whole, whole)[:, None]
 
 
-def _length(line: Array) -> float:
-    return float(np.linalg.norm(np.diff(line, axis=0), axis=-1).sum())
-
-
-def _unit(vectors: Array) -> Array:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+def _height(shares: Array, steps: Array, directions: Array, direction: Array) -> Array:
+    """How high (N,) a surface with these directions (N, K, 3) of its corners is over the foot."""
+    rise = dots(steps, directions) * np.einsum("nki,ni->nk", directions, direction)
+    return np.asarray(0.5 * (shares * rise).sum(axis=-1))

@@ -1,0 +1,9 @@
+"""Flat-foldable: quadrilateral meshes that fold with one degree of freedom and close completely.
+
+Derived in docs/theory/flat-foldable.md.
+"""
+
+from orishell.families.flat_foldable.design import design_flat_foldable
+from orishell.families.flat_foldable.mechanism import FlatFoldable
+
+__all__ = ["FlatFoldable", "design_flat_foldable"]

@@ -1,0 +1,1 @@
+"""Flat-foldable sheets fitted to a piece of surface."""

@@ -1,0 +1,55 @@
+"""From the mean plane of a piece to the piece: its curvature is turned on little by little."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.record import record
+from orishell.design.piece import Piece
+from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.descent import descend
+from orishell.families.flat_foldable.fit.figures import Reached, measure
+from orishell.families.flat_foldable.fit.residuals import Fitted, Problem, Weights
+from orishell.families.flat_foldable.fit.unknowns import OFFSET, Unknowns
+
+
+@record
+class Course:
+    """How much work is done."""
+
+    stages: int  # shares of the curvature that are turned on, one after the other
+    steps: int  # of a stage, at most
+    gain: float  # share of the error that a step must gain
+    last_steps: int  # the same at the end
+    last_gain: float
+    weights: Weights = Weights()
+    final: Weights = Weights(near=0.015, even=2e-3, smooth=1e-3, centre=0.1)  # distances count
+
+
+THOROUGH = Course(6, 8, 1e-2, 40, 1e-3)
+FAST = Course(5, 6, 2e-2, 12, 1e-2)
+
+
+def follow(
+    piece: Piece,
+    of: Unknowns,
+    conditions: Conditions,
+    course: Course = THOROUGH,
+    progress: Progress = no_progress,
+) -> tuple[Fitted, Reached] | None:
+    """The sheet that follows a piece from a start, or as far as it does; None where none starts."""
+    unknowns = of.first
+    for share in np.linspace(0, 1, course.stages + 1)[1:]:
+        problem = Problem(piece.flattened(float(share)), of, course.weights, conditions)
+        start = problem.at(unknowns)
+        if start is None:
+            return None
+        unknowns = descend(problem, start, course.steps, course.gain).unknowns
+        progress(0.6 * float(share), "fitting the sheet")
+    problem = Problem(piece, of, course.final, conditions)
+    start = problem.at(unknowns)
+    if start is None:
+        return None
+    found = descend(problem, start, course.last_steps, course.last_gain)
+    return found, measure(piece, found, of.size, float(found.unknowns[OFFSET]))

@@ -1,0 +1,119 @@
+"""Which sheet a fit begins with: several are tried coarsely, the best is finished."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from orishell.conventions.progress import Progress, no_progress, stretch
+from orishell.conventions.record import record
+from orishell.design.piece import Piece
+from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.course import FAST, THOROUGH, Course, follow
+from orishell.families.flat_foldable.fit.figures import Reached
+from orishell.families.flat_foldable.fit.residuals import Fitted
+from orishell.families.flat_foldable.fit.unknowns import Unknowns
+
+SECTOR = 1.1
+"""Sector angle of the Miura-ori that a fit begins with (radians)."""
+FOLDS = (1.6, -1.6, 1.1)
+"""Fold angles of its row creases that are tried (radians); negative, if crests are valleys."""
+DIRECTIONS = (0, 90)
+"""How far the sheet is turned to the piece (degrees): rows from left to right, or upwards."""
+COARSE = 9
+"""Sheets with more panels along a side are tried with so many first, or one less."""
+SHARE = 0.45
+"""Of the work, that the coarse trials are."""
+WHAT = "fitting the sheet"
+
+
+@dataclass(frozen=True)
+class Start:
+    """A Miura-ori on the mean plane of the piece."""
+
+    direction: int  # degrees, counter-clockwise from the piece's rows
+    folded: float  # fold angle of its row creases (radians), negative if crests are valleys
+
+    def on(self, piece: Piece) -> Piece:
+        """The piece as the sheet sees it."""
+        for _ in range(self.direction // 90):
+            piece = piece.turned()
+        return piece
+
+
+@record
+class Fit:
+    """A sheet that was fitted to a piece."""
+
+    start: Start
+    of: Unknowns
+    fitted: Fitted
+    reached: Reached
+
+
+@record
+class Task:
+    """What is asked for: a sheet of R x C inner vertices on a piece."""
+
+    piece: Piece
+    rows: int
+    columns: int
+    conditions: Conditions
+
+    def tried(self, start: Start, course: Course, progress: Progress = no_progress) -> Fit | None:
+        """The sheet that a start leads to; None where it does not keep the conditions itself."""
+        seen = start.on(self.piece)
+        of = Unknowns.covering(seen, self.rows, self.columns, SECTOR, start.folded)
+        found = follow(seen, of, self.conditions, course, progress)
+        return None if found is None else Fit(start, of, *found)
+
+    def ranked(self, starts: list[Start], progress: Progress) -> list[Start]:
+        """Starts, those first that lead nearest with a coarse sheet."""
+        coarse, share = self.coarse()
+        scores = []
+        for number, start in enumerate(starts):
+            found = coarse.tried(start, FAST)
+            scores.append(np.inf if found is None else found.reached.score(share))
+            progress((number + 1) / len(starts), WHAT)
+        return [starts[k] for k in np.argsort(scores, kind="stable")]
+
+    def coarse(self) -> tuple[Task, float]:
+        """The same with fewer panels, and how much larger these are."""
+        panels = self.rows + 1, self.columns + 1
+        share = max(1.0, max(panels) / COARSE)
+        small = [min(each, max(4, round(each / share))) for each in panels]
+        # Odd numbers of panels stay odd: then there are crests at both ends, or there are not.
+        rows, columns = (each - (each - of) % 2 - 1 for each, of in zip(small, panels, strict=True))
+        return replace(self, rows=rows, columns=columns), share
+
+
+def fit_sheet(
+    task: Task,
+    *,
+    direction: int | None = None,
+    folded: float | None = None,
+    progress: Progress = no_progress,
+) -> Fit | None:
+    """The sheet that comes nearest to a piece; None if there is none that keeps the conditions.
+
+    Parameters
+    ----------
+    direction
+        How far its rows are turned to those of the piece (a multiple of 90 degrees); None for
+        what comes nearest.
+    folded
+        Fold angle of the row creases it begins with (radians); None for what leads nearest.
+    """
+    starts = [
+        Start(way, fold)
+        for way, fold in product(
+            DIRECTIONS if direction is None else (direction,),
+            FOLDS if folded is None else (folded,),
+        )
+    ]
+    if len(starts) > 1:
+        starts = task.ranked(starts, stretch(progress, 0, SHARE))
+    finishing = stretch(progress, SHARE, 1)
+    return next(filter(None, (task.tried(each, THOROUGH, finishing) for each in starts)), None)

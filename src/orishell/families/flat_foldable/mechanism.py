@@ -1,0 +1,150 @@
+"""A flat-foldable sheet as a mechanism: closed form from the flat sheet to the flat stack."""
+
+from __future__ import annotations
+
+from dataclasses import field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from orishell.conventions.record import record
+from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
+from orishell.families.flat_foldable.net import Sheet
+from orishell.families.flat_foldable.rates import Chains
+from orishell.motion.grid import CreaseValues, Grid
+from orishell.motion.mechanism import mechanism_in_one_line
+from orishell.numerics.arrays import Array
+
+SMALL = 1e-7
+"""Squares of angles below this are so small that two terms of a series are exact (radians)."""
+
+
+@record
+class FlatFoldable:
+    """A flat-foldable sheet and the state in which it is to be a shell.
+
+    The drive theta is the largest fold angle: t = tan(theta/2)/mu, with mu the largest tangent of
+    half a fold angle at the target, t = 1. At pi all creases are folded flat together. The crease
+    to the right of the middle vertex keeps its place but for the pose: the sheet turns as a whole
+    at an even rate, from the flat sheet, which lies level, to the target.
+    """
+
+    sheet: Sheet  # one sheet
+    heading: float = 0.0  # of the middle crease in the flat sheet, from x (radians)
+    # how the shell is turned at the target from where its middle crease would be level and the
+    # panels beside it equally steep: a rotation vector (3,) (radians)
+    turn: Array = field(default_factory=lambda: np.zeros(3))
+    place: Array = field(default_factory=lambda: np.zeros(3))  # of the middle vertex (3,)
+
+    __repr__ = mechanism_in_one_line
+
+    @property
+    def grid(self) -> Grid:
+        """The grid of vertices."""
+        rows, columns = self.sheet.a.shape[:2]
+        return Grid(rows + 2, columns + 2)
+
+    @property
+    def inner_columns(self) -> slice:
+        """All columns: there are no flaps."""
+        return slice(None)
+
+    @property
+    def flap_columns(self) -> tuple[int, ...]:
+        """None."""
+        return ()
+
+    def without_flaps(self) -> FlatFoldable:
+        """The sheet itself."""
+        return self
+
+    def with_stop(self, stop: float) -> FlatFoldable:
+        """The sheet itself."""
+        return self
+
+    @property
+    def still(self) -> FlatFoldable:
+        """The sheet whose middle crease stays where it is."""
+        return FlatFoldable(self.sheet, self.heading, place=self.place)
+
+    @cached_property
+    def largest_tangent(self) -> float:
+        """Tangent of half the largest fold angle at the target."""
+        net = self.sheet.net
+        return float(max(np.abs(net.x).max(), np.abs(net.y).max()))
+
+    @property
+    def target_drive(self) -> float:
+        """The largest fold angle at the target."""
+        return float(2 * np.arctan(self.largest_tangent))
+
+    @property
+    def end_drive(self) -> float:
+        """180 degrees: the flat stack."""
+        return float(np.pi)
+
+    @cached_property
+    def _shares(self) -> tuple[Array, Array]:
+        """Tangents of half the fold angles by the largest, (R, C+1, 1) and (R+1, C, 1)."""
+        row, column = self.sheet.tangents()
+        return row / self.largest_tangent, column / self.largest_tangent
+
+    @cached_property
+    def _flat(self) -> Array:
+        """Vertices (2, rows, columns, 1) of the flat sheet, about the middle vertex."""
+        x, y = self.sheet.flat()
+        c, s = np.cos(self.heading), np.sin(self.heading)
+        return np.stack([c * x - s * y, s * x + c * y])
+
+    def positions(self, drive: ArrayLike) -> Array:
+        """Positions (..., rows, columns, 3) of all vertices at drive angles (...) (radians)."""
+        drives = np.asarray(drive, dtype=np.float64)
+        theta = drives.ravel()
+        folds = HalfFolds.of(self._shares, _cosine(theta), np.sin(0.5 * theta))
+        places = fold(self._flat, folds, self.sheet.net.middle)
+        if self.turn.any():
+            share = theta / self.target_drive
+            places = turned(places, self.turn[:, None] * share)
+        found = np.moveaxis(places, (0, 3), (3, 0)) + self.place
+        return found.reshape(*drives.shape, *found.shape[1:])
+
+    def fold_angles(self, drive: ArrayLike) -> CreaseValues:
+        """Fold angles of all creases at drive angles (...), in closed form (radians)."""
+        theta = np.asarray(drive, dtype=np.float64)[..., None, None]
+        c, s = _cosine(theta), np.sin(0.5 * theta)
+        row, column = (2 * np.arctan2(each[..., 0] * s, c) for each in self._shares)
+        return CreaseValues(row=row, column=column)
+
+    def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
+        """Bounds of the accelerations of edges: see :class:`~.rates.Chains`."""
+        spin = float(np.linalg.norm(self.turn)) / self.target_drive
+        return self._chains.bounds(start, stop, spin)
+
+    @cached_property
+    def _chains(self) -> Chains:
+        row, column = (each[..., 0] for each in self._shares)
+        return Chains.of(self._flat[..., 0], row, column, self.sheet.net.middle)
+
+
+def turned(places: Numbers, by: Numbers) -> Numbers:
+    """Places (3, ..., B) turned by rotation vectors (3, B) (radians): Rodrigues' formula."""
+    square = (by * by).sum(axis=0)
+    small = np.abs(square) < SMALL
+    angle = np.sqrt(np.where(small, 1.0, square))
+    sine = np.where(small, 1 - square / 6, np.sin(angle) / angle)
+    versine = np.where(small, 0.5 - square / 24, (1 - np.cos(angle)) / angle**2)
+    w = by.reshape(3, *(1,) * (places.ndim - 2), -1)
+    across = _cross(w, places)
+    return np.asarray(places + sine * across + versine * _cross(w, across))
+
+
+def _cross(u: Numbers, v: Numbers) -> Numbers:
+    return np.stack(
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    )
+
+
+def _cosine(theta: Array) -> Array:
+    """Cosine of theta/2, exactly 0 at pi."""
+    return np.where(theta == np.pi, 0.0, np.cos(0.5 * theta))

@@ -1,0 +1,128 @@
+"""Flat-foldable sheets fitted to pieces of surface."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from orishell.conventions.errors import DesignError
+from orishell.design.piece import Piece
+from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.residuals import Problem, Weights
+from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
+from orishell.families.flat_foldable.fit.unknowns import Unknowns
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern
+from orishell.numerics.arrays import Array
+
+
+def cap(cells: int = 64) -> Piece:
+    """The unit sphere over the square of half side 0.5."""
+    x, y = np.meshgrid(np.linspace(-0.5, 0.5, cells + 1), np.linspace(0.5, -0.5, cells + 1))
+    normals = np.stack([x, y, np.sqrt(1 - x * x - y * y)], axis=-1)
+    return Piece.of_lattice(normals - [0, 0, 1], normals)
+
+
+def test_derivatives_are_those_of_differences() -> None:
+    """Of what the surface does not enter, to 1e-7: differences of 1e-6 have that error."""
+    of = Unknowns.covering(cap().flattened(0.5), 7, 6, 1.1, 1.6)
+    rng = np.random.default_rng(0)
+    unknowns = of.first + 3e-3 * rng.standard_normal(len(of.first))
+    placed = of.placed(unknowns)
+    step = 1e-6
+
+    def vertices(by: Array) -> Array:
+        return of.placed(unknowns + by).vertices
+
+    differences = np.stack(
+        [(vertices(step * e) - vertices(-step * e)) / (2 * step) for e in np.eye(len(unknowns))],
+        axis=-1,
+    )
+    assert np.abs(of.slopes(unknowns, placed) - differences).max() < 1e-7
+
+
+@pytest.mark.parametrize("part", [7, 9, 10])
+def test_derivatives_of_limits_are_those_of_differences(part: int) -> None:
+    """Edges, sharp corners and large folds, some of each beyond where they are pushed back."""
+    of = Unknowns.covering(cap(), 7, 6, 1.1, 1.6)
+    rng = np.random.default_rng(0)
+    unknowns = of.first + 3e-3 * rng.standard_normal(len(of.first))
+    limits = Conditions(10.0, corner=np.deg2rad(45), fold=np.deg2rad(95))
+    problem = Problem(cap(), of, Weights(), limits)
+    step = 1e-6
+
+    def residuals(by: Array) -> Array:
+        found = problem.at(unknowns + by)
+        assert found is not None
+        return found.residuals[part]
+
+    differences = np.stack(
+        [(residuals(step * e) - residuals(-step * e)) / (2 * step) for e in np.eye(len(unknowns))],
+        axis=-1,
+    )
+    here = problem.at(unknowns)
+    assert here is not None
+    assert len(differences) > 0
+    assert np.abs(problem.derivatives(here)[part] - differences).max() < 1e-7
+
+
+def test_cap_is_followed_under_the_conditions() -> None:
+    """0.4 and 3.6 % of the diagonal were reached with 10 x 10 panels."""
+    fit = fit_sheet(Task(cap(), 9, 9, Conditions(10.0)))
+    assert fit is not None
+    assert fit.reached.vertices < 0.007
+    assert fit.reached.mesh < 0.045
+    placed = fit.fitted.placed
+    edges = [np.linalg.norm(np.diff(placed.flat, axis=axis), axis=0) for axis in (1, 2)]
+    assert max(each.max() for each in edges) <= 10 * min(each.min() for each in edges)
+
+
+class Target:
+    """A surface as far as a fit knows it."""
+
+    def __init__(self, piece: Piece) -> None:
+        self.piece = piece
+
+
+def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
+    """To rounding: 5e-16 and 4e-15 were seen on a shell of size 1."""
+    pattern = FlatFoldablePattern(rows=7, columns=8, direction_deg=0, fold_deg=90)
+    design = pattern.design_on(Target(cap()))
+    fit = fit_sheet(Task(cap(), 7, 8, Conditions(10.0)), direction=0, folded=float(np.deg2rad(90)))
+    assert fit is not None
+    mechanism = design.mechanism
+    shell = mechanism.positions(mechanism.target_drive)
+    assert np.abs(shell - fit.fitted.placed.vertices).max() < 1e-13
+    off = np.abs(fit.fitted.heights).max() * fit.of.size
+    assert max(each.max for each in design.closeness.values()) == pytest.approx(off)
+
+    given = {
+        key: value
+        for key, value in design.parameters.items()
+        if key in FlatFoldablePattern.model_fields and key not in ("edge_ratio", "direction_deg")
+    }
+    table = {"rows": 7, "columns": 8, **given}
+    again = FlatFoldablePattern.model_validate(table).design_without_target().mechanism
+    copy = again.positions(again.target_drive)
+    assert np.abs(distances(copy) - distances(shell)).max() < 1e-12
+
+
+def distances(shell: Array) -> Array:
+    """Of all vertices from each other."""
+    points = shell.reshape(-1, 3)
+    return np.asarray(np.linalg.norm(points[:, None] - points, axis=-1))
+
+
+def test_surface_that_no_sheet_follows_is_refused_with_what_was_reached() -> None:
+    """Edges nearly alike leave no freedom to bend both ways."""
+    pattern = FlatFoldablePattern(rows=7, columns=7, edge_ratio=1.6, direction_deg=0, fold_deg=90)
+    with pytest.raises(DesignError) as refused:
+        pattern.design_on(Target(hemisphere()))
+    assert "diagonal" in refused.value.size
+    assert next(iter(refused.value.candidates)).changes == {"pattern.edge_ratio": 3.2}
+
+
+def hemisphere(cells: int = 64) -> Piece:
+    """The unit sphere over the square of half side 0.7."""
+    x, y = np.meshgrid(np.linspace(-0.7, 0.7, cells + 1), np.linspace(0.7, -0.7, cells + 1))
+    normals = np.stack([x, y, np.sqrt(1 - x * x - y * y)], axis=-1)
+    return Piece.of_lattice(normals - [0, 0, 1], normals)
