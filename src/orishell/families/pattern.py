@@ -17,10 +17,11 @@ import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
 from orishell.conventions.errors import Remedy
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
-from orishell.design import Design, FlapSide
+from orishell.design import Design, FlapSide, PiecedSurface
 
 Auto = Literal["auto"]
 
@@ -164,9 +165,15 @@ class Pattern(Table):
     """A change with which all creases of a shell without flaps may close together."""
     needs_target: ClassVar[bool] = True
     """Whether there is no design without f and g."""
+    follows_surfaces: ClassVar[bool] = False
+    """Whether it makes shells that follow any surface, by ``design_on``."""
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for."""
+        raise NotImplementedError
+
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
+        """Design the shell that these parameters and a surface with a ``piece`` ask for."""
         raise NotImplementedError
 
     def design_without_target(self) -> Design:

@@ -30,18 +30,19 @@ UP = 5e-4
 """A fold angle that is offered is so much above what is needed (degrees)."""
 
 
-def designed(file: DesignFile) -> Design:
+def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     """The design that a file asks for, whose rows and columns are known.
 
     Raises DesignError if the family cannot make it, or hinges or boards do not close as far as its
     target asks, also where flaps with boards stop short of folding flat.
     """
     opening = file.deployment.start == "pack"
-    design = (
-        file.pattern.design_without_target()
-        if file.target is None
-        else file.pattern.design(*file.target)
-    )
+    if file.surface is not None:
+        design = file.pattern.design_on(file.surface, progress)
+    elif file.target is not None:
+        design = file.pattern.design(*file.target)
+    else:
+        design = file.pattern.design_without_target()
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
         design = _with_panels(design, file.panel)
