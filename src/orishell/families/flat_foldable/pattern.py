@@ -21,7 +21,15 @@ from orishell.families.flat_foldable.design import (
     design_flat_foldable,
     require_lists,
 )
-from orishell.families.pattern import Auto, ColumnCount, Family, Length, Pattern, RowCount
+from orishell.families.pattern import (
+    Auto,
+    ColumnCount,
+    Family,
+    Length,
+    Pattern,
+    RowCount,
+    Width,
+)
 from orishell.families.shared.candidates import forgiving
 
 ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
@@ -86,7 +94,12 @@ class FlatFoldablePattern(Pattern):
     left_lengths: list[Length] | Auto = "auto"
     right_lengths: list[Length] | Auto = "auto"
     corners: Corners | Auto = "auto"
-    flap: Auto = "auto"  # it has none, and so no control for them
+    flap: Annotated[
+        Width | Auto,
+        Knob(
+            "Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"
+        ),
+    ] = 0.0
 
     @model_validator(mode="after")
     def _check(self) -> Self:
