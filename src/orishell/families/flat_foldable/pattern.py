@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from orishell.conventions.errors import InputError
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve
 from orishell.design import Design
@@ -21,6 +23,7 @@ from orishell.families.flat_foldable.design import (
     design_flat_foldable,
     require_lists,
 )
+from orishell.families.flat_foldable.fit.design import Asked, design_fitted
 from orishell.families.pattern import (
     Auto,
     ColumnCount,
@@ -94,11 +97,23 @@ class FlatFoldablePattern(Pattern):
     left_lengths: list[Length] | Auto = "auto"
     right_lengths: list[Length] | Auto = "auto"
     corners: Corners | Auto = "auto"
+    edge_ratio: Annotated[
+        Annotated[Number, Field(ge=1.5, le=100)],
+        Knob(
+            "Edge ratio",
+            "Longest edge by the shortest, at most, of a sheet fitted to a surface",
+            "number",
+            slider=(3, 30),
+            step=0.5,
+        ),
+    ] = 10.0
+    direction_deg: Annotated[
+        Literal[0, 90, 180, 270] | Auto,
+        Knob.angle("Direction", "How far rows are turned on the surface", (0, 270), step=90),
+    ] = "auto"
     flap: Annotated[
         Width | Auto,
-        Knob(
-            "Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"
-        ),
+        Knob("Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"),
     ] = 0.0
 
     @model_validator(mode="after")
@@ -113,6 +128,50 @@ class FlatFoldablePattern(Pattern):
             keys=("target.f", "target.g"),
             remedy="remove [target.f] and [target.g]",
         )
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Fit a sheet of so many rows and columns to a surface with a ``piece``.
+
+        ``fold_deg`` is then the fold angle of the row creases that the fit begins with.
+
+        Raises
+        ------
+        InputError
+            If the table asks for a sheet of its own.
+        DesignError
+            If none comes near enough that can be made.
+        """
+        if self.sheet != "miura":
+            raise InputError(
+                "a sheet that is fitted to a surface begins as a Miura-ori",
+                keys=("pattern.sheet",),
+                got=f'"{self.sheet}"',
+                expected='"miura"',
+                remedy='write sheet = "miura", or remove [target.surface]',
+            )
+        if self.flap:
+            raise InputError(
+                "flaps stand beside straight borders, and a fitted sheet has none",
+                keys=("pattern.flap",),
+                got=str(self.flap),
+                expected="0",
+            )
+        return design_fitted(
+            Asked(
+                surface=surface,
+                rows=self.rows,
+                columns=self.columns,
+                edge_ratio=self.edge_ratio,
+                direction=None if self.direction_deg == "auto" else self.direction_deg,
+                fold=None if self.fold_deg == "auto" else float(np.deg2rad(self.fold_deg)),
+            ),
+            progress,
+        )
+
+    def arguments(self) -> dict[str, Any]:
+        """The keys of a sheet without a target, see :meth:`Pattern.arguments`."""
+        values = super().arguments()
+        return {key: each for key, each in values.items() if key not in ("edge_ratio", "direction")}
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
