@@ -82,7 +82,7 @@ class Border:
         size = np.abs(self.x)
         sine = np.sqrt((size - self.y) * (size + self.y)) / size
         lean = np.sqrt((1 + further * self.y**2) / further) / (size * sine)
-        return -self.signs * np.sign(self.x) * lean
+        return np.asarray(-self.signs * np.sign(self.x) * lean)
 
     def flap(self, width: float, further: float) -> Array:
         """Outer vertices (R+2, 2) of flaps of a width, parallelograms at both ends."""

@@ -252,8 +252,8 @@ def with_flaps(bare: FlatFoldable, width: float | None) -> FlapColumns:
         assert refusal is not None
         raise refusal
     if width is None:
-        edges = np.mean([each.edge for each in straight])
-        width = float(min(edges, *(NEARLY * each.widest(1.0) for each in straight)))
+        edges = float(np.mean([each.edge for each in straight]))
+        width = min([edges, *(NEARLY * each.widest(1.0) for each in straight)])
     left, right = (0.0 if each is None else width for each in borders)
     return FlapColumns(bare, (left, right))
 
