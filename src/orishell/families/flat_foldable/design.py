@@ -271,6 +271,7 @@ def completed(net: Net, described: dict[str, Parameter], *, arched: bool = False
         closeness={},
         swept=None,
         warnings=(),
+        may_stand=True,
     )
 
 
