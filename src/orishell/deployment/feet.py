@@ -14,6 +14,8 @@ RISE = 0.1
 """Both ends of f lie this share of its height below its highest point, or it has no two feet."""
 DIP = 0.01
 """Nothing between an end and the highest point lies lower than the end by more than this share."""
+ROOF = 0.05
+"""A sheet without f that rises by less than this share of its span is no arch, but a roof."""
 TIE = 1e-9
 """Rows whose heights differ by less than this share of the shell's height are equally low."""
 LEVEL = 1e-6
@@ -50,6 +52,8 @@ def find_feet(design: Design) -> Feet | None:
         # Half way between rows, so that the corrugation does not count.
         column = shell.mean(axis=1)
         f = 0.5 * (column[1:] + column[:-1])
+        if np.ptp(f[:, 2]) < ROOF * np.linalg.norm(f[-1] - f[0]):
+            return None
     if f is None or not _is_arch(f):
         return None
     size = float(np.ptp(height))
