@@ -177,6 +177,7 @@ def test_it_is_proved_to_fold_from_flat_to_the_flat_stack(asked: dict[str, Any])
     report = shell.report
     assert report.feasible
     assert report.lock.closes_to == pytest.approx(np.pi)
+    assert report.residuals is not None
     assert report.residuals.panel_length < 1e-13
     packed = report.deployment.packed
     assert packed is not None

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import rounded_down, tidy_degrees
+from orishell.conventions.formatting import rounded, rounded_down, tidy_degrees
 from orishell.conventions.table import Number, misfit
 from orishell.design import Design, Parameter
 from orishell.families.flat_foldable.lists import CORNERS, Lists, describe
@@ -239,7 +239,7 @@ def _too_large(named: NamedSheet, turn: float, most: float, net: Net) -> DesignE
         keys=("pattern.turn_deg",),
         place=fault.place,
         size=f"{fault.condition}; up to {most:g} works",
-        candidates=[Remedy({"pattern.turn_deg": share * most}) for share in (1.0, 0.9, 0.5)],
+        candidates=[Remedy({"pattern.turn_deg": rounded(share * most)}) for share in (0.9, 0.5)],
         excess=asked / most - 1,
     )
 
