@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Annotated, Any, Final, Literal
 
@@ -11,7 +11,7 @@ from pydantic import Field
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.formatting import rounded, rounded_down, tidy_degrees
 from orishell.conventions.table import Number, misfit
 from orishell.design import Design, Parameter
 from orishell.families.flat_foldable.lists import CORNERS, Lists, describe
@@ -19,7 +19,7 @@ from orishell.families.flat_foldable.locks.columns import with_flaps
 from orishell.families.flat_foldable.locks.straight import with_parallel_borders
 from orishell.families.flat_foldable.named import NamedSheet
 from orishell.families.flat_foldable.net import Net
-from orishell.families.flat_foldable.placement import levelled
+from orishell.families.flat_foldable.placement import levelled, with_level_ends
 from orishell.families.flat_foldable.refusal import find_fault
 from orishell.families.pattern import (
     Auto,
@@ -85,6 +85,11 @@ def require_lists(asked: Any) -> None:
         key = "turn" if hasattr(asked, "turn") else "turn_deg"
         if getattr(asked, key) != "auto":
             raise misfit('"auto", or sheet = "arch" or "fan"', getattr(asked, key), key)
+    if asked.sheet == "arch":
+        key = "turn" if hasattr(asked, "turn") else "turn_deg"
+        turn = getattr(asked, key)
+        if turn != "auto" and turn <= 0:
+            raise misfit("an angle above 0 in an arch", turn, key)
 
 
 @checked(require_lists)
@@ -131,7 +136,8 @@ def design_flat_foldable(
     growth
         The last edge of a column by the first.
     row_length, column_length
-        Lengths of edges along the middle row, and of the first one of a column.
+        Lengths of edges along the middle row, in an arch along rows that fold most, and of the
+        first edge of a column.
     row_folds, column_folds
         Lists: fold angles of the first crease of every row and column at the target, valley
         positive (radians).
@@ -215,7 +221,7 @@ def _listed(lists: Lists, fold: float | None, flap: float | Auto) -> Design:
 
 def _named(named: NamedSheet, sheet: str, turn: float | None, flap: float | Auto) -> Design:
     if sheet == "miura":
-        return _checked_named(named, named.miura(), {"sheet": sheet}, iter(()), flap)
+        return _checked_named(named, named.miura(), {"sheet": sheet}, flap)
     make: Callable[[float], Net] = named.arch if sheet == "arch" else named.fan
 
     def works(turn: float) -> bool:
@@ -226,22 +232,34 @@ def _named(named: NamedSheet, sheet: str, turn: float | None, flap: float | Auto
         while not works(turn) and turn > SMALLEST * TURNS[sheet]:
             turn *= 0.5
 
-    def candidates() -> Iterator[Remedy]:
+    described: dict[str, Parameter] = {"sheet": sheet, "turn_deg": tidy_degrees(turn)}
+    if not works(turn):
         sign = float(np.sign(turn))
         found = largest_below(lambda size: works(sign * size), abs(turn), smallest=SMALLEST)
-        if found:
-            yield Remedy({"pattern.turn_deg": tidy_degrees(sign * found)})
-            yield Remedy({"pattern.turn_deg": tidy_degrees(0.9 * sign * found)})
+        if found is not None:
+            raise _too_large(named, turn, sign * rounded_down(float(np.rad2deg(found))), make(turn))
+    return _checked_named(named, make(turn), described, flap, arched=sheet == "arch")
 
-    described: dict[str, Parameter] = {"sheet": sheet, "turn_deg": tidy_degrees(turn)}
-    return _checked_named(named, make(turn), described, candidates(), flap, arched=sheet == "arch")
+
+def _too_large(named: NamedSheet, turn: float, most: float, net: Net) -> DesignError:
+    """The refusal of a turn (radians), the largest that works being ``most`` (degrees)."""
+    fault = find_fault(net)
+    assert fault is not None
+    asked = tidy_degrees(turn)
+    return DesignError(
+        f"turn_deg = {asked:g} is too large for {named.rows} rows and {named.columns} columns",
+        keys=("pattern.turn_deg",),
+        place=fault.place,
+        size=f"{fault.condition}; up to {most:g} works",
+        candidates=[Remedy({"pattern.turn_deg": rounded(share * most)}) for share in (0.9, 0.5)],
+        excess=asked / most - 1,
+    )
 
 
 def _checked_named(
     named: NamedSheet,
     net: Net,
     described: dict[str, Parameter],
-    candidates: Iterator[Remedy],
     flap: float | Auto,
     *,
     arched: bool = False,
@@ -250,18 +268,14 @@ def _checked_named(
         net = with_parallel_borders(net)
     fault = find_fault(net)
     if fault is not None:
-
-        def every() -> Iterator[Remedy]:
-            yield from candidates
-            if named.growth != 1:
-                yield Remedy({"pattern.growth": 1.0})
-            yield Remedy({"pattern.sector_deg": 60.0})
-
         raise DesignError(
             fault.condition,
             place=fault.place,
             size=fault.size,
-            candidates=every(),
+            candidates=[
+                *([Remedy({"pattern.growth": 1.0})] if named.growth != 1 else []),
+                Remedy({"pattern.sector_deg": 60.0}),
+            ],
             excess=fault.excess,
         )
     given: dict[str, Parameter] = {
@@ -277,6 +291,8 @@ def completed(
 ) -> Design:
     """The design of a net, level about the origin, with flaps beside straight borders."""
     bare = levelled(net, arched=arched)
+    if arched:
+        bare = with_level_ends(bare)
     locked = with_flaps(bare, None if flap == "auto" else flap) if flap else None
     return Design(
         mechanism=locked or bare,
@@ -290,6 +306,7 @@ def completed(
         closeness={},
         swept=None,
         warnings=(),
+        may_stand=True,
     )
 
 

@@ -48,7 +48,7 @@ class FlatFoldable:
     @property
     def inner_columns(self) -> slice:
         """All columns: there are no flaps."""
-        return slice(None)
+        return slice(0, self.grid.columns)
 
     @property
     def flap_columns(self) -> tuple[int, ...]:
