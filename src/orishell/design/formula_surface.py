@@ -13,7 +13,7 @@ from orishell.curves import FormulaOfTwo
 from orishell.design.piece import Piece
 from orishell.design.surface import LOOSE, Lattice
 from orishell.motion.quads import area_vectors, grid_corners, lengths
-from orishell.numerics.arrays import Array
+from orishell.numerics.arrays import Array, Booleans
 
 CELLS = 128
 """Cells of a piece each way: distances from it are of third order in their size."""
@@ -114,15 +114,14 @@ class FormulaSurface:
         points, along, across = self._at(first, second)
         normals = np.cross(along, across)
         size = lengths(normals)
-        self._require(np.isfinite(points).all(axis=-1), points, "the surface is not finite")
+        self._require(np.asarray(np.isfinite(points).all(axis=-1)), "the surface is not finite")
         self._require(
-            np.isfinite(size) & (size > 1e-9 * lengths(along) * lengths(across)),
-            points,
+            np.asarray(np.isfinite(size) & (size > 1e-9 * lengths(along) * lengths(across))),
             "the surface has no tangent plane, or an upright one",
         )
         return points, normals / size[..., None]
 
-    def _require(self, good: Array, points: Array, what: str) -> None:
+    def _require(self, good: Booleans, what: str) -> None:
         if good.all():
             return
         row, column = np.argwhere(~good)[0]

@@ -1,4 +1,4 @@
-"""Files of meshes: OBJ, STL and PLY, read by meshio; glTF is refused by name."""
+"""Files of meshes: OBJ, STL and PLY, read by meshio; other files are refused."""
 
 from __future__ import annotations
 
@@ -32,7 +32,8 @@ def read_mesh(path: Path) -> tuple[Array, Integers]:
     import meshio
 
     try:
-        mesh = meshio.read(path)
+        with np.errstate(all="ignore"):  # of a text STL, meshio takes eight letters for a number
+            mesh = meshio.read(path)
     except (Exception, SystemExit) as error:  # meshio ends the program itself on some faults
         raise _refused(path, "the file holds no mesh that can be read", str(error)[:80]) from None
     triangles = [

@@ -142,7 +142,7 @@ def _joined(vertices: Array, triangles: Integers) -> tuple[Array, Integers]:
     pairs = cKDTree(vertices).query_pairs(SAME * size, output_type="ndarray")
     links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
     _, number = connected_components(links, directed=False)
-    triangles = number[triangles]
+    triangles = number.astype(np.int64)[triangles]
     first = np.unique(number, return_index=True)[1]
     vertices = vertices[first]
     p, q, r = triangles.T
