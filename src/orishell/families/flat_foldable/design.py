@@ -15,11 +15,21 @@ from orishell.conventions.formatting import rounded, rounded_down, tidy_degrees
 from orishell.conventions.table import Number, misfit
 from orishell.design import Design, Parameter
 from orishell.families.flat_foldable.lists import CORNERS, Lists, describe
+from orishell.families.flat_foldable.locks.columns import with_flaps
+from orishell.families.flat_foldable.locks.straight import with_parallel_borders
 from orishell.families.flat_foldable.named import NamedSheet
 from orishell.families.flat_foldable.net import Net
 from orishell.families.flat_foldable.placement import levelled, with_level_ends
 from orishell.families.flat_foldable.refusal import find_fault
-from orishell.families.pattern import Auto, ColumnCount, Length, Limits, RowCount, in_radians
+from orishell.families.pattern import (
+    Auto,
+    ColumnCount,
+    Length,
+    Limits,
+    RowCount,
+    Width,
+    in_radians,
+)
 from orishell.numerics.bisection import largest_below
 
 FOLD: Final[Limits] = {"gt": 0, "lt": 180}
@@ -105,7 +115,7 @@ def design_flat_foldable(
     left_lengths: list[Length] | Auto = "auto",
     right_lengths: list[Length] | Auto = "auto",
     corners: Corners | Auto = "auto",
-    flap: Auto = "auto",
+    flap: Width | Auto = 0.0,
 ) -> Design:
     """Design a sheet that folds flat, by a few numbers or by its lists.
 
@@ -143,7 +153,9 @@ def design_flat_foldable(
         shares of the ways from the nearest inner vertex to the border along the row and the column;
         or "auto" for parallelograms.
     flap
-        "auto": the sheet has no flaps.
+        Width of flaps that fold flat at the target, square to their border; "auto" takes the mean
+        length of the border's edges, 0 leaves them out. They stand beside the left and the right
+        border, where it is straight; borders of named sheets with flaps are.
 
     Raises
     ------
@@ -173,7 +185,7 @@ def design_flat_foldable(
             right=_given(right_lengths),
             corners=_given(corners),
         )
-        return _listed(lists, None if fold == "auto" else fold)
+        return _listed(lists, None if fold == "auto" else fold, flap)
     named = NamedSheet(
         rows,
         columns,
@@ -183,10 +195,10 @@ def design_flat_foldable(
         column_length,
         growth,
     )
-    return _named(named, sheet, None if turn == "auto" else turn)
+    return _named(named, sheet, None if turn == "auto" else turn, flap)
 
 
-def _listed(lists: Lists, fold: float | None) -> Design:
+def _listed(lists: Lists, fold: float | None, flap: float | Auto) -> Design:
     net = lists.net()
     if fold is not None:
         share = np.tan(0.5 * fold) / max(np.abs(net.x).max(), np.abs(net.y).max())
@@ -204,12 +216,12 @@ def _listed(lists: Lists, fold: float | None) -> Design:
             candidates=changes,
             excess=fault.excess,
         )
-    return completed(net, {"sheet": "lists"})
+    return completed(net, {"sheet": "lists"}, flap=flap)
 
 
-def _named(named: NamedSheet, sheet: str, turn: float | None) -> Design:
+def _named(named: NamedSheet, sheet: str, turn: float | None, flap: float | Auto) -> Design:
     if sheet == "miura":
-        return _checked_named(named, named.miura(), {"sheet": sheet})
+        return _checked_named(named, named.miura(), {"sheet": sheet}, flap)
     make: Callable[[float], Net] = named.arch if sheet == "arch" else named.fan
 
     def works(turn: float) -> bool:
@@ -226,7 +238,7 @@ def _named(named: NamedSheet, sheet: str, turn: float | None) -> Design:
         found = largest_below(lambda size: works(sign * size), abs(turn), smallest=SMALLEST)
         if found is not None:
             raise _too_large(named, turn, sign * rounded_down(float(np.rad2deg(found))), make(turn))
-    return _checked_named(named, make(turn), described, arched=sheet == "arch")
+    return _checked_named(named, make(turn), described, flap, arched=sheet == "arch")
 
 
 def _too_large(named: NamedSheet, turn: float, most: float, net: Net) -> DesignError:
@@ -248,9 +260,12 @@ def _checked_named(
     named: NamedSheet,
     net: Net,
     described: dict[str, Parameter],
+    flap: float | Auto,
     *,
     arched: bool = False,
 ) -> Design:
+    if flap:
+        net = with_parallel_borders(net)
     fault = find_fault(net)
     if fault is not None:
         raise DesignError(
@@ -268,20 +283,24 @@ def _checked_named(
         "sector_deg": tidy_degrees(named.sector),
         "growth": named.growth,
     }
-    return completed(net, given, arched=arched)
+    return completed(net, given, arched=arched, flap=flap)
 
 
-def completed(net: Net, described: dict[str, Parameter], *, arched: bool = False) -> Design:
-    """The design of a net, level about the origin."""
-    mechanism = levelled(net, arched=arched)
+def completed(
+    net: Net, described: dict[str, Parameter], *, arched: bool = False, flap: float | Auto = 0.0
+) -> Design:
+    """The design of a net, level about the origin, with flaps beside straight borders."""
+    bare = levelled(net, arched=arched)
     if arched:
-        mechanism = with_level_ends(mechanism)
+        bare = with_level_ends(bare)
+    locked = with_flaps(bare, None if flap == "auto" else flap) if flap else None
     return Design(
-        mechanism=mechanism,
+        mechanism=locked or bare,
         parameters={
             **described,
-            "fold_deg": tidy_degrees(mechanism.target_drive),
-            **describe(mechanism.sheet),
+            "fold_deg": tidy_degrees(bare.target_drive),
+            "flap": max(locked.widths) if locked else 0.0,
+            **describe(bare.sheet),
         },
         targets={},
         closeness={},
