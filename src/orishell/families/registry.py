@@ -17,6 +17,7 @@ FOLDERS = (
     "parallel_repeating",
     "orthodiagonal",
     "longitudinal_linear_repeating",
+    "flat_foldable",
 )
 """Each has a module ``pattern`` with its FAMILY."""
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from orishell.conventions.errors import DesignError
 from orishell.design.piece import Piece
 from orishell.families.flat_foldable.fit.conditions import Conditions
 from orishell.families.flat_foldable.fit.residuals import Problem, Weights
 from orishell.families.flat_foldable.fit.starts import Task, fit_sheet
 from orishell.families.flat_foldable.fit.unknowns import Unknowns
+from orishell.families.flat_foldable.pattern import FlatFoldablePattern
 from orishell.numerics.arrays import Array
 
 
@@ -72,3 +74,55 @@ def test_cap_is_followed_under_the_conditions() -> None:
     placed = fit.fitted.placed
     edges = [np.linalg.norm(np.diff(placed.flat, axis=axis), axis=0) for axis in (1, 2)]
     assert max(each.max() for each in edges) <= 10 * min(each.min() for each in edges)
+
+
+class Target:
+    """A surface as far as a fit knows it."""
+
+    def __init__(self, piece: Piece) -> None:
+        self.piece = piece
+
+
+def test_shell_is_the_fitted_one_and_can_be_typed_in_again() -> None:
+    """To rounding: 5e-16 and 4e-15 were seen on a shell of size 1."""
+    pattern = FlatFoldablePattern(rows=7, columns=8, direction_deg=0, fold_deg=90)
+    design = pattern.design_on(Target(cap()))
+    fit = fit_sheet(Task(cap(), 7, 8, Conditions(10.0)), direction=0, folded=float(np.deg2rad(90)))
+    assert fit is not None
+    mechanism = design.mechanism
+    shell = mechanism.positions(mechanism.target_drive)
+    assert np.abs(shell - fit.fitted.placed.vertices).max() < 1e-13
+    off = np.abs(fit.fitted.heights).max() * fit.of.size
+    assert max(each.max for each in design.closeness.values()) == pytest.approx(off)
+
+    given = {
+        key: value
+        for key, value in design.parameters.items()
+        if key in FlatFoldablePattern.model_fields and key not in ("edge_ratio", "direction_deg")
+    }
+    table = {"rows": 7, "columns": 8, **given}
+    again = FlatFoldablePattern.model_validate(table).design_without_target().mechanism
+    copy = again.positions(again.target_drive)
+    assert np.abs(distances(copy) - distances(shell)).max() < 1e-12
+
+
+def distances(shell: Array) -> Array:
+    """Of all vertices from each other."""
+    points = shell.reshape(-1, 3)
+    return np.asarray(np.linalg.norm(points[:, None] - points, axis=-1))
+
+
+def test_surface_that_no_sheet_follows_is_refused_with_what_was_reached() -> None:
+    """Edges nearly alike leave no freedom to bend both ways."""
+    pattern = FlatFoldablePattern(rows=7, columns=7, edge_ratio=1.6, direction_deg=0, fold_deg=90)
+    with pytest.raises(DesignError) as refused:
+        pattern.design_on(Target(hemisphere()))
+    assert "diagonal" in refused.value.size
+    assert next(iter(refused.value.candidates)).changes == {"pattern.edge_ratio": 3.2}
+
+
+def hemisphere(cells: int = 64) -> Piece:
+    """The unit sphere over the square of half side 0.7."""
+    x, y = np.meshgrid(np.linspace(-0.7, 0.7, cells + 1), np.linspace(0.7, -0.7, cells + 1))
+    normals = np.stack([x, y, np.sqrt(1 - x * x - y * y)], axis=-1)
+    return Piece.of_lattice(normals - [0, 0, 1], normals)

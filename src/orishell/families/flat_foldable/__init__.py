@@ -2,3 +2,8 @@
 
 Derived in docs/theory/flat-foldable.md.
 """
+
+from orishell.families.flat_foldable.design import design_flat_foldable
+from orishell.families.flat_foldable.mechanism import FlatFoldable
+
+__all__ = ["FlatFoldable", "design_flat_foldable"]

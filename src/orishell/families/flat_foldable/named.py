@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from orishell.conventions.record import record
 from orishell.families.flat_foldable.net import Net
 from orishell.numerics.arrays import Array
 from orishell.polylines import alternating
@@ -35,9 +37,9 @@ def graded_net(
         columns by turns (radians). There the row creases fold by 1/cos(sector) times as much as the
         column creases do, by the tangents of half the angles.
     row_lengths
-        Lengths of edges along the middle row.
+        Lengths of edges along the middle row, border to border.
     column_lengths
-        Lengths of edges down the middle column.
+        Lengths of edges down the middle column, border to border.
     """
     tangents = np.tan(0.5 * _gone_through(folds, rows))
     angles = _gone_through(sectors, columns)
@@ -59,6 +61,67 @@ def graded_net(
         corners=np.ones((4, 2, 1)),
     )
     return net.with_straight_columns()
+
+
+@record
+class NamedSheet:
+    """What the numbers of a named sheet are (lengths; angles in radians)."""
+
+    rows: int
+    columns: int
+    sector: float  # acute, between rows and columns
+    fold: float  # the largest fold angle at the target
+    row_length: float
+    column_length: float  # of the first edge of a column
+    growth: float  # of the last edge of a column by the first
+
+    def miura(self) -> Net:
+        """Miura-ori."""
+        return self._net([self.fold], [self.sector])
+
+    def arch(self, turn: float) -> Net:
+        """Columns that turn by an angle from their first to their last row at the target.
+
+        A straight column turns by delta at a row, to one side and the other by turns, with
+
+            sin(delta/2) = sin(sector) sin(fold/2).
+
+        If every second row folds less, what is left of two of them is the turn of the arch; those
+        rows have another sector angle, as all columns fold alike, by tan(fold/2) cos(sector).
+        """
+        ahead = 2 * np.arcsin(np.sin(self.sector) * np.sin(0.5 * self.fold))
+        # Nothing is left of rows that would turn back by less than nothing: Net.march says so.
+        back = np.sin(0.5 * ahead - turn / self.rows)
+        column = np.tan(0.5 * self.fold) * np.cos(self.sector)
+        tangent = np.sqrt((column**2 + back**2) / (1 - back**2)) if back > 0 else column
+        less = 2 * float(np.arctan(tangent))
+        # The middle row is one of those that fold most.
+        odd = self.rows // 2 % 2 == 1
+        net = self._net([less, self.fold] if odd else [self.fold, less], [self.sector])
+        # Rows of another sector are deeper, so that every second column has longer and shorter
+        # edges by turns: half of that is for the columns between them.
+        middle = net.middle[1]
+        more = np.diff(net.march().columns[:, [middle, middle - 1]], axis=1)[:, 0]
+        return replace(net, column_lengths=net.column_lengths - 0.5 * more)
+
+    def fan(self, turn: float) -> Net:
+        """Columns that run apart downwards, the last from the first by an angle when flat.
+
+        From one column to the next it is the difference of their sector angles.
+        """
+        half = 0.5 * turn / max(self.columns - 1, 1)
+        return self._net([self.fold], [self.sector + half, self.sector - half])
+
+    def _net(self, folds: Sequence[float], sectors: Sequence[float]) -> Net:
+        lengths = self.column_length * np.geomspace(1.0, self.growth, self.rows + 1)
+        return graded_net(
+            self.rows,
+            self.columns,
+            folds=folds,
+            sectors=sectors,
+            row_lengths=[self.row_length],
+            column_lengths=lengths.tolist(),
+        )
 
 
 def _gone_through(values: Sequence[float], count: int) -> Array:

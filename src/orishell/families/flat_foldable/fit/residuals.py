@@ -31,12 +31,10 @@ class Weights:
     """Of residuals, beside 1 for the distance of vertices from the offset surfaces."""
 
     rim: float = 0.3  # of the border from the rim
-    zigzag: float = 0.5  # how much of its zigzag the border keeps beside the rim
     centre: float = 0.2  # of panels' centres from the surface
     near: float = 0.05  # of vertices from where an even sheet would have them, along the surface
     even: float = 5e-3  # of logarithms of edges from their mean
     smooth: float = 3e-3  # of second differences of what makes the sheet
-    offset: float = 0.0  # of the offset itself
     ratio: float = 0.05  # of logarithms of edges that are too short or too long
     convex: float = 0.02  # of panel corners that are too sharp or too blunt
     fold: float = 0.02  # of logarithms of fold angles that are too large
@@ -73,9 +71,10 @@ class Problem:
         shape = len(of.start.x) + 2, len(of.start.y) + 2
         self.edges = edge_numbers(*shape)
         self.corners = corner_numbers(*shape)
-        self.zigzag = of.placed(of.first).vertices - homes(piece.flattened(FLAT), shape)
-        self.zigzag -= (self.zigzag @ piece.axes[2])[..., None] * piece.axes[2]
-        self.homes = homes(piece, shape) + self.zigzag
+        # A Miura-ori's rows zigzag about those of an even sheet.
+        zigzag = of.placed(of.first).vertices - homes(piece.flattened(FLAT), shape)
+        zigzag -= (zigzag @ piece.axes[2])[..., None] * piece.axes[2]
+        self.homes = homes(piece, shape) + zigzag
         self.linear = np.concatenate(list(self._linear()))
 
     def at(self, unknowns: Array) -> Fitted | None:
@@ -90,12 +89,7 @@ class Problem:
         off, centre_normals = self.piece.nearest(centres.reshape(-1, 3))
         heights = heights.reshape(vertices.shape[:2]) / size - unknowns[OFFSET] * self.of.sides
         normals = normals.reshape(vertices.shape)
-        rims = [
-            self.piece.beside(side, at - weights.zigzag * zigzag)
-            for side, (at, zigzag) in enumerate(
-                zip(border(vertices), border(self.zigzag), strict=True)
-            )
-        ]
+        rims = [self.piece.beside(side, at) for side, at in enumerate(border(vertices))]
         away = vertices - self.homes
         away -= dots(away, normals)[..., None] * normals
         logs = np.log(lengths(self._spans(vertices)))
@@ -115,7 +109,6 @@ class Problem:
             weights.convex * blunt[sharp],
             weights.fold * over[folded],
             self.linear @ (unknowns - self.of.first),
-            np.array([weights.offset * unknowns[OFFSET]]),
         ]
         return Fitted(
             unknowns, placed, heights, normals, centre_normals.reshape(centres.shape),
@@ -146,7 +139,6 @@ class Problem:
             weights.convex * self._blunter(vertices, slopes, at.sharp),
             weights.fold * unit[at.folded],
             self.linear,
-            weights.offset * unit[[OFFSET]],
         ]
 
     def _spans(self, points: Array) -> Array:

@@ -18,8 +18,8 @@ from orishell.families.flat_foldable.fit.unknowns import Unknowns
 
 SECTOR = 1.1
 """Sector angle of the Miura-ori that a fit begins with (radians)."""
-FOLDS = (1.6, 1.1)
-"""Fold angles of its row creases that are tried (radians)."""
+FOLDS = (1.6, -1.6, 1.1)
+"""Fold angles of its row creases that are tried (radians); negative, if crests are valleys."""
 DIRECTIONS = (0, 90)
 """How far the sheet is turned to the piece (degrees): rows from left to right, or upwards."""
 COARSE = 9

@@ -1,0 +1,133 @@
+"""The design of a sheet fitted to a surface: what was reached, and whether it is of use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from orishell.conventions.errors import DesignError, Remedy
+from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.design import Design
+from orishell.families.flat_foldable.fit.conditions import Conditions
+from orishell.families.flat_foldable.fit.starts import Fit, Task, fit_sheet
+from orishell.families.flat_foldable.fit.unknowns import ROTATION, SHIFT
+from orishell.families.flat_foldable.lists import describe
+from orishell.families.flat_foldable.mechanism import FlatFoldable, turned
+from orishell.families.flat_foldable.placement import posed
+from orishell.polylines import Closeness
+
+LOOSE = 0.01
+"""Vertices that leave the offset surfaces by a larger share of the diagonal draw a warning."""
+USELESS = 0.05
+"""From this share on the sheet is refused: the best sweeps of the other families come as near."""
+
+
+@record
+class Asked:
+    """What a sheet is fitted to."""
+
+    surface: Any  # of the design, with its ``piece``
+    rows: int
+    columns: int
+    edge_ratio: float
+    direction: int | None  # of the rows to those of the piece (a multiple of 90 degrees)
+    fold: float | None  # at the start (radians)
+
+
+def design_fitted(asked: Asked, progress: Progress = no_progress) -> Design:
+    """The design of the sheet that comes nearest to a surface.
+
+    Raises
+    ------
+    DesignError
+        If no sheet keeps the conditions, or the nearest one is of no use.
+    """
+    piece = asked.surface.piece
+    task = Task(piece, asked.rows, asked.columns, Conditions(asked.edge_ratio))
+    fit = fit_sheet(task, direction=asked.direction, folded=asked.fold, progress=progress)
+    if fit is None:
+        raise DesignError(
+            "no Miura-ori over the plan of the surface, from which a fit begins, has panels "
+            f"whose edges are within a factor of {asked.edge_ratio:g}",
+            keys=("pattern.edge_ratio", "pattern.rows", "pattern.columns"),
+            candidates=_remedies(asked),
+        )
+    if fit.reached.vertices > USELESS:
+        raise _useless(asked, fit)
+    return Design(
+        mechanism=mechanism_of(fit),
+        parameters={
+            "sheet": "lists",
+            "fold_deg": tidy_degrees(2 * float(np.arctan(_largest(fit)))),
+            "direction_deg": fit.start.direction,
+            "start_fold_deg": tidy_degrees(fit.start.folded),
+            "offset": fit.reached.offset * piece.diagonal,
+            **describe(fit.fitted.placed.sheet),
+        },
+        targets={},
+        closeness=_closeness(fit),
+        swept=asked.surface,
+        warnings=tuple(_warnings(fit)),
+    )
+
+
+def mechanism_of(fit: Fit) -> FlatFoldable:
+    """The sheet as it was placed."""
+    of, unknowns = fit.of, fit.fitted.unknowns
+    rotation = of.frame @ turned(np.eye(3)[..., None], unknowns[ROTATION, None])[..., 0]
+    place = of.place + of.size * of.frame @ unknowns[SHIFT]
+    return posed(fit.fitted.placed.sheet, rotation, place)
+
+
+def _largest(fit: Fit) -> float:
+    net = fit.fitted.placed.sheet.net
+    return float(max(np.abs(net.x).max(), np.abs(net.y).max()))
+
+
+def _closeness(fit: Fit) -> dict[str, Closeness]:
+    """Of vertices from the offset surfaces."""
+    off = np.abs(fit.fitted.heights) * fit.of.size
+    above = fit.of.sides[:, 0] > 0
+    return {
+        name: Closeness(float(rows.max()), float(np.sqrt((rows**2).mean())))
+        for name, rows in (("crests", off[above]), ("valleys", off[~above]))
+    }
+
+
+def _warnings(fit: Fit) -> Iterator[str]:
+    reached = fit.reached
+    row, column = reached.worst
+    if reached.vertices > LOOSE:
+        yield (
+            "the sheet follows the surface loosely: its vertices leave the surfaces on which "
+            f"crests and valleys should lie by up to {_percent(reached.vertices)} of the target's "
+            f"diagonal, near vertex {row}, {column}"
+        )
+
+
+def _useless(asked: Asked, fit: Fit) -> DesignError:
+    reached = fit.reached
+    row, column = reached.worst
+    return DesignError(
+        "no sheet of this family was found that follows the surface",
+        keys=("pattern.edge_ratio", "pattern.rows", "pattern.columns"),
+        place=f"near vertex {row}, {column}",
+        size=f"the nearest leaves it by {_percent(reached.vertices)} of its diagonal, "
+        f"{_percent(reached.mesh)} with its corrugation; {_percent(USELESS)} is allowed",
+        candidates=_remedies(asked),
+        excess=reached.vertices / USELESS - 1,
+    )
+
+
+def _remedies(asked: Asked) -> Iterator[Remedy]:
+    yield Remedy({"pattern.edge_ratio": 2 * asked.edge_ratio})
+    yield Remedy({"pattern.rows": 2 * asked.rows + 1, "pattern.columns": 2 * asked.columns + 1})
+
+
+def _percent(share: float) -> str:
+    return f"{plain(100 * share)} %"

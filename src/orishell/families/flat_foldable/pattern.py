@@ -1,0 +1,170 @@
+"""The table [pattern] of the flat-foldable family, and how it is listed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from orishell.conventions.errors import InputError
+from orishell.conventions.progress import Progress, no_progress
+from orishell.conventions.table import Knob, Number
+from orishell.curves import Curve
+from orishell.design import Design
+from orishell.families.flat_foldable.design import (
+    FOLD,
+    SECTOR,
+    SIGNED,
+    TURN,
+    Corners,
+    SheetKind,
+    design_flat_foldable,
+    require_lists,
+)
+from orishell.families.flat_foldable.fit.design import Asked, design_fitted
+from orishell.families.pattern import Auto, ColumnCount, Family, Length, Pattern, RowCount
+from orishell.families.shared.candidates import forgiving
+
+ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
+COLUMNS = Knob("Columns", "Columns of inner vertices", "integer", slider=(2, 61), step=1)
+SignedAngles = list[Annotated[Number, Field(**SIGNED)]]
+Angles = list[Annotated[Number, Field(**FOLD)]]
+
+
+class FlatFoldablePattern(Pattern):
+    """Parameters of the flat-foldable family."""
+
+    row_step: ClassVar[int] = 1
+    needs_target: ClassVar[bool] = False
+
+    rows: Annotated[RowCount, ROWS]
+    columns: Annotated[ColumnCount, COLUMNS]
+    sheet: Annotated[
+        SheetKind,
+        Knob(
+            "Sheet",
+            "Miura-ori, an arch, a fan, or what the lists of the design file say",
+            "choice",
+            choices=("miura", "arch", "fan", "lists"),
+        ),
+    ] = "miura"
+    fold_deg: Annotated[
+        Annotated[Number, Field(**FOLD)] | Auto,
+        Knob.angle("Fold", "Largest fold angle of the shell", (5, 175), step=1),
+    ] = "auto"
+    sector_deg: Annotated[
+        Annotated[Number, Field(**SECTOR)],
+        Knob.angle("Sector angle", "Between rows and columns", (20, 85), step=1, auto=False),
+    ] = 60.0
+    turn_deg: Annotated[
+        Annotated[Number, Field(**TURN)] | Auto,
+        Knob.angle("Turn", "How far an arch turns, or a fan spreads", (1, 240), step=1),
+    ] = "auto"
+    growth: Annotated[
+        Length,
+        Knob(
+            "Growth",
+            "Last edge of a column by the first",
+            "number",
+            slider=(0.2, 5),
+            step=0.1,
+        ),
+    ] = 1.0
+    row_length: Annotated[
+        Length, Knob("Row edge", "Along the middle row", "number", unit="length")
+    ] = 1.0
+    column_length: Annotated[
+        Length, Knob("Column edge", "First edge of a column", "number", unit="length")
+    ] = 1.0
+    row_folds_deg: SignedAngles | Auto = "auto"
+    column_folds_deg: SignedAngles | Auto = "auto"
+    row_angles_deg: Angles | Auto = "auto"
+    column_angles_deg: Angles | Auto = "auto"
+    row_lengths: list[Length] | Auto = "auto"
+    column_lengths: list[Length] | Auto = "auto"
+    top_lengths: list[Length] | Auto = "auto"
+    bottom_lengths: list[Length] | Auto = "auto"
+    left_lengths: list[Length] | Auto = "auto"
+    right_lengths: list[Length] | Auto = "auto"
+    corners: Corners | Auto = "auto"
+    edge_ratio: Annotated[
+        Annotated[Number, Field(ge=1.5, le=100)],
+        Knob(
+            "Edge ratio",
+            "Longest edge by the shortest, at most, of a sheet fitted to a surface",
+            "number",
+            slider=(3, 30),
+            step=0.5,
+        ),
+    ] = 10.0
+    direction_deg: Annotated[
+        Literal[0, 90, 180, 270] | Auto,
+        Knob.angle("Direction", "How far rows are turned on the surface", (0, 270), step=90),
+    ] = "auto"
+    flap: Auto = "auto"  # it has none, and so no control for them
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        require_lists(self)
+        return self
+
+    def design(self, f: Curve, g: Curve) -> Design:
+        """Refuse f and g: a sheet of this family is designed by its own numbers."""
+        raise InputError(
+            "this family does not sweep f along g",
+            keys=("target.f", "target.g"),
+            remedy="remove [target.f] and [target.g]",
+        )
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Fit a sheet of so many rows and columns to a surface with a ``piece``.
+
+        ``fold_deg`` is then the fold angle of the row creases that the fit begins with.
+
+        Raises
+        ------
+        InputError
+            If the table asks for a sheet of its own.
+        DesignError
+            If none comes near enough that can be made.
+        """
+        if self.sheet != "miura":
+            raise InputError(
+                "a sheet that is fitted to a surface begins as a Miura-ori",
+                keys=("pattern.sheet",),
+                got=f'"{self.sheet}"',
+                expected='"miura"',
+                remedy='write sheet = "miura", or remove [target.surface]',
+            )
+        return design_fitted(
+            Asked(
+                surface=surface,
+                rows=self.rows,
+                columns=self.columns,
+                edge_ratio=self.edge_ratio,
+                direction=None if self.direction_deg == "auto" else self.direction_deg,
+                fold=None if self.fold_deg == "auto" else float(np.deg2rad(self.fold_deg)),
+            ),
+            progress,
+        )
+
+    def arguments(self) -> dict[str, Any]:
+        """The keys of a sheet without a target, see :meth:`Pattern.arguments`."""
+        values = super().arguments()
+        return {key: each for key, each in values.items() if key not in ("edge_ratio", "direction")}
+
+    def design_without_target(self) -> Design:
+        """Design the sheet alone."""
+        return forgiving(self, design_flat_foldable)
+
+
+FAMILY = Family(
+    name="flat-foldable",
+    pattern=FlatFoldablePattern,
+    label="Flat-foldable",
+    what="Quadrilaterals that fold to a flat stack",
+    starter=Path(__file__).with_name("starter.toml"),
+    borders="a border",
+)

@@ -1,0 +1,85 @@
+"""Where a sheet is: a pose at its target that the flat sheet turns to, and the level one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from orishell.families.flat_foldable.mechanism import FlatFoldable
+from orishell.families.flat_foldable.net import Net, Sheet
+from orishell.numerics.arrays import Array
+
+CLOSED = 0.05
+"""Ends that are nearer to each other than this share of the sheet's size show no direction."""
+
+
+def posed(sheet: Sheet, rotation: Array, place: Array) -> FlatFoldable:
+    """The sheet whose target is that of ``FlatFoldable(sheet)``, turned and then moved.
+
+    As much as can be of the rotation (3, 3) is the heading of the flat sheet: what is left has a
+    level axis, so that the sheet turns as little as possible while it folds.
+
+    place: Of the middle vertex (3,).
+    """
+    w, x, y, z = _quaternion(rotation)
+    heading = 2 * float(np.arctan2(z, w))
+    # Divided by the turn about z, (x, y) of the quaternion turn by half of it.
+    c, s = np.cos(0.5 * heading), np.sin(0.5 * heading)
+    axis = np.array([c * x - s * y, s * x + c * y, 0.0])
+    size = float(np.hypot(x, y))
+    angle = 2 * float(np.arctan2(size, np.hypot(w, z)))
+    turn = axis * (angle / size) if size > 0 else np.zeros(3)
+    return FlatFoldable(sheet, heading, turn, np.asarray(place, dtype=np.float64))
+
+
+def levelled(net: Net, *, arched: bool = False) -> FlatFoldable:
+    """The sheet level about the origin: its rows run along x at the target, its columns along -y.
+
+    arched: Whether its middle has to lie above its first and last row: else it is folded to the
+        other side.
+    """
+    sheet = net.march()
+    free = FlatFoldable(sheet)
+    shell = free.positions(free.target_drive)
+    axes = _axes(shell)
+    heights = (shell @ axes[2])[:, 1:-1].mean(axis=1)
+    if arched and heights[[0, -1]].sum() > heights.min() + heights.max():
+        return levelled(replace(net, x=-net.x, y=-net.y))
+    centre = shell.reshape(-1, 3).mean(axis=0)
+    return posed(sheet, axes, -axes @ centre)
+
+
+def _axes(shell: Array) -> Array:
+    """Unit vectors (3, 3): along its rows, up its columns, and square to both."""
+    size = float(np.linalg.norm(np.ptp(shell.reshape(-1, 3), axis=0)))
+    x = _direction((shell[:, -1] - shell[:, 0]).mean(axis=0), np.array([1.0, 0.0, 0.0]), size)
+    up = (shell[0] - shell[-1]).mean(axis=0)
+    level = np.array([0.0, 1.0, 0.0]) - x[1] * x
+    y = _direction(up - (up @ x) * x, level, size)
+    return np.stack([x, y, np.cross(x, y)])
+
+
+def _direction(vector: Array, otherwise: Array, size: float) -> Array:
+    chosen = vector if np.linalg.norm(vector) > CLOSED * size else otherwise
+    return np.asarray(chosen / np.linalg.norm(chosen))
+
+
+def _quaternion(rotation: Array) -> Array:
+    """Unit quaternion (4,), w first, of a rotation (3, 3): by the largest of its components."""
+    r = rotation
+    squares = np.array(
+        [1 + r.trace(), *(1 + 2 * r[k, k] - r.trace() for k in range(3))]
+    )  # four times those of the components
+    # Products of all components by each other.
+    products = np.array(
+        [
+            [squares[0], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
+            [r[2, 1] - r[1, 2], squares[1], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]],
+            [r[0, 2] - r[2, 0], r[1, 0] + r[0, 1], squares[2], r[2, 1] + r[1, 2]],
+            [r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[2, 1] + r[1, 2], squares[3]],
+        ]
+    )
+    found = products[int(squares.argmax())]
+    found = found / np.linalg.norm(found)
+    return np.asarray(-found if found[0] < 0 else found)
