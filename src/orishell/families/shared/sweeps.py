@@ -7,16 +7,19 @@ say. Leaning sweeps come nearer to some surfaces inside their rim, but reach far
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from orishell.conventions.errors import Value
+from orishell.conventions.quantities import plain
 from orishell.conventions.record import record
 from orishell.curves import Curve, curve_from_points, remembered, trace_curve
-from orishell.design import Design
+from orishell.design import Approached, Design
 from orishell.design.piece import Piece
-from orishell.families.shared.sweep_fit import Sweep, SweepLimits, fit_sweep
+from orishell.design.shifted import Shifted
+from orishell.families.shared.sweep_fit import Sweep, SweepLimits, fit_upright
 from orishell.numerics.arrays import Array
 
 POINTS = 21
@@ -25,17 +28,9 @@ DIGITS = 5
 """Decimals of their coordinates, relative to the surface's size."""
 
 
-@record
-class Swept:
-    """A sweep over a surface and its shell."""
-
-    design: Design  # the shell, to be compared with f swept along g
-    # what the design file says of it in place of the surface: [target.f], [target.g], and keys of
-    # [pattern]
-    changes: Mapping[str, Value]
-    # where the origin of the shell's frame lies in the surface's (3,)
-    origin: Array
-    sweep: Sweep  # how near the sweep itself comes to the surface
+BEYOND = 0.01
+"""A sweep that reaches beyond the rim by a larger share of the surface's diagonal draws a warning.
+"""
 
 
 @remembered
@@ -43,38 +38,73 @@ def best_sweep(piece: Piece, kinds: tuple[SweepLimits, ...]) -> Sweep:
     """The upright sweep that comes nearest to a piece, both ways, within the first of limits."""
     x, y = piece.axes[0, :2]
     turn = float(np.arctan2(y, x))
-    found = [fit_sweep(piece.vertices, limits, turn=turn) for limits in kinds]
+    found = [fit_upright(piece.vertices, piece.normals, limits, turn) for limits in kinds]
     return min(found, key=lambda each: each.reach)
 
 
-def sweep_over(
-    piece: Piece,
+def design_sweep(
+    surface: Any,
     limits: tuple[SweepLimits, ...],
     design: Callable[[Curve, Curve, float], Design],
-) -> Swept:
-    """Design the shell whose sweep comes nearest to a piece of surface.
+    by_direction: Callable[[float], Mapping[str, Any]] = lambda _: {},
+) -> Design:
+    """The design of the sweep that comes nearest to a surface, to be compared with the surface.
 
     A family carries f along g by the middle vertex of its column, and where that lies on f is known
     once the column is: so the shell is designed twice, the second time with g beside the first g.
 
     Parameters
     ----------
+    surface
+        What is asked for, with its ``piece``.
     limits
-        What the family can sweep; where there are several, the nearest is taken.
+        What the family can sweep; where there are several, the nearest sweep is taken.
     design
         Designs the shell of f, g and the direction of g from end to end (radians).
+    by_direction
+        What else the design file says for that direction.
+
+    Raises
+    ------
+    DesignError
+        If the family cannot make the nearest sweep.
     """
+    piece = surface.piece
     sweep = best_sweep(piece, limits)
     curves = _Curves.of(sweep)
-    middle = 0.5 * sum(sweep.across)
+    f, middle = curves.f, 0.5 * sum(sweep.across)
     for _ in range(2):
-        f, g = curves.f, curves.g(middle)
+        g = curves.g(middle)
         found = design(_curve(f), _curve(g), curves.direction)
-        on_f = found.surface.origin + trace_curve(_curve(f)).in_own_frame().origin
+        on_f = found.surface.origin + trace_curve(_curve(f), "f").in_own_frame().origin
         middle = -curves.side * float(on_f[0])
     origin = np.array([*found.origin[:2], found.origin[2] + on_f[1]])
-    changes: dict[str, Value] = {}
-    return Swept(found, {**_table("f", f), **_table("g", g), **changes}, origin, sweep)
+    beyond = sweep.beyond > BEYOND * piece.diagonal
+    return replace(
+        found,
+        swept=Shifted(surface, -origin),
+        approached=Approached(
+            f"this family sweeps an f along a g, and the nearest of these comes within "
+            f"{plain(sweep.max)} of the surface",
+            found.swept,
+        ),
+        origin=origin,
+        by_curves={
+            "target.surface": None,
+            **_table("f", f),
+            **_table("g", g),
+            **by_direction(curves.direction),
+        },
+        warnings=(*found.warnings, *_warn_of_reach(sweep, beyond)),
+    )
+
+
+def _warn_of_reach(sweep: Sweep, beyond: bool) -> Iterator[str]:
+    if beyond:
+        yield (
+            f"f along g covers the whole surface, and reaches beyond its rim by up to "
+            f"{plain(sweep.beyond, 2)}"
+        )
 
 
 @record
@@ -88,7 +118,7 @@ class _Curves:
     def of(cls, sweep: Sweep) -> _Curves:
         """The curves of an upright sweep; g runs to the right, or up if it is vertical."""
         x, y = sweep.frame[:2, 0]
-        return cls(sweep, 1 if x > UPRIGHT or (abs(x) <= UPRIGHT and y > 0) else -1)
+        return cls(sweep, 1 if x > VERTICAL or (abs(x) <= VERTICAL and y > 0) else -1)
 
     @property
     def direction(self) -> float:
@@ -115,7 +145,7 @@ class _Curves:
         return np.round(points, DIGITS - int(np.floor(np.log10(self.sweep.size))))
 
 
-UPRIGHT = 1e-9
+VERTICAL = 1e-9
 """A g that leaves the vertical of the plan by less than this share runs along it."""
 
 
@@ -123,7 +153,7 @@ def _curve(points: Array) -> Curve:
     return curve_from_points(points, smooth=len(points) > 2)
 
 
-def _table(name: str, points: Array) -> dict[str, Value]:
+def _table(name: str, points: Array) -> dict[str, Any]:
     """The table of a curve through points, as the design file has it."""
     smooth = {f"target.{name}.smooth": True} if len(points) > 2 else {}
     return {f"target.{name}.points": points.tolist(), **smooth}
