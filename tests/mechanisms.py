@@ -14,6 +14,8 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 from orishell.design import Design
+from orishell.families.flat_foldable.locks.columns import FlapColumns
+from orishell.families.flat_foldable.locks.straight import straight_bordered, with_parallel_borders
 from orishell.families.flat_foldable.mechanism import FlatFoldable
 from orishell.families.flat_foldable.named import graded_net
 from orishell.families.flat_foldable.net import Net
@@ -174,6 +176,22 @@ def of_flat_foldable(net: Net, **pose: Any) -> Sample:
     )
 
 
+def with_flap_columns(
+    net: Net, widths: tuple[float, float] = (0.0, 0.4), scale: float = 1.0, **pose: Any
+) -> FlapColumns:
+    """A sheet with flaps, its last column the straight border beside which they stand."""
+    bare = flat_foldable(straight_bordered(net).net, scale, **pose)
+    left, right = widths
+    return FlapColumns(bare, (scale * left, scale * right))
+
+
+def arch_with_flaps(scale: float = 1.0, **pose: Any) -> FlapColumns:
+    """An arch with flaps on both sides."""
+    net = graded_net(6, 5, folds=list(np.deg2rad([80, 55])), sectors=[1.0])
+    bare = flat_foldable(with_parallel_borders(net), scale, **pose)
+    return FlapColumns(bare, (0.3 * scale, 0.4 * scale))
+
+
 def miura_net(rows: int = 5, columns: int = 6) -> Net:
     return graded_net(rows, columns, folds=[np.deg2rad(80)], sectors=[np.deg2rad(60)])
 
@@ -229,6 +247,15 @@ SAMPLES: dict[str, Sample] = {
     "flat-foldable": of_flat_foldable(random_net(6, 5, 2)),
     "flat-foldable, turned": of_flat_foldable(random_net(6, 5, 2), **TURNED),
     "flat-foldable, mixed": of_flat_foldable(random_net(7, 6, 3, mixed=True), **TURNED),
+    "flat-foldable, flaps on both sides": Sample(
+        arch_with_flaps, arch_with_flaps, rounding=(1e-14, 1e-15)
+    ),
+    "flat-foldable, flaps": Sample(
+        lambda: with_flap_columns(random_net(6, 6, 4), **TURNED),
+        lambda scale: with_flap_columns(random_net(6, 6, 4), scale=scale, **TURNED),
+        rounding=(1e-14, 1e-15),
+    ),
+    "flat-foldable, one row with flaps": Sample(lambda: with_flap_columns(random_net(1, 3, 4))),
     "toy": Sample(lambda: Miura(Grid(5, 6), np.deg2rad(60), np.deg2rad(50))),
 }
 """Of every family the kinds of sheets that its closed form tells apart."""
@@ -278,6 +305,14 @@ DRAWN: dict[str, Kind] = {
             lambda seed, mixed: flat_foldable(random_net(5, 4, seed, mixed=mixed), **TURNED),
             st.integers(0, 10**6),
             st.booleans(),
+        ),
+        60,
+    ),
+    "flat-foldable, flaps": Kind(
+        st.builds(
+            lambda seed, stop: with_flap_columns(random_net(5, 5, seed), **TURNED).with_stop(stop),
+            st.integers(0, 10**6),
+            st.floats(0.0, 0.5),
         ),
         60,
     ),

@@ -14,6 +14,8 @@ RISE = 0.1
 """Both ends of f lie this share of its height below its highest point, or it has no two feet."""
 DIP = 0.01
 """Nothing between an end and the highest point lies lower than the end by more than this share."""
+ROOF = 0.05
+"""A sheet without f that rises by less than this share of its span is no arch, but a roof."""
 TIE = 1e-9
 """Rows whose heights differ by less than this share of the shell's height are equally low."""
 LEVEL = 1e-6
@@ -38,16 +40,25 @@ class Feet:
 
 
 def find_feet(design: Design) -> Feet | None:
-    """The feet of a locked shell; None if it cannot stand: f's ends are not its lowest part."""
-    f = design.targets.get("f")
-    if f is None or not _is_arch(f):
-        return None
+    """The feet of a locked shell; None if it cannot stand: f's ends are not its lowest part.
+
+    Where there is no f, the line through the middles of its rows shows whether it is an arch.
+    """
     mechanism = design.mechanism
     shell = mechanism.positions(mechanism.target_drive)[:, mechanism.inner_columns]
-    height, column = shell[..., 2], shell[:, 0]
+    height = shell[..., 2]
+    f, column = design.targets.get("f"), shell[:, 0]
+    if f is None and design.may_stand:
+        # Half way between rows, so that the corrugation does not count.
+        column = shell.mean(axis=1)
+        f = 0.5 * (column[1:] + column[:-1])
+        if np.ptp(f[:, 2]) < ROOF * np.linalg.norm(f[-1] - f[0]):
+            return None
+    if f is None or not _is_arch(f):
+        return None
     size = float(np.ptp(height))
     low = height.min(axis=1)
-    # The row that stands on f's highest point parts the rows; column 1 stands on f.
+    # The row that stands on f's highest point parts the rows; column 1 stands on f, or the middle.
     away = np.linalg.norm(column - f[f[:, 2].argmax()], axis=-1)
     top = 1 + int(away[1:-1].argmin())
     rows = (

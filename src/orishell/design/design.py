@@ -64,6 +64,7 @@ class Design:
     panel: PanelSpec | None = None
     # whether boards are set back for the way to the pack, and not to the target alone
     opens_from_pack: bool = False
+    may_stand: bool = False  # whether its first and last rows may be feet although it has no f
     # the design with its motion ending at a drive (radians), where neither a target nor a stage
     # says where it ends; otherwise None
     ending_at: Callable[[float], Design] | None = None

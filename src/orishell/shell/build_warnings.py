@@ -57,25 +57,27 @@ def warn_of_building(
     height = float(np.ptp(shell[:, mechanism.inner_columns, 2]))
     flat = mechanism.positions(0.0)
     return [
-        *_of_unit(shell, unit, workshop),
+        *_of_unit(design, shell, unit, workshop),
         *_of_flaps(design, shell, feet, unit),
         *_of_feet(design, feet, unit),
         *_of_size(design, flat),
         *_of_unfolded_columns(design),
         *_of_boards(design, flat, unit, workshop),
-        *_of_depth(lock, height, unit),
+        *_of_depth(design, lock, height, unit),
         *_of_chamfers(lock),
     ]
 
 
-def _of_unit(shell: Array, unit: str, workshop: Workshop) -> Iterator[str]:
+def _of_unit(design: Design, shell: Array, unit: str, workshop: Workshop) -> Iterator[str]:
     """Sizes that no shell, and no board, has: another unit may be meant."""
     metres = conversion(unit, "m")
     size = max(extents(shell))
     if not SMALLEST <= size * metres <= LARGEST:
+        drawn = ", and unit in [target.f] and [target.g] says it of a drawing"
         yield (
-            f"the shell is {plain(size, 3)} {unit} across: is {unit} the unit of its curves? "
-            "unit in [shell] says so, and unit in [target.f] and [target.g] says it of a drawing"
+            f"the shell is {plain(size, 3)} {unit} across: is {unit} the unit of its "
+            f"{'curves' if design.targets else 'lengths'}? unit in [shell] says so"
+            f"{drawn if design.targets else ''}"
         )
     if workshop.stock is not None and max(workshop.stock) * metres > LONGEST_STOCK:
         stock = " x ".join(plain(side) for side in workshop.stock)
@@ -134,8 +136,8 @@ def _beyond(column: Array, flap: Array) -> tuple[float, float]:
 def _of_feet(design: Design, feet: Feet | None, unit: str) -> Iterator[str]:
     if feet is None or feet.uneven <= UNEVEN * feet.height:
         return
-    ends = design.targets["f"][[0, -1], 2]
-    gap = float(np.ptp(ends))
+    f = design.targets.get("f")
+    gap = 0.0 if f is None else float(np.ptp(f[[0, -1], 2]))
     remedy = "trim the last panels at the ground, or build the ground up to them"
     if gap > 0.5 * feet.uneven:
         remedy = f"f's ends differ by {plain(gap, 3)} {unit} in height: level them, or build a step"
@@ -219,9 +221,9 @@ def _of_boards(design: Design, flat: Array, unit: str, workshop: Workshop) -> It
     )
 
 
-def _of_depth(lock: Lock, height: float, unit: str) -> Iterator[str]:
+def _of_depth(design: Design, lock: Lock, height: float, unit: str) -> Iterator[str]:
     depth = lock.corrugation_depth
-    if depth > DEEP * height:
+    if design.swept is not None and depth > DEEP * height:
         yield (
             f"the folds are {plain(depth, 3)} {unit} deep in a shell {plain(height, 3)} {unit} "
             "high: one sees them rather than the curve f; more rows make them shallower"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Annotated, Any, Final, Literal
 
@@ -11,15 +11,25 @@ from pydantic import Field
 
 from orishell.conventions.arguments import checked
 from orishell.conventions.errors import DesignError, Remedy
-from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.formatting import rounded, rounded_down, tidy_degrees
 from orishell.conventions.table import Number, misfit
 from orishell.design import Design, Parameter
 from orishell.families.flat_foldable.lists import CORNERS, Lists, describe
+from orishell.families.flat_foldable.locks.columns import with_flaps
+from orishell.families.flat_foldable.locks.straight import with_parallel_borders
 from orishell.families.flat_foldable.named import NamedSheet
 from orishell.families.flat_foldable.net import Net
-from orishell.families.flat_foldable.placement import levelled
+from orishell.families.flat_foldable.placement import levelled, with_level_ends
 from orishell.families.flat_foldable.refusal import find_fault
-from orishell.families.pattern import Auto, ColumnCount, Length, Limits, RowCount, in_radians
+from orishell.families.pattern import (
+    Auto,
+    ColumnCount,
+    Length,
+    Limits,
+    RowCount,
+    Width,
+    in_radians,
+)
 from orishell.numerics.bisection import largest_below
 
 FOLD: Final[Limits] = {"gt": 0, "lt": 180}
@@ -75,6 +85,11 @@ def require_lists(asked: Any) -> None:
         key = "turn" if hasattr(asked, "turn") else "turn_deg"
         if getattr(asked, key) != "auto":
             raise misfit('"auto", or sheet = "arch" or "fan"', getattr(asked, key), key)
+    if asked.sheet == "arch":
+        key = "turn" if hasattr(asked, "turn") else "turn_deg"
+        turn = getattr(asked, key)
+        if turn != "auto" and turn <= 0:
+            raise misfit("an angle above 0 in an arch", turn, key)
 
 
 @checked(require_lists)
@@ -100,7 +115,7 @@ def design_flat_foldable(
     left_lengths: list[Length] | Auto = "auto",
     right_lengths: list[Length] | Auto = "auto",
     corners: Corners | Auto = "auto",
-    flap: Auto = "auto",
+    flap: Width | Auto = 0.0,
 ) -> Design:
     """Design a sheet that folds flat, by a few numbers or by its lists.
 
@@ -121,7 +136,8 @@ def design_flat_foldable(
     growth
         The last edge of a column by the first.
     row_length, column_length
-        Lengths of edges along the middle row, and of the first one of a column.
+        Lengths of edges along the middle row, in an arch along rows that fold most, and of the
+        first edge of a column.
     row_folds, column_folds
         Lists: fold angles of the first crease of every row and column at the target, valley
         positive (radians).
@@ -137,7 +153,9 @@ def design_flat_foldable(
         shares of the ways from the nearest inner vertex to the border along the row and the column;
         or "auto" for parallelograms.
     flap
-        "auto": the sheet has no flaps.
+        Width of flaps that fold flat at the target, square to their border; "auto" takes the mean
+        length of the border's edges, 0 leaves them out. They stand beside the left and the right
+        border, where it is straight; borders of named sheets with flaps are.
 
     Raises
     ------
@@ -167,7 +185,7 @@ def design_flat_foldable(
             right=_given(right_lengths),
             corners=_given(corners),
         )
-        return _listed(lists, None if fold == "auto" else fold)
+        return _listed(lists, None if fold == "auto" else fold, flap)
     named = NamedSheet(
         rows,
         columns,
@@ -177,10 +195,10 @@ def design_flat_foldable(
         column_length,
         growth,
     )
-    return _named(named, sheet, None if turn == "auto" else turn)
+    return _named(named, sheet, None if turn == "auto" else turn, flap)
 
 
-def _listed(lists: Lists, fold: float | None) -> Design:
+def _listed(lists: Lists, fold: float | None, flap: float | Auto) -> Design:
     net = lists.net()
     if fold is not None:
         share = np.tan(0.5 * fold) / max(np.abs(net.x).max(), np.abs(net.y).max())
@@ -198,12 +216,12 @@ def _listed(lists: Lists, fold: float | None) -> Design:
             candidates=changes,
             excess=fault.excess,
         )
-    return completed(net, {"sheet": "lists"})
+    return completed(net, {"sheet": "lists"}, flap=flap)
 
 
-def _named(named: NamedSheet, sheet: str, turn: float | None) -> Design:
+def _named(named: NamedSheet, sheet: str, turn: float | None, flap: float | Auto) -> Design:
     if sheet == "miura":
-        return _checked_named(named, named.miura(), {"sheet": sheet}, iter(()))
+        return _checked_named(named, named.miura(), {"sheet": sheet}, flap)
     make: Callable[[float], Net] = named.arch if sheet == "arch" else named.fan
 
     def works(turn: float) -> bool:
@@ -214,39 +232,50 @@ def _named(named: NamedSheet, sheet: str, turn: float | None) -> Design:
         while not works(turn) and turn > SMALLEST * TURNS[sheet]:
             turn *= 0.5
 
-    def candidates() -> Iterator[Remedy]:
+    described: dict[str, Parameter] = {"sheet": sheet, "turn_deg": tidy_degrees(turn)}
+    if not works(turn):
         sign = float(np.sign(turn))
         found = largest_below(lambda size: works(sign * size), abs(turn), smallest=SMALLEST)
-        if found:
-            yield Remedy({"pattern.turn_deg": tidy_degrees(sign * found)})
-            yield Remedy({"pattern.turn_deg": tidy_degrees(0.9 * sign * found)})
+        if found is not None:
+            raise _too_large(named, turn, sign * rounded_down(float(np.rad2deg(found))), make(turn))
+    return _checked_named(named, make(turn), described, flap, arched=sheet == "arch")
 
-    described: dict[str, Parameter] = {"sheet": sheet, "turn_deg": tidy_degrees(turn)}
-    return _checked_named(named, make(turn), described, candidates(), arched=sheet == "arch")
+
+def _too_large(named: NamedSheet, turn: float, most: float, net: Net) -> DesignError:
+    """The refusal of a turn (radians), the largest that works being ``most`` (degrees)."""
+    fault = find_fault(net)
+    assert fault is not None
+    asked = tidy_degrees(turn)
+    return DesignError(
+        f"turn_deg = {asked:g} is too large for {named.rows} rows and {named.columns} columns",
+        keys=("pattern.turn_deg",),
+        place=fault.place,
+        size=f"{fault.condition}; up to {most:g} works",
+        candidates=[Remedy({"pattern.turn_deg": rounded(share * most)}) for share in (0.9, 0.5)],
+        excess=asked / most - 1,
+    )
 
 
 def _checked_named(
     named: NamedSheet,
     net: Net,
     described: dict[str, Parameter],
-    candidates: Iterator[Remedy],
+    flap: float | Auto,
     *,
     arched: bool = False,
 ) -> Design:
+    if flap:
+        net = with_parallel_borders(net)
     fault = find_fault(net)
     if fault is not None:
-
-        def every() -> Iterator[Remedy]:
-            yield from candidates
-            if named.growth != 1:
-                yield Remedy({"pattern.growth": 1.0})
-            yield Remedy({"pattern.sector_deg": 60.0})
-
         raise DesignError(
             fault.condition,
             place=fault.place,
             size=fault.size,
-            candidates=every(),
+            candidates=[
+                *([Remedy({"pattern.growth": 1.0})] if named.growth != 1 else []),
+                Remedy({"pattern.sector_deg": 60.0}),
+            ],
             excess=fault.excess,
         )
     given: dict[str, Parameter] = {
@@ -254,23 +283,30 @@ def _checked_named(
         "sector_deg": tidy_degrees(named.sector),
         "growth": named.growth,
     }
-    return completed(net, given, arched=arched)
+    return completed(net, given, arched=arched, flap=flap)
 
 
-def completed(net: Net, described: dict[str, Parameter], *, arched: bool = False) -> Design:
-    """The design of a net, level about the origin."""
-    mechanism = levelled(net, arched=arched)
+def completed(
+    net: Net, described: dict[str, Parameter], *, arched: bool = False, flap: float | Auto = 0.0
+) -> Design:
+    """The design of a net, level about the origin, with flaps beside straight borders."""
+    bare = levelled(net, arched=arched)
+    if arched:
+        bare = with_level_ends(bare)
+    locked = with_flaps(bare, None if flap == "auto" else flap) if flap else None
     return Design(
-        mechanism=mechanism,
+        mechanism=locked or bare,
         parameters={
             **described,
-            "fold_deg": tidy_degrees(mechanism.target_drive),
-            **describe(mechanism.sheet),
+            "fold_deg": tidy_degrees(bare.target_drive),
+            "flap": max(locked.widths) if locked else 0.0,
+            **describe(bare.sheet),
         },
         targets={},
         closeness={},
         swept=None,
         warnings=(),
+        may_stand=True,
     )
 
 

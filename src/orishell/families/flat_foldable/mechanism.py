@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from orishell.conventions.record import record
 from orishell.families.flat_foldable.folding import HalfFolds, Numbers, fold
 from orishell.families.flat_foldable.net import Sheet
-from orishell.families.flat_foldable.rates import Chains
+from orishell.families.flat_foldable.rates import Chains, Rates
 from orishell.motion.grid import CreaseValues, Grid
 from orishell.motion.mechanism import mechanism_in_one_line
 from orishell.numerics.arrays import Array
@@ -48,7 +48,7 @@ class FlatFoldable:
     @property
     def inner_columns(self) -> slice:
         """All columns: there are no flaps."""
-        return slice(None)
+        return slice(0, self.grid.columns)
 
     @property
     def flap_columns(self) -> tuple[int, ...]:
@@ -91,7 +91,7 @@ class FlatFoldable:
         return row / self.largest_tangent, column / self.largest_tangent
 
     @cached_property
-    def _flat(self) -> Array:
+    def flat(self) -> Array:
         """Vertices (2, rows, columns, 1) of the flat sheet, about the middle vertex."""
         x, y = self.sheet.flat()
         c, s = np.cos(self.heading), np.sin(self.heading)
@@ -102,12 +102,18 @@ class FlatFoldable:
         drives = np.asarray(drive, dtype=np.float64)
         theta = drives.ravel()
         folds = HalfFolds.of(self._shares, _cosine(theta), np.sin(0.5 * theta))
-        places = fold(self._flat, folds, self.sheet.net.middle)
+        places = fold(self.flat, folds, self.sheet.net.middle)
+        return self.placed(places, theta / self.target_drive, drives.shape)
+
+    def placed(self, places: Array, shares: Array, states: tuple[int, ...]) -> Array:
+        """Vertices (*states, rows, columns, 3) from those about the middle crease (3, ..., B).
+
+        shares: Of the turn as a whole (B,).
+        """
         if self.turn.any():
-            share = theta / self.target_drive
-            places = turned(places, self.turn[:, None] * share)
+            places = turned(places, self.turn[:, None] * shares)
         found = np.moveaxis(places, (0, 3), (3, 0)) + self.place
-        return found.reshape(*drives.shape, *found.shape[1:])
+        return found.reshape(*states, *found.shape[1:])
 
     def fold_angles(self, drive: ArrayLike) -> CreaseValues:
         """Fold angles of all creases at drive angles (...), in closed form (radians)."""
@@ -119,12 +125,14 @@ class FlatFoldable:
     def edge_accelerations(self, start: Array, stop: Array) -> tuple[Array, Array]:
         """Bounds of the accelerations of edges: see :class:`~.rates.Chains`."""
         spin = float(np.linalg.norm(self.turn)) / self.target_drive
-        return self._chains.bounds(start, stop, spin)
+        rows, columns = (np.abs(each) for each in (self._shares[0][:, 0], self._shares[1][0]))
+        of_rows, of_columns = (Rates.of(each[:, 0], start, stop) for each in (rows, columns))
+        return self._chains.bounds(of_rows, of_columns, spin)
 
     @cached_property
     def _chains(self) -> Chains:
         row, column = (each[..., 0] for each in self._shares)
-        return Chains.of(self._flat[..., 0], row, column, self.sheet.net.middle)
+        return Chains.of(self.flat[..., 0], row, column, self.sheet.net.middle)
 
 
 def turned(places: Numbers, by: Numbers) -> Numbers:

@@ -12,6 +12,8 @@ from orishell.families.flat_foldable.net import Net
 from orishell.numerics.arrays import Array
 from orishell.polylines import alternating
 
+SMALL = 1e-9
+
 
 def graded_net(
     rows: int,
@@ -71,7 +73,7 @@ class NamedSheet:
     columns: int
     sector: float  # acute, between rows and columns
     fold: float  # the largest fold angle at the target
-    row_length: float
+    row_length: float  # of the rows that fold most
     column_length: float  # of the first edge of a column
     growth: float  # of the last edge of a column by the first
 
@@ -90,18 +92,21 @@ class NamedSheet:
         rows have another sector angle, as all columns fold alike, by tan(fold/2) cos(sector).
         """
         ahead = 2 * np.arcsin(np.sin(self.sector) * np.sin(0.5 * self.fold))
-        # Nothing is left of rows that would turn back by less than nothing: Net.march says so.
-        back = np.sin(0.5 * ahead - turn / self.rows)
+        # Rows that would have to turn back by less than nothing fold like the columns: no sheet.
+        back = max(float(np.sin(0.5 * ahead - turn / self.rows)), 0.0)
         column = np.tan(0.5 * self.fold) * np.cos(self.sector)
-        tangent = np.sqrt((column**2 + back**2) / (1 - back**2)) if back > 0 else column
+        tangent = np.sqrt((column**2 + back**2) / (1 - back**2))
         less = 2 * float(np.arctan(tangent))
-        # The middle row is one of those that fold most.
-        odd = self.rows // 2 % 2 == 1
-        net = self._net([less, self.fold] if odd else [self.fold, less], [self.sector])
+        # The first row is one of those that fold most, so that the arch ends steeply.
+        middle = (
+            self.sector if self.rows // 2 % 2 == 0 else float(np.arccos(min(column / tangent, 1)))
+        )
+        along = self.row_length * np.sin(self.sector) / max(np.sin(middle), SMALL)
+        net = replace(self, row_length=float(along))._net([self.fold, less], [middle])
         # Rows of another sector are deeper, so that every second column has longer and shorter
         # edges by turns: half of that is for the columns between them.
-        middle = net.middle[1]
-        more = np.diff(net.march().columns[:, [middle, middle - 1]], axis=1)[:, 0]
+        j = net.middle[1]
+        more = np.diff(net.march().columns[:, [j, j - 1]], axis=1)[:, 0]
         return replace(net, column_lengths=net.column_lengths - 0.5 * more)
 
     def fan(self, turn: float) -> Net:

@@ -63,12 +63,17 @@ class Net:
         """Which vertices (R, C) are of the row mode: those whose row creases fold more."""
         return np.asarray(np.abs(self.x[:, None, 0].real) > np.abs(self.y[None, :, 0].real))
 
-    def march(self) -> Sheet:
-        """The sheet; sectors are not numbers, or lengths negative, where there is none."""
+    def march(self, column: int | None = None) -> Sheet:
+        """The sheet; sectors are not numbers, or lengths negative, where there is none.
+
+        column: The number of the column that is given; the middle one if None.
+        """
+        i, j = self.middle
+        given = i, j if column is None else column % len(self.y)
         mode, row_signs, column_signs, ties = self._ties()
         with np.errstate(all="ignore"):
-            a, b = self._sectors(ties, mode)
-            lengths = self._lengths(a, b)
+            a, b = self._sectors(ties, mode, given)
+            lengths = self._lengths(a, b, given)
         return Sheet(self, a, b, *lengths, row_signs, column_signs)
 
     def with_straight_columns(self) -> Net:
@@ -80,6 +85,14 @@ class Net:
         straight = 0.5 * ties
         i, j = self.middle
         return replace(self, row_angles=straight[i], column_angles=straight[:, j])
+
+    def with_straight_column(self, column: int) -> Net:
+        """The same, a column of row mode that is given going straight on in all rows."""
+        _, _, _, ties = self._ties()
+        straight, row = 0.5 * ties[:, column], self.row_angles.copy()
+        row = row.astype(np.result_type(row, straight))
+        row[column] = straight[self.middle[0]]
+        return replace(self, row_angles=row, column_angles=straight)
 
     def _ties(self) -> tuple[Booleans, Array, Array, Numbers]:
         """Modes (R, C), signs of creases, and log tan(a/2) +- log tan(b/2) (R, C, B)."""
@@ -94,9 +107,11 @@ class Net:
             ties = np.log(np.where(mode[..., None], (m - 1) / (m + 1), (1 + m) / (1 - m)))
         return mode, row_signs, column_signs, ties
 
-    def _sectors(self, ties: Numbers, mode: Booleans) -> tuple[Numbers, Numbers]:
+    def _sectors(
+        self, ties: Numbers, mode: Booleans, given: tuple[int, int]
+    ) -> tuple[Numbers, Numbers]:
         """Sectors a and b (R, C, B): from the cross to the four quadrants beside it."""
-        i, j = self.middle
+        i, j = given
         a = np.zeros(ties.shape, np.result_type(ties, self.row_angles))
         a[i], a[:, j] = self.row_angles, self.column_angles
         logs = a, np.where(mode[..., None], ties - a, a - ties)
@@ -110,9 +125,9 @@ class Net:
         a, b = (2 * np.arctan(np.exp(each)) for each in logs)
         return a, b
 
-    def _lengths(self, a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
+    def _lengths(self, a: Numbers, b: Numbers, given: tuple[int, int]) -> tuple[Numbers, Numbers]:
         """Lengths of edges along rows (R, C-1, B) and down columns (R-1, C, B)."""
-        i, j = self.middle
+        i, j = given
         count, across, many = a.shape
         rows = np.empty((count, across - 1, many), a.dtype)
         columns = np.empty((count - 1, across, many), a.dtype)

@@ -24,7 +24,15 @@ from orishell.families.flat_foldable.design import (
     require_lists,
 )
 from orishell.families.flat_foldable.fit.design import Asked, design_fitted
-from orishell.families.pattern import Auto, ColumnCount, Family, Length, Pattern, RowCount
+from orishell.families.pattern import (
+    Auto,
+    ColumnCount,
+    Family,
+    Length,
+    Pattern,
+    RowCount,
+    Width,
+)
 from orishell.families.shared.candidates import forgiving
 
 ROWS = Knob("Rows", "Rows of inner vertices", "integer", slider=(1, 61), step=1)
@@ -103,7 +111,10 @@ class FlatFoldablePattern(Pattern):
         Literal[0, 90, 180, 270] | Auto,
         Knob.angle("Direction", "How far rows are turned on the surface", (0, 270), step=90),
     ] = "auto"
-    flap: Auto = "auto"  # it has none, and so no control for them
+    flap: Annotated[
+        Width | Auto,
+        Knob("Flap", "Width of flaps at straight borders; 0 for none", "number", True, "length"),
+    ] = 0.0
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -137,6 +148,13 @@ class FlatFoldablePattern(Pattern):
                 got=f'"{self.sheet}"',
                 expected='"miura"',
                 remedy='write sheet = "miura", or remove [target.surface]',
+            )
+        if self.flap:
+            raise InputError(
+                "flaps stand beside straight borders, and a fitted sheet has none",
+                keys=("pattern.flap",),
+                got=str(self.flap),
+                expected="0",
             )
         return design_fitted(
             Asked(

@@ -7,11 +7,13 @@ from dataclasses import replace
 import numpy as np
 
 from orishell.families.flat_foldable.mechanism import FlatFoldable
-from orishell.families.flat_foldable.net import Net, Sheet
+from orishell.families.flat_foldable.net import CORNERS, Net, Sheet
 from orishell.numerics.arrays import Array
 
 CLOSED = 0.05
 """Ends that are nearer to each other than this share of the sheet's size show no direction."""
+LONGEST = 2.0
+"""Creases that end at feet are made longer by this factor at most, so that these are level."""
 
 
 def posed(sheet: Sheet, rotation: Array, place: Array) -> FlatFoldable:
@@ -46,18 +48,55 @@ def levelled(net: Net, *, arched: bool = False) -> FlatFoldable:
     heights = (shell @ axes[2])[:, 1:-1].mean(axis=1)
     if arched and heights[[0, -1]].sum() > heights.min() + heights.max():
         return levelled(replace(net, x=-net.x, y=-net.y))
-    centre = shell.reshape(-1, 3).mean(axis=0)
+    centre = shell[1:-1, 1:-1].reshape(-1, 3).mean(axis=0)
     return posed(sheet, axes, -axes @ centre)
 
 
+def with_level_ends(shell: FlatFoldable) -> FlatFoldable:
+    """The shell with creases to its first and last row so long that these lie at one height.
+
+    At the lowest height that they have; itself if some of them do not go down to there.
+    """
+    places, net = shell.positions(shell.target_drive)[..., 2], shell.sheet.net
+    ground = places[[0, -1]].min()
+    reached = []
+    for end, beside, lengths in ((0, 1, net.top), (-1, -2, net.bottom)):
+        drop = places[beside] - places[end]
+        needed = places[beside] - ground
+        if not (drop[1:-1] > 0).all() or (needed[1:-1] > LONGEST * drop[1:-1]).any():
+            return shell
+        reached.append((lengths * (needed / drop)[1:-1, None], end, beside))
+    corners = net.corners.copy()
+    for number, (row, column) in enumerate(CORNERS):
+        near_row, near_column = (1 if at == 0 else -2 for at in (row, column))
+        near = places[near_row, near_column]
+        side = corners[number, 0, 0] * (places[near_row, column] - near)
+        # The border vertex beside the corner is on the ground now.
+        corners[number, 1, 0] = (ground - near - side) / (ground - near)
+    sheet = replace(net, top=reached[0][0], bottom=reached[1][0], corners=corners).march()
+    return replace(shell, sheet=sheet)
+
+
 def _axes(shell: Array) -> Array:
-    """Unit vectors (3, 3): along its rows, up its columns, and square to both."""
+    """Unit vectors (3, 3): along its rows, up its columns, and square to both.
+
+    Lengths at the border do not change them.
+    """
     size = float(np.linalg.norm(np.ptp(shell.reshape(-1, 3), axis=0)))
-    x = _direction((shell[:, -1] - shell[:, 0]).mean(axis=0), np.array([1.0, 0.0, 0.0]), size)
-    up = (shell[0] - shell[-1]).mean(axis=0)
+    along, down = (_way(each) for each in (shell[1:-1].mean(axis=0), shell[:, 1:-1].mean(axis=1)))
+    x = _direction(along, np.array([1.0, 0.0, 0.0]), size)
     level = np.array([0.0, 1.0, 0.0]) - x[1] * x
-    y = _direction(up - (up @ x) * x, level, size)
+    y = _direction(-down + (down @ x) * x, level, size)
     return np.stack([x, y, np.cross(x, y)])
+
+
+def _way(line: Array) -> Array:
+    """From one end of a line (K, 3) to the other: of zigzags that of their middle lines."""
+    inner = line[1:-1]
+    if len(inner) < 2:
+        return np.asarray(line[-1] - line[0])
+    some = 2 if len(inner) >= 4 else 1
+    return np.asarray(inner[-some:].mean(axis=0) - inner[:some].mean(axis=0))
 
 
 def _direction(vector: Array, otherwise: Array, size: float) -> Array:

@@ -70,8 +70,6 @@ class Chains:
     """The ways from the middle crease to all panels: up and down, then along the rows."""
 
     middle: tuple[int, int]
-    row_shares: Array  # (R,) of row creases
-    column_shares: Array  # (C,) of column creases
     row_signs: Array  # (R, C+1)
     column_signs: Array  # (R+1, C)
     row_axes: Array  # unit vectors (R, C+1, 2) to the left along row creases of the flat sheet
@@ -81,14 +79,12 @@ class Chains:
 
     @classmethod
     def of(cls, flat: Array, row: Array, column: Array, middle: tuple[int, int]) -> Chains:
-        """Those of a flat sheet (2, R+2, C+2) whose creases have shares (R, C+1), (R+1, C)."""
+        """Those of a flat sheet (2, R+2, C+2) whose creases fold to signs (R, C+1), (R+1, C)."""
         to_left = np.moveaxis(flat[:, :, :-1] - flat[:, :, 1:], 0, -1)
         below = np.moveaxis(flat[:, 1:] - flat[:, :-1], 0, -1)
         along, down = (np.linalg.norm(each, axis=-1) for each in (to_left, below))
         return cls(
             middle,
-            np.abs(row[:, 0]),
-            np.abs(column[0]),
             np.sign(row),
             np.sign(column),
             (to_left / along[..., None])[1:-1],
@@ -97,16 +93,16 @@ class Chains:
             down,
         )
 
-    def bounds(self, start: Array, stop: Array, spin: float) -> tuple[Array, Array]:
+    def bounds(self, rows: Rates, columns: Rates, spin: float) -> tuple[Array, Array]:
         """Largest accelerations along rows (S, C+1) and down columns (S, R+1).
 
+        rows: Of the row creases (R, S) that end at the middle column of panels.
+        columns: Of the column creases (C, S).
         spin: Rate at which the sheet turns as a whole (radians per radian of drive).
         """
         i, j = self.middle[0], self.middle[1] + 1
-        rows = Rates.of(self.row_shares, start, stop)
-        columns = Rates.of(self.column_shares, start, stop)
-        count, across = len(self.row_shares), len(self.column_shares)
-        ends = np.empty((count + 1, len(start))), np.empty((count + 1, len(start)))
+        count, across, ranges = len(rows.low), *columns.low.shape
+        ends = np.empty((count + 1, ranges)), np.empty((count + 1, ranges))
         half = Rates(rows.low[i], rows.high[i], rows.second[i]).half()
         for order, first in ((range(i + 1, count), i + 1), (range(i - 1, -1, -1), i)):
             way = _chain(
@@ -116,7 +112,7 @@ class Chains:
                 place = first + step if first > i else first - step
                 for each, value in zip(ends, found, strict=True):
                     each[place] = value
-        w, bent = (np.empty((across + 1, count + 1, len(start))) for _ in range(2))
+        w, bent = (np.empty((across + 1, count + 1, ranges)) for _ in range(2))
         signs, axes = self.column_signs.T, self.column_axes.swapaxes(0, 1)
         for order in (range(j, across), range(j - 1, -1, -1)):
             for step, found in enumerate(_chain(ends, order, columns, signs, axes)):
