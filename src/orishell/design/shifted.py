@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from orishell.conventions.record import record
-from orishell.design.surface import Lattice
+from orishell.design.surface import Lattice, Surface
 from orishell.numerics.arrays import Array
 
 
@@ -14,7 +13,7 @@ from orishell.numerics.arrays import Array
 class Shifted:
     """A surface moved by a vector, and otherwise what it was."""
 
-    surface: Any  # as :class:`~orishell.design.Surface` is one
+    surface: Surface
     shift: Array  # (3,)
 
     def points(self, u: Array, v: Array) -> Array:

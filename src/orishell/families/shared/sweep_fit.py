@@ -241,7 +241,7 @@ def _beyond(sweep: Sweep, points: Array) -> float:
 
     x, d = (np.linspace(*reach, LATTICE) for reach in (sweep.along, sweep.across))
     gap = cKDTree(points).query(sweep.points(x[:, None], d[None, :]))[0]
-    return float(gap.max())
+    return float(np.max(gap))
 
 
 def _spread(points: Array, count: int) -> Integers:

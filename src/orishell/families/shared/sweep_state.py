@@ -48,7 +48,11 @@ def powers_of(x: Array, powers: Integers) -> tuple[Array, Array, Array]:
     every[..., 1:] = x[..., None]
     np.cumprod(every, axis=-1, out=every)
     first, second = (every[..., np.maximum(powers - k, 0)] for k in (1, 2))
-    return every[..., powers], powers * first, powers * (powers - 1) * second
+    return (
+        every[..., powers],
+        np.asarray(powers * first),
+        np.asarray(powers * (powers - 1) * second),
+    )
 
 
 @record

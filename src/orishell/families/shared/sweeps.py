@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -82,7 +82,7 @@ def design_sweep(
     beyond = sweep.beyond > BEYOND * piece.diagonal
     return replace(
         found,
-        swept=Shifted(surface, -origin),
+        swept=cast(Any, Shifted(surface, -origin)),
         approached=Approached(
             f"this family sweeps an f along a g, and the nearest of these comes within "
             f"{plain(sweep.max)} of the surface",
