@@ -17,6 +17,7 @@ import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
 from orishell.conventions.errors import Remedy
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
@@ -169,6 +170,10 @@ class Pattern(Table):
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for."""
+        raise NotImplementedError
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Design the shell that comes nearest to a surface, which has a ``piece``."""
         raise NotImplementedError
 
     def design_without_target(self) -> Design:
