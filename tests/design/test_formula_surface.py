@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -11,7 +13,7 @@ from orishell.design import FormulaSurface
 from orishell.motion.quads import lengths
 
 
-def graph(text: str, half: float = 0.5, **more: float) -> FormulaSurface:
+def graph(text: str, half: float = 0.5, **more: Any) -> FormulaSurface:
     formula = parse_formula_of_two(text, "x", "y")
     return FormulaSurface((formula,), (-half, half), (-half, half), **more)
 

@@ -74,13 +74,10 @@ def test_what_does_not_fit_is_refused_at_its_key(surface: dict[str, Any], key: s
     assert refused.value.keys == (key,)
 
 
-def test_f_and_a_surface_exclude_each_other_and_a_family_that_sweeps_refuses_one() -> None:
+def test_f_and_a_surface_exclude_each_other() -> None:
     f = {"formula": "x", "range": [0, 1]}
     with pytest.raises(InputError, match="either f and g or a surface"):
         checked(CAP, target={"surface": CAP, "f": f})
-    shell = {"family": "parallel-repeating", "unit": "m"}
-    with pytest.raises(InputError, match=r"f and g, which this family sweeps.*flat-foldable"):
-        checked(CAP, shell=shell)
 
 
 def test_files_are_not_opened_where_they_may_not_be() -> None:

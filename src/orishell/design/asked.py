@@ -16,6 +16,9 @@ class AskedSurface(Protocol):
     def points(self, u: Array, v: Array) -> Array:
         """Points (..., 3) at two parameters (...)."""
 
+    def normals(self, u: Array, v: Array) -> Array:
+        """Unit normals (..., 3) at two parameters (...)."""
+
     def lattice(
         self,
         step: float,

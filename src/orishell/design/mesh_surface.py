@@ -60,6 +60,11 @@ class MeshSurface:
             points = points - distances[:, None] * normals
         return np.asarray(points.reshape(between.shape))
 
+    def normals(self, u: Array, v: Array) -> Array:
+        """Unit normals (..., 3) where :meth:`points` are."""
+        points = self.points(u, v)
+        return self.piece.nearest(points.reshape(-1, 3))[1].reshape(points.shape)
+
     def lattice(
         self,
         step: float,

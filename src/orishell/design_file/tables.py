@@ -240,9 +240,9 @@ class FileTable(Table):
         family = FAMILIES.get(shell.family) if shell is not None else None
         if target is None and (family is None or family.pattern.needs_target):
             raise PydanticCustomError("missing", "Field required")
-        swept = family is not None and not family.pattern.follows_surfaces
+        swept = family is not None and not family.pattern.follows_surfaces()
         if target is not None and target.surface is not None and swept:
-            able = [each.name for each in FAMILIES.values() if each.pattern.follows_surfaces]
+            able = [each.name for each in FAMILIES.values() if each.pattern.follows_surfaces()]
             what = "f and g, which this family sweeps; a surface asks for family = {able}"
             raise PydanticCustomError("source", what, {"able": " or ".join(able), "key": "surface"})
         return target

@@ -10,10 +10,17 @@ from __future__ import annotations
 import numpy as np
 
 from orishell.conventions.record import record
-from orishell.design import AskedSurface, Design, MeshSurface
+from orishell.design import AskedSurface, Design
 from orishell.deviation.branch_and_bound import Cells, find_largest
 from orishell.deviation.scattered import Scattered
-from orishell.deviation.triangles import Nearest, Patch, Triangles, mesh_shell, mesh_surface
+from orishell.deviation.triangles import (
+    Nearest,
+    Patch,
+    Triangles,
+    mesh_shell,
+    mesh_surface,
+    triangles_of,
+)
 from orishell.numerics.arrays import Array, Booleans, Integers
 
 SAMPLES = 15_000
@@ -203,10 +210,11 @@ def _both_ways(
 ) -> tuple[_Way, _Way]:
     """Samples of the shell with the nearest points of the surface, and the other way round."""
     of_shell, panels = Patch.of_shell(shell, samples, least=least), mesh_shell(shell)
+    known = triangles_of(surface)
     of_surface = (
-        Scattered.of(surface.piece.vertices, surface.piece.triangles, samples)
-        if isinstance(surface, MeshSurface)
-        else Patch.of_surface(surface, samples, shell)
+        Patch.of_surface(surface, samples, shell)
+        if known is None
+        else Scattered.of(*known, samples)
     )
     mesh, sagitta = mesh_surface(surface, samples)
     there = _Way(of_shell, mesh, mesh.nearest(of_shell.points), sagitta)

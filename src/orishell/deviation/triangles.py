@@ -9,6 +9,7 @@ import numpy as np
 
 from orishell.conventions.record import record
 from orishell.design import AskedSurface, Lattice, MeshSurface
+from orishell.design.shifted import Shifted
 from orishell.motion.grid import Grid
 from orishell.motion.quads import area_vectors, grid_corners, lengths, unit_normals
 from orishell.numerics.arrays import Array, Integers
@@ -116,10 +117,21 @@ def mesh_shell(positions: Array) -> Triangles:
     return Triangles.of(positions, corners)
 
 
+def triangles_of(surface: AskedSurface) -> tuple[Array, Integers] | None:
+    """Vertices and triangles of a surface that is a mesh, or a mesh moved; None of another."""
+    if isinstance(surface, MeshSurface):
+        return surface.piece.vertices, surface.piece.triangles
+    if isinstance(surface, Shifted) and isinstance(surface.surface, MeshSurface):
+        piece = surface.surface.piece
+        return piece.vertices + surface.shift, piece.triangles
+    return None
+
+
 def mesh_surface(surface: AskedSurface, samples: int) -> tuple[Triangles, float]:
     """A mesh of a surface that suits so many samples, and how far it leaves the surface."""
-    if isinstance(surface, MeshSurface):
-        return Triangles.scattered(surface.piece.vertices, surface.piece.triangles), 0.0
+    known = triangles_of(surface)
+    if known is not None:
+        return Triangles.scattered(*known), 0.0
     step = float(np.sqrt(surface.area() / samples))
     lattice = surface.lattice(LONGEST_CELL * step, step / FLATNESS, most=FINEST)
     triangles = Triangles.of(lattice.points, lattice.triangles())

@@ -163,10 +163,10 @@ class Pattern(Table):
     f."""
     closing: ClassVar[Remedy | None] = None
     """A change with which all creases of a shell without flaps may close together."""
+    sweeps: ClassVar[bool] = True
+    """Whether it is designed by curves f and g, or may be."""
     needs_target: ClassVar[bool] = True
     """Whether there is no design without f and g."""
-    follows_surfaces: ClassVar[bool] = False
-    """Whether it makes shells that follow any surface, by ``design_on``."""
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for."""
@@ -175,6 +175,11 @@ class Pattern(Table):
     def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
         """Design the shell that these parameters and a surface with a ``piece`` ask for."""
         raise NotImplementedError
+
+    @classmethod
+    def follows_surfaces(cls) -> bool:
+        """Whether it makes shells that come near to any surface, by ``design_on``."""
+        return cls.design_on is not Pattern.design_on
 
     def design_without_target(self) -> Design:
         """Design what these parameters alone ask for, in a family that needs no target."""

@@ -11,6 +11,7 @@ from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
+from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.solids import (
@@ -37,12 +38,7 @@ def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     target asks, also where flaps with boards stop short of folding flat.
     """
     opening = file.deployment.start == "pack"
-    if file.surface is not None:
-        design = file.pattern.design_on(file.surface, progress)
-    elif file.target is not None:
-        design = file.pattern.design(*file.target)
-    else:
-        design = file.pattern.design_without_target()
+    design = design_of(file, file.pattern, progress)
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
         design = _with_panels(design, file.panel)
@@ -52,6 +48,15 @@ def designed(file: DesignFile, progress: Progress = no_progress) -> Design:
     _require_hinges(design, opening)
     _require_thickness(design)
     return design
+
+
+def design_of(file: DesignFile, pattern: Pattern, progress: Progress = no_progress) -> Design:
+    """What a family makes of a pattern and a file's target, or of the pattern alone."""
+    if file.surface is not None:
+        return pattern.design_on(file.surface, progress)
+    if file.target is None:
+        return pattern.design_without_target()
+    return pattern.design(*file.target)
 
 
 def ended(

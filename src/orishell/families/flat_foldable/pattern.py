@@ -45,8 +45,8 @@ class FlatFoldablePattern(Pattern):
     """Parameters of the flat-foldable family."""
 
     row_step: ClassVar[int] = 1
+    sweeps: ClassVar[bool] = False
     needs_target: ClassVar[bool] = False
-    follows_surfaces: ClassVar[bool] = True
 
     rows: Annotated[RowCount, ROWS]
     columns: Annotated[ColumnCount, COLUMNS]

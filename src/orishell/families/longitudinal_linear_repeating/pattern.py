@@ -9,9 +9,10 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from orishell.conventions.errors import DesignError
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, trace_curve
-from orishell.design import Design
+from orishell.design import Design, PiecedSurface
 from orishell.families.longitudinal_linear_repeating.design import (
     STAGE,
     SolutionNumber,
@@ -36,9 +37,16 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 )
 from orishell.families.pattern import Auto, Family, Length, Pattern, Tolerance, Variants
 from orishell.families.shared.candidates import forgiving
+from orishell.families.shared.sweep_fit import SweepLimits
+from orishell.families.shared.sweeps import design_sweep
 from orishell.polylines import measure_closeness
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
+SWEEPS = (
+    SweepLimits("cylinder", convex=True),
+    SweepLimits("cylinder", steepest=4.0, convex=True),
+)
+"""What f along a straight g can be."""
 STAGED = 3
 """Sector angles, the first that are tried, for which other stages are tried, too."""
 STAGE_SHARES = (1.1, 0.9, 1.2, 0.8, 1.05, 0.95, 1.3, 0.7, 1.4, 0.6)
@@ -152,6 +160,10 @@ class LongitudinalPattern(Pattern):
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
         return forgiving(self, design_longitudinal_linear_repeating, f, g)
+
+    def design_on(self, surface: PiecedSurface, progress: Progress = no_progress) -> Design:
+        """Design the shell over the convex cylinder that is nearest."""
+        return design_sweep(surface, SWEEPS, lambda f, g, _: self.design(f, g))
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""
