@@ -1227,7 +1227,7 @@ export interface Utilisation {
 export interface Verified {
   report: Report;
   contact: FirstContact | null;
-  /** Distances of the vertices from the surface: single precision, in base64. */
+  /** Distances of the vertices from the surface: single precision, in base64; empty without one. */
   distance: string;
   /** Why the design is refused although its shell can be shown: panels meet before it locks. */
   refusal: Fault | null;

@@ -163,6 +163,8 @@ class Pattern(Table):
     f."""
     closing: ClassVar[Remedy | None] = None
     """A change with which all creases of a shell without flaps may close together."""
+    sweeps: ClassVar[bool] = True
+    """Whether it is designed by curves f and g, or may be."""
     needs_target: ClassVar[bool] = True
     """Whether there is no design without f and g."""
     unasked: ClassVar[Mapping[str, Any]] = {}
