@@ -6,6 +6,7 @@ import re
 import tomllib
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,7 +18,7 @@ from orishell.shell.export import write_shell
 from orishell.shell.families import packs_flat
 from orishell.shell.make import Shell, make_shell
 
-VAULT = {
+VAULT: dict[str, dict[str, Any]] = {
     "shell": {"family": "auto", "unit": "m"},
     "target": {
         "f": {"formula": "-0.5*x**2", "range": [-1, 1]},
