@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -59,6 +60,7 @@ class LongitudinalPattern(Pattern):
     most: ClassVar[int] = 25
     row_step: ClassVar[int] = 1
     needs_target: ClassVar[bool] = False
+    unasked: ClassVar[Mapping[str, Any]] = {"sector_deg": "auto"}
 
     sector_deg: Annotated[
         Annotated[list[Angle], Field(min_length=4, max_length=4)] | Auto,
