@@ -11,6 +11,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
+from orishell.conventions.errors import DesignError, Remedy
 from orishell.conventions.record import record
 from orishell.motion.grid import Grid
 from orishell.motion.mechanism import Mechanism
@@ -66,6 +67,24 @@ class LaidOut(Protocol):
 
     def flap_folds(self, drive: ArrayLike) -> Array:
         """Fold angles (..., K) between the pairs of panels of its layout (radians)."""
+
+
+def require_grid(mechanism: Mechanism, what: str) -> None:
+    """Refuse flaps that are no columns of the grid, where they would be left out.
+
+    what: What they cannot be.
+
+    Raises
+    ------
+    DesignError
+        If the mechanism has such flaps.
+    """
+    if isinstance(mechanism, LaidOut):
+        raise DesignError(
+            f"flaps that are slit from row to row cannot be {what} yet",
+            keys=("pattern.flap",),
+            candidates=[Remedy({"pattern.flap": 0.0})],
+        )
 
 
 def points_of(mechanism: Mechanism, drive: float) -> Array:

@@ -1,8 +1,8 @@
 r"""Border vertices with two flaps each, which fold flat upon each other at the lock.
 
-Row by row a crease of the sheet ends at a border vertex, at sectors LU and LD, and goes on beyond it
-as the crease between two flaps, at sectors RU and RD: a developable vertex of four creases. Opposite
-creases of such a vertex keep
+Row by row a crease of the sheet ends at a border vertex, at sectors LU and LD, and goes on beyond
+it as the crease between two flaps, at sectors RU and RD: a developable vertex of four creases.
+Opposite creases of such a vertex keep
 
     sin LU sin LD sin^2(rho_L/2) = sin RU sin RD sin^2(rho_R/2),
 
@@ -15,8 +15,8 @@ With tan(rho_L/2) = x sin phi the conic of docs/theory/vertex.md has the solutio
     tan(rho_D/2) = -x sin(RD + LD) sin phi / (a + b cos phi),
     a = sin RD,   b^2 = sin RD sin RU sin LD / sin LU,
 
-and one with -b, of which one crease passes 180 degrees before the lock. The crease rho_U has U and D
-exchanged.
+and others with -b, of which one crease passes 180 degrees before the lock. The crease rho_U has U
+and D exchanged.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ ROOM = 0.9
 class FlapVertices:
     """Border vertices of the rows (R,) of one side. Axis 0 of (2, R): up, then down."""
 
-    x: Array  # (R,), tangents of half the fold angles of the sheet's row creases at the lock, signed
+    x: Array  # (R,), signed tangents of half the fold angles of the row creases at the lock
     inner: Array  # (2, R), sectors of the sheet, LU and LD
     outer: Array  # (2, R), sectors of the flaps, RU and RD
     hinges: Array  # (2, R), lengths along which flaps are hinged to the border
@@ -114,9 +114,7 @@ class FlapVertices:
         low, high = _range(square, linear, constant, least, most)
         first = k * (a * least + b) / high, k * (a * most + b) / low
         # P dq/dc - a q, by powers of c.
-        bent = _range(
-            a * square, 2 * b * square, b * linear - a * constant, least, most
-        )
+        bent = _range(a * square, 2 * b * square, b * linear - a * constant, least, most)
         largest = np.maximum(np.abs(bent[0]), np.abs(bent[1]))
         return Rates(*first, 0.5 * k * np.sin(0.5 * stop) * largest / low**2)
 
