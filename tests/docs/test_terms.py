@@ -24,6 +24,7 @@ from orishell.design_file.search import Search
 from orishell.families.registry import FAMILIES
 from orishell.locking.report import MeetingReport, PanelReport
 from orishell.search.figures import NAMES
+from orishell.shell.designed import design_of
 from orishell.structure.case import CaseResult
 from orishell.structure.crease_forces import AtCrease, CreaseForces
 from orishell.structure.equilibrium import (
@@ -214,7 +215,7 @@ def test_the_guide_explains_every_parameter_of_the_report(family: str, tmp_path:
         for row in re.findall(r"^\| (`.*?) \|", table, flags=re.MULTILINE)
         for name in re.findall(r"`(\w+)`", row)
     }
-    assert explained == set(file.pattern.design(file.f, file.g).parameters)
+    assert explained == set(design_of(file, file.pattern).parameters)
 
 
 def fields_in_table(title: str, name: str = "pack-and-deploy") -> set[str]:

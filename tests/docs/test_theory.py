@@ -26,6 +26,7 @@ LINKED = {
     "families/parallel_repeating/__init__.py": "parallel-repeating",
     "families/orthodiagonal/__init__.py": "orthodiagonal",
     "families/longitudinal_linear_repeating/__init__.py": "longitudinal-linear-repeating",
+    "families/flat_foldable/__init__.py": "flat-foldable",
 }
 
 

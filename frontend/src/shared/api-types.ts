@@ -411,6 +411,32 @@ export interface Family {
   parameters: Parameter[];
 }
 
+/** The families that were tried, and the one that was taken. */
+export interface FamilyChoice {
+  /** That was taken. */
+  family: string;
+  /** By which it was taken. */
+  rule: string;
+  tried: FamilyTrial[];
+}
+
+/** What a family makes of the target. */
+export interface FamilyTrial {
+  family: string;
+  /** The largest distance between shell and surface, both ways (length); None if there is no shell. */
+  distance: number | null;
+  /** Number of panels. */
+  panels: number | null;
+  /** Area of its flat sheet. */
+  sheet_area: number | null;
+  /** Whether its motion ends with all panels in one plane. */
+  packs_flat: boolean | null;
+  /** Whether anything in it stops it closing at the target. */
+  locks: boolean | null;
+  /** Why there is no shell. */
+  why_not: string;
+}
+
 /** What is wrong with a request or its design. */
 export interface Fault {
   kind: "input" | "design" | "limit" | "time" | "key" | "fault";
@@ -960,6 +986,10 @@ export interface Report {
   columns: number;
   /** What the family used and found. */
   parameters: Record<string, number | string | number[] | string[]>;
+  /** What all families make of the target, if the file leaves the family open. */
+  families: FamilyChoice | null;
+  /** With which values of its keys the design file asks for the same shell by f and g, where these were fitted to a surface. */
+  by_curves: Record<string, unknown>;
   /** How rows and columns were chosen, if there was a tolerance. */
   chosen: Choice | null;
   /** Whether it reaches its target without contact; None if that was not examined. */
@@ -1227,7 +1257,7 @@ export interface Utilisation {
 export interface Verified {
   report: Report;
   contact: FirstContact | null;
-  /** Distances of the vertices from the surface: single precision, in base64. */
+  /** Distances of the vertices from the surface: single precision, in base64; empty without one. */
   distance: string;
   /** Why the design is refused although its shell can be shown: panels meet before it locks. */
   refusal: Fault | null;

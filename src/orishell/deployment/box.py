@@ -41,6 +41,7 @@ class Box:
     def along(cls, axes: Array, points: Array) -> Box:
         """The box of points (N, 3) along three directions at right angles, axes (3, 3)."""
         sides = np.ptp(points @ axes.T, axis=0)
+        sides[sides < FLAT * sides.max()] = 0.0
         order = np.argsort(-sides, kind="stable")
         length, width, height = sides[order].tolist()
         return cls(length, width, height, axes[order])

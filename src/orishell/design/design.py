@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import field, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -69,6 +69,9 @@ class Design:
     # the design with its motion ending at a drive (radians), where neither a target nor a stage
     # says where it ends; otherwise None
     ending_at: Callable[[float], Design] | None = None
+    # Where f and g were fitted to a surface: values of keys of the design file with which it asks
+    # for the same shell by f and g in place of the surface. None removes a key.
+    by_curves: Mapping[str, Any] = field(default_factory=dict)
 
     def with_clipped_flaps(self) -> Design:
         """The design whose flaps are no part of the folding sheet: clipped on at the target."""

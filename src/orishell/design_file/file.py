@@ -29,7 +29,7 @@ from orishell.design_file.tables import (
     with_values,
 )
 from orishell.families.pattern import Pattern, Tolerance
-from orishell.families.registry import FAMILIES, require_family
+from orishell.families.registry import FAMILIES, pattern_of
 from orishell.structure.settings import Structure
 from orishell.workshop import Workshop
 
@@ -210,7 +210,7 @@ def _checked(
         file = FileTable.model_validate(raw)
     except ValidationError as error:
         raise explain(path, raw, error, keys_of(Pattern)) from None
-    family = FAMILIES[require_family(file.shell.family, file=path, keys=("shell.family",))]
+    family = pattern_of(file.shell.family, file=path, keys=("shell.family",))
     table = file.pattern
     if file.tolerance is not None:
         if file.target is None:
@@ -231,9 +231,9 @@ def _checked(
             )
         table = {**table, **ANY_SIZE}
     try:
-        pattern = family.pattern.model_validate(table)
+        pattern = family.model_validate(table)
     except ValidationError as error:
-        raise explain(path, raw, error, keys_of(family.pattern), ("pattern",)) from None
+        raise explain(path, raw, error, keys_of(family), ("pattern",)) from None
     if file.deployment.start == "pack" and file.motion.frames < FROM_PACK:
         raise InputError(
             "too few states for a motion from the pack over the target to the flat sheet",

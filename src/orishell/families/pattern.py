@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Final, Generic, Literal, Self, TypedDict, TypeVar, cast
@@ -16,7 +16,8 @@ from typing import Annotated, Any, ClassVar, Final, Generic, Literal, Self, Type
 import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
-from orishell.conventions.errors import Remedy
+from orishell.conventions.errors import InputError, Remedy
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.record import record
 from orishell.conventions.table import Knob, Number, Table, knobs_of, misfit
 from orishell.curves import Curve
@@ -162,11 +163,19 @@ class Pattern(Table):
     f."""
     closing: ClassVar[Remedy | None] = None
     """A change with which all creases of a shell without flaps may close together."""
+    sweeps: ClassVar[bool] = True
+    """Whether it is designed by curves f and g, or may be."""
     needs_target: ClassVar[bool] = True
     """Whether there is no design without f and g."""
+    unasked: ClassVar[Mapping[str, Any]] = {}
+    """Values of keys that a file must give, where it leaves the family open."""
 
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell that these parameters and the curves f and g ask for."""
+        raise NotImplementedError
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Design the shell that comes nearest to a surface, which has a ``piece``."""
         raise NotImplementedError
 
     def design_without_target(self) -> Design:
@@ -229,6 +238,26 @@ class Pattern(Table):
             If there is no such row.
         """
         return 0.0
+
+
+class AnyPattern(Pattern):
+    """What a file says of the pattern where its family is to be chosen."""
+
+    def design(self, f: Curve, g: Curve) -> Design:
+        """Refuse to design anything before there is a family."""
+        raise InputError(
+            "the family is still to be chosen",
+            keys=("shell.family",),
+            remedy="name a family; orishell design tries all and says what each does",
+        )
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Refuse to design anything before there is a family."""
+        raise InputError(
+            "the family is still to be chosen",
+            keys=("shell.family",),
+            remedy="name a family; orishell design tries all and says what each does",
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from importlib import import_module
 from typing import Any
 
 from orishell.conventions.errors import InputError
-from orishell.families.pattern import Family
+from orishell.families.pattern import AnyPattern, Family, Pattern
 
 FOLDERS = (
     "parallel_repeating",
@@ -27,6 +27,28 @@ FAMILIES: dict[str, Family] = {
     for folder in FOLDERS
     for family in [import_module(f"{__package__}.{folder}.pattern").FAMILY]
 }
+
+
+AUTO = "auto"
+"""What a design file calls the family that is to be chosen."""
+
+
+def pattern_of(name: str, **place: Any) -> type[Pattern]:
+    """The table [pattern] of a family, or what all have in common if it is to be chosen.
+
+    Parameters
+    ----------
+    name
+        Its name, or "auto".
+    place
+        Where it stands.
+
+    Raises
+    ------
+    InputError
+        If there is none: with the names of all.
+    """
+    return AnyPattern if name == AUTO else FAMILIES[require_family(name, **place)].pattern
 
 
 def require_family(name: str, **place: Any) -> str:

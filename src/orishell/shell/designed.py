@@ -11,6 +11,7 @@ from orishell.conventions.formatting import in_degrees, rounded
 from orishell.conventions.progress import Progress, no_progress
 from orishell.design import Design, PanelSpec
 from orishell.design_file import DesignFile
+from orishell.families.pattern import Pattern
 from orishell.locking import Lock, end_motion
 from orishell.motion import drive_at_fold, largest_fold
 from orishell.solids import (
@@ -37,11 +38,7 @@ def designed(file: DesignFile) -> Design:
     target asks, also where flaps with boards stop short of folding flat.
     """
     opening = file.deployment.start == "pack"
-    design = (
-        file.pattern.design_without_target()
-        if file.target is None
-        else file.pattern.design(*file.target)
-    )
+    design = design_of(file, file.pattern)
     design = replace(design, largest_fold=file.deployment.largest_fold, opens_from_pack=opening)
     if file.panel is not None:
         design = _with_panels(design, file.panel)
@@ -51,6 +48,13 @@ def designed(file: DesignFile) -> Design:
     _require_hinges(design, opening)
     _require_thickness(design)
     return design
+
+
+def design_of(file: DesignFile, pattern: Pattern) -> Design:
+    """What a family makes of a pattern and a file's target, or of the pattern alone."""
+    if file.target is None:
+        return pattern.design_without_target()
+    return pattern.design(*file.target)
 
 
 def ended(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 
 from orishell.conventions.arguments import checked, path_of
@@ -77,12 +78,28 @@ def write_shell(
             deployment=shell.report.deployment,
         )
         _write_structure(shell, draft)
+        if shell.design.by_curves:
+            _write_curves(shell, draft)
         for format_ in dict.fromkeys((FOLD, *formats)):
             write_format(shell, format_, draft, settings, progress)
         names = sorted(file.name for file in draft.iterdir())
     clock.lap("write")
     shell.seconds.update(clock.seconds)
     return [directory / name for name in names]
+
+
+def _write_curves(shell: Shell, draft: Path) -> None:
+    """Write ``f-and-g.toml``: the tables that ask for the shell by f and g, not by its surface."""
+    tables = groupby(shell.design.by_curves.items(), lambda each: each[0].rpartition(".")[0])
+    written = {
+        table: [f"{key.rpartition('.')[2]} = {json.dumps(value)}" for key, value in keys]
+        for table, keys in tables
+        if table != "target"
+    }
+    lines = ["# In place of [target.surface] in the design file:", ""]
+    for table, keys in written.items():
+        lines += [f"[{table}]", *keys, ""]
+    (draft / "f-and-g.toml").write_text("\n".join(lines))
 
 
 def write_structure(shell: Shell, directory: str | Path) -> list[Path]:

@@ -21,12 +21,14 @@ from orishell.deviation import Deviation
 from orishell.deviation.report import describe_deviation
 from orishell.document import Document, FirstContact
 from orishell.document.from_design import document_of_motion
+from orishell.families.registry import AUTO
 from orishell.locking import Lock, lock_without_clash, require_pack
 from orishell.locking.report import describe_panels
 from orishell.motion import FoldingMotion, extents, sheet_area
 from orishell.shell.build_warnings import warn_of_building
 from orishell.shell.deployment_warnings import warn_of_deployment
 from orishell.shell.designed import designed, ended
+from orishell.shell.families import FamilyChoice, choose_family
 from orishell.shell.remedies import with_remedies
 from orishell.shell.report import (
     BoxReport,
@@ -156,6 +158,9 @@ def _step_by_step(
     file: DesignFile, progress: Progress, clash: ClashPolicy, skip: Collection[Step]
 ) -> Shell:
     clock = Clock()
+    file, families = _in_family(file, progress)
+    if families is not None:
+        clock.lap("family")
     file, choice = _sized(file, progress)
     if choice is not None:
         clock.lap("choose")
@@ -214,6 +219,8 @@ def _step_by_step(
         rows=file.pattern.rows,
         columns=file.pattern.columns,
         parameters=design.parameters,
+        families=families,
+        by_curves=design.by_curves,
         chosen=choice,
         feasible=None if clash == "unexamined" else not lock.early,
         warnings=(
@@ -254,6 +261,19 @@ def _step_by_step(
         report=report,
         seconds=clock.seconds,
     )
+
+
+def _in_family(file: DesignFile, progress: Progress) -> tuple[DesignFile, FamilyChoice | None]:
+    """The file with a family, and what all of them make of it if that is left open."""
+    if file.family != AUTO:
+        return file, None
+    return choose_family(file, _compared, progress)
+
+
+def _compared(file: DesignFile, progress: Progress) -> Shell:
+    """The shell of a file in one of the families, as far as these are compared."""
+    skip: tuple[Step, ...] = ("remedies", "verification", "pack", "weight", "stock", "structure")
+    return _made(file, progress, "refused", skip)
 
 
 def _sized(file: DesignFile, progress: Progress) -> tuple[DesignFile, Choice | None]:

@@ -7,6 +7,7 @@ radians where it ends in ``_rad``. Panels are pairs of row and column, from 0.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from orishell.deviation.report import DeviationReport
 from orishell.locking import Lock
 from orishell.locking.report import PanelReport
 from orishell.motion import find_assignment
+from orishell.shell.families import FamilyChoice
 from orishell.shell.size_trials import Choice
 from orishell.structure.results import Analysis
 from orishell.verification.residuals import AssignmentCheck, Residuals
@@ -70,6 +72,11 @@ class Report:
     rows: int
     columns: int
     parameters: Mapping[str, Parameter]  # what the family used and found
+    # what all families make of the target, if the file leaves the family open
+    families: FamilyChoice | None
+    # with which values of its keys the design file asks for the same shell by f and g, where these
+    # were fitted to a surface
+    by_curves: Mapping[str, Any]
     chosen: Choice | None  # how rows and columns were chosen, if there was a tolerance
     # whether it reaches its target without contact; None if that was not examined
     feasible: bool | None
@@ -96,10 +103,11 @@ class Report:
         return f"{type(self).__name__}({self.family}, {size}; {said})"
 
     def as_dict(self) -> dict[str, object]:
-        """The report as nested tables for JSON, without ``chosen`` if there was no tolerance."""
+        """The report as nested tables for JSON, without what was not asked for."""
         tables: dict[str, object] = as_table(self)
-        if self.chosen is None:
-            del tables["chosen"]
+        for key in ("families", "by_curves", "chosen"):
+            if not getattr(self, key):
+                del tables[key]
         return tables
 
 

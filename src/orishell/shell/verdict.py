@@ -42,6 +42,7 @@ def find_verdict(report: Report, stronger: str = "") -> tuple[Row, ...]:
         *_boards(report),
         *_stands(report),
         *_surface(report.deviation, report.unit),
+        *(() if report.families is None else report.families.rows(report.unit)),
         *_sizes(report),
         *_travels(report.deployment, report.unit),
     ]

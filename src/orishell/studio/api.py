@@ -209,7 +209,8 @@ class Verified(TypedDict):
 
     report: Report
     contact: FirstContact | None
-    distance: str  # distances of the vertices from the surface: single precision, in base64
+    # distances of the vertices from the surface: single precision, in base64; empty without one
+    distance: str
     # why the design is refused although its shell can be shown: panels meet before it locks
     refusal: Fault | None
     view: str | None  # A view in base64 that takes the place of the one shown; null: that one stays

@@ -14,8 +14,10 @@ from orishell.conventions.progress import Progress
 from orishell.curves import curve_from_points, trace_curve
 from orishell.curves.nearest import Nearest
 from orishell.design_file import DesignFile
+from orishell.motion import diagonal
 from orishell.numerics.arrays import Array
 from orishell.numerics.bisection import bisect
+from orishell.shell.designed import design_of
 from orishell.studio.api import Range
 from orishell.studio.refusals import describe_error
 
@@ -89,7 +91,7 @@ def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[st
     pattern = file.pattern
     knobs = {key: knob for key, knob in pattern.knobs().items() if knob.kind == "number"}
     count = SAMPLES if seconds < QUICK else FEWEST
-    length = trace_curve(file.f).length
+    length = _size(file)
     found = {}
     for number, (key, knob) in enumerate(knobs.items()):
         advanced(number / len(knobs), "looking for admissible values")
@@ -100,7 +102,7 @@ def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[st
             """Why a value fails; empty if it works."""
             try:
                 values = {**pattern.model_dump(exclude_unset=True), key: trial}
-                type(pattern).model_validate(values).design(file.f, file.g)
+                design_of(file, type(pattern).model_validate(values))
             except ValidationError as error:
                 return error.errors()[0]["msg"]
             except OrishellError as error:
@@ -109,6 +111,16 @@ def find_ranges(file: DesignFile, advanced: Progress, seconds: float) -> dict[st
 
         found[key] = _find(works, span, value, count)
     return found
+
+
+def _size(file: DesignFile) -> float:
+    """Length of f, or without it the size of the flat sheet; 1 if there is none."""
+    if file.target is not None:
+        return trace_curve(file.f).length
+    try:
+        return diagonal(design_of(file, file.pattern).mechanism.positions(0.0))
+    except OrishellError:
+        return 1.0
 
 
 def _find(

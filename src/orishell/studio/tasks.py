@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
+import numpy as np
+
 from orishell.conventions.errors import ClashError, InputError, OrishellError
 from orishell.conventions.progress import Progress
 from orishell.conventions.quantities import MILLIMETRES
@@ -20,6 +22,7 @@ from orishell.families.registry import FAMILIES
 from orishell.io import Settings
 from orishell.io.formats import all_formats, find_formats
 from orishell.io.view import Curves, dump_view
+from orishell.shell.designed import design_of
 from orishell.shell.export import write_format
 from orishell.shell.make import make_shell
 from orishell.shell.pictures import lay_surface
@@ -70,7 +73,9 @@ class Task:
         Raises RefusalError, which holds its curves, if the design cannot be made.
         """
         file = self._design(tolerated=True)
-        curves: Curves = {"f": sampled(file.f, "f"), "g": sampled(file.g, "g")}
+        curves: Curves = {"f": [], "g": []}
+        if file.target is not None:
+            curves = {"f": sampled(file.f, "f"), "g": sampled(file.g, "g")}
         frames = self.payload.get("states", STATES)
         if not isinstance(frames, int) or isinstance(frames, bool):
             raise InputError(
@@ -95,7 +100,7 @@ class Task:
             refusal = describe_error(error)["error"]
             shell = make_shell(file, self.progress, clash="allowed")
         document = lay_surface(shell.document, shell.design)
-        assert document.distances is not None
+        distances = np.zeros(0) if document.distances is None else document.distances
         # Flaps of a width that the program chooses may be narrower now than the view had them, a
         # pack, where panels meet, less closed, and boards cut off where they would meet. What loads
         # do to the shell is found here only.
@@ -105,7 +110,7 @@ class Task:
         return {
             "report": as_table(shell.report),
             "contact": document.contact,
-            "distance": _text(document.distances.astype("<f4").tobytes()),
+            "distance": _text(distances.astype("<f4").tobytes()),
             "refusal": refusal,
             "view": _text(dump_view(document)) if other else None,
         }
@@ -115,7 +120,7 @@ class Task:
         file = self._design()
         begin = time.perf_counter()
         try:
-            file.pattern.design(file.f, file.g)
+            design_of(file, file.pattern)
         except OrishellError:
             self.progress(0.0, "looking for admissible values")
         return {"ranges": find_ranges(file, self.progress, time.perf_counter() - begin)}
@@ -199,7 +204,8 @@ class Task:
             raise InputError("there is no design", where="design", expected="its tables")
         asked = {key: each for key, each in design.items() if searched or key != "search"}
         file = check_design(asked, Path(f"{self._name()}.toml"), files=False)
-        file.require_target()
+        if file.pattern.sweeps:
+            file.require_target()
         if file.tolerance is None or tolerated:
             require_small(file)
         return file

@@ -1,6 +1,7 @@
 """Flat-foldable: quadrilateral meshes that fold with one degree of freedom and close completely.
 
-Derived in docs/theory/flat-foldable.md.
+Not in the paper: the meshes are those of Feng, Dang, James and Plucinsky, J. Mech. Phys. Solids 142
+(2020) 104018. Derived in docs/theory/flat-foldable.md.
 """
 
 from orishell.families.flat_foldable.design import design_flat_foldable

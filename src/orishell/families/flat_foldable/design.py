@@ -1,4 +1,4 @@
-"""Flat-foldable sheets from their own numbers, with no target to meet."""
+"""Flat-foldable sheets from their own numbers, with no target to meet (not in the paper)."""
 
 from __future__ import annotations
 

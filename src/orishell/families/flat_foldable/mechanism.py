@@ -1,4 +1,7 @@
-"""A flat-foldable sheet as a mechanism: closed form from the flat sheet to the flat stack."""
+"""A flat-foldable sheet as a mechanism: closed form from the flat sheet to the flat stack.
+
+Not in the paper: docs/theory/flat-foldable.md.
+"""
 
 from __future__ import annotations
 

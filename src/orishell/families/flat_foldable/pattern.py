@@ -45,6 +45,7 @@ class FlatFoldablePattern(Pattern):
     """Parameters of the flat-foldable family."""
 
     row_step: ClassVar[int] = 1
+    sweeps: ClassVar[bool] = False
     needs_target: ClassVar[bool] = False
 
     rows: Annotated[RowCount, ROWS]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -9,6 +10,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from orishell.conventions.errors import DesignError
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design
@@ -36,9 +38,16 @@ from orishell.families.longitudinal_linear_repeating.tessellation.columns import
 )
 from orishell.families.pattern import Auto, Family, Length, Pattern, Tolerance, Variants
 from orishell.families.shared.candidates import forgiving
+from orishell.families.shared.sweep_fit import SweepLimits
+from orishell.families.shared.sweeps import design_sweep
 from orishell.polylines import measure_closeness
 
 Angle = Annotated[Number, Field(gt=0, lt=180)]
+SWEEPS = (
+    SweepLimits("cylinder", convex=True),
+    SweepLimits("cylinder", steepest=4.0, convex=True),
+)
+"""What f along a straight g can be."""
 STAGED = 3
 """Sector angles, the first that are tried, for which other stages are tried, too."""
 STAGE_SHARES = (1.1, 0.9, 1.2, 0.8, 1.05, 0.95, 1.3, 0.7, 1.4, 0.6)
@@ -51,6 +60,7 @@ class LongitudinalPattern(Pattern):
     most: ClassVar[int] = 25
     row_step: ClassVar[int] = 1
     needs_target: ClassVar[bool] = False
+    unasked: ClassVar[Mapping[str, Any]] = {"sector_deg": "auto"}
 
     sector_deg: Annotated[
         Annotated[list[Angle], Field(min_length=4, max_length=4)] | Auto,
@@ -152,6 +162,10 @@ class LongitudinalPattern(Pattern):
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
         return forgiving(self, design_longitudinal_linear_repeating, f, g)
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Design the shell over the convex cylinder that is nearest."""
+        return design_sweep(surface, SWEEPS, lambda f, g, _: self.design(f, g))
 
     def design_without_target(self) -> Design:
         """Design the sheet alone."""

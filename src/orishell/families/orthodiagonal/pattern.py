@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self
 
+import numpy as np
 from pydantic import Field, model_validator
 
-from orishell.conventions.errors import Remedy
+from orishell.conventions.errors import InputError, Remedy
+from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, run_along_axis, trace_curve
 from orishell.design import Design, FlapSide
@@ -30,6 +33,8 @@ from orishell.families.pattern import (
     placement_variants,
 )
 from orishell.families.shared.candidates import forgiving
+from orishell.families.shared.sweep_fit import SweepLimits
+from orishell.families.shared.sweeps import design_sweep
 from orishell.polylines import Placement, Spacing
 
 G_SHARE = 0.8
@@ -37,6 +42,8 @@ G_SHARE = 0.8
 g: of 270 random ones none was nearer than 0.83 of it."""
 DEPTH_SHARES = (0.9, 0.3, 0.6, 0.99, 0.95, 0.8, 0.7, 0.5, 0.4, 0.2, 0.1)
 """Depths that are tried beside "auto" to meet a tolerance, as shares of it."""
+SWEEPS = (SweepLimits("cylinder"), SweepLimits("cylinder", steepest=4.0))
+"""What f along a straight g can be; a steeper f comes nearer, but reaches farther."""
 TELLING = 4
 """The first of them, which tell whether others may do."""
 
@@ -116,6 +123,26 @@ class OrthodiagonalPattern(Pattern):
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
         return forgiving(self, design_orthodiagonal, f, g)
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Design the shell over the cylinder that is nearest; its lines are square to f."""
+        if "heading_deg" in self.model_fields_set:
+            raise InputError(
+                "f's plane is square to g where both are fitted to a surface",
+                keys=("pattern.heading_deg",),
+                got=f"{self.heading_deg}",
+                remedy="remove heading_deg, or give f and g",
+            )
+
+        def heading(direction: float) -> float:
+            return tidy_degrees(np.pi / 2 - direction)
+
+        return design_sweep(
+            surface,
+            SWEEPS,
+            lambda f, g, along: self.having(heading_deg=heading(along)).design(f, g),
+            lambda along: {"pattern.heading_deg": heading(along)},
+        )
 
 
 FAMILY = Family(

@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 
 from orishell.conventions.errors import Remedy
 from orishell.conventions.formatting import tidy_degrees
+from orishell.conventions.progress import Progress, no_progress
 from orishell.conventions.table import Knob, Number
 from orishell.curves import Curve, trace_curve
 from orishell.design import Design, FlapSide
@@ -36,6 +37,8 @@ from orishell.families.pattern import (
     placement_variants,
 )
 from orishell.families.shared.candidates import forgiving
+from orishell.families.shared.sweep_fit import SweepLimits
+from orishell.families.shared.sweeps import design_sweep
 from orishell.polylines import Placement, Spacing, measure_chords, place_chords
 
 XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)
@@ -43,6 +46,8 @@ XI_SHARES = (0.9, 0.75, 0.5, 0.95, 0.85, 0.8, 0.7, 0.6)
 which keeps edges even."""
 NARROWER = 3
 """Number of them that are tried where edges may have any length."""
+SWEEPS = (SweepLimits("moulding"), SweepLimits("cylinder"))
+"""What f along g can be."""
 WIDER = 1e-3
 """The widest is tried where it is wider than "auto" by this share."""
 
@@ -135,6 +140,10 @@ class ParallelRepeatingPattern(Pattern):
     def design(self, f: Curve, g: Curve) -> Design:
         """Design the shell."""
         return forgiving(self, design_parallel_repeating, f, g)
+
+    def design_on(self, surface: Any, progress: Progress = no_progress) -> Design:
+        """Design the shell over the moulding surface, or the cylinder, that is nearest."""
+        return design_sweep(surface, SWEEPS, lambda f, g, _: self.design(f, g))
 
 
 FAMILY = Family(

@@ -1,0 +1,146 @@
+"""Which family makes a shell, where the design file leaves that open: all are tried."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from orishell.conventions.errors import DesignError, InputError
+from orishell.conventions.progress import Progress, stretch
+from orishell.conventions.quantities import plain
+from orishell.conventions.record import record
+from orishell.conventions.row import Row
+from orishell.design_file import DesignFile
+from orishell.families.registry import FAMILIES
+from orishell.motion import Mechanism
+
+if TYPE_CHECKING:
+    from orishell.shell.make import Shell
+
+FLAT = 1e-3
+"""A crease whose fold angle is this near to none or to half a turn lies flat (radians)."""
+REACHED = 1e-4
+"""A motion that stops this share short of its end reaches it."""
+RULE = "the nearest of those that lock at the target; where none does, the nearest"
+
+
+@record
+class FamilyTrial:
+    """What a family makes of the target."""
+
+    family: str
+    # the largest distance between shell and surface, both ways (length); None if there is no shell
+    distance: float | None = None
+    panels: int | None = None  # number of panels
+    sheet_area: float | None = None  # area of its flat sheet
+    packs_flat: bool | None = None  # whether its motion ends with all panels in one plane
+    locks: bool | None = None  # whether anything in it stops it closing at the target
+    why_not: str = ""  # why there is no shell
+
+    def in_words(self, unit: str) -> str:
+        """The line of a table."""
+        if self.distance is None or self.panels is None or self.sheet_area is None:
+            return f"{self.family}: none; {self.why_not}"
+        return (
+            f"{self.family}: within {plain(self.distance)} {unit}, {self.panels} panels, "
+            f"{plain(self.sheet_area)} {unit}2 of sheet, "
+            f"{'packs flat' if self.packs_flat else 'does not pack flat'}, "
+            f"{'locks' if self.locks else 'does not lock'}"
+        )
+
+
+@record
+class FamilyChoice:
+    """The families that were tried, and the one that was taken."""
+
+    family: str  # that was taken
+    rule: str  # by which it was taken
+    tried: tuple[FamilyTrial, ...]
+
+    def rows(self, unit: str) -> Iterator[Row]:
+        """A row of the verdict for each family."""
+        for each in self.tried:
+            taken = ""
+            if each.family == self.family:
+                taken = " (taken: nearest that locks)" if each.locks else " (taken: none locks)"
+            yield Row("says", "family", each.in_words(unit) + taken)
+
+
+def choose_family(
+    file: DesignFile, make: Callable[[DesignFile, Progress], Shell], progress: Progress
+) -> tuple[DesignFile, FamilyChoice]:
+    """The file with a family, and what each family makes of its target.
+
+    All have the rows and columns, or the tolerance, of the file.
+
+    Parameters
+    ----------
+    make
+        Makes the shell of a file with a family, and measures how near it is.
+
+    Raises
+    ------
+    DesignError
+        If no family makes a shell: with the reasons of all.
+    """
+    tried: list[FamilyTrial] = []
+    for number, name in enumerate(FAMILIES):
+        part = stretch(progress, number / len(FAMILIES), (number + 1) / len(FAMILIES))
+        try:
+            tried.append(_measured(make(in_family(file, name), part)))
+        except DesignError as error:
+            tried.append(FamilyTrial(name, why_not=_refusal(error)))
+        except InputError as error:
+            tried.append(FamilyTrial(name, why_not=_fault(error)))
+    made = [each for each in tried if each.distance is not None]
+    if not made:
+        raise DesignError(
+            "no family makes a shell of this target",
+            keys=("shell.family",),
+            size="; ".join(f"{each.family}: {each.why_not}" for each in tried),
+        )
+    best = min(made, key=lambda each: (not each.locks, each.distance))
+    return in_family(file, best.family), FamilyChoice(best.family, RULE, tuple(tried))
+
+
+def in_family(file: DesignFile, name: str) -> DesignFile:
+    """The file in a family, with what that family must be told left to it."""
+    unasked = FAMILIES[name].pattern.unasked
+    values = {f"pattern.{key}": value for key, value in unasked.items()}
+    return file.changed({"shell.family": name, **values})
+
+
+def _measured(shell: Shell) -> FamilyTrial:
+    lock, mechanism = shell.lock, shell.design.mechanism
+    assert shell.deviation is not None
+    return FamilyTrial(
+        family=shell.file.family,
+        distance=shell.deviation.max,
+        panels=mechanism.grid.panel_count,
+        sheet_area=shell.report.sheet.area,
+        packs_flat=packs_flat(mechanism, lock.closes_to),
+        locks=shell.report.deployment.closing is not None,
+    )
+
+
+def packs_flat(mechanism: Mechanism, end: float) -> bool:
+    """Whether all creases are folded flat, or not at all, where a motion ends (radians)."""
+    if end < mechanism.end_drive * (1 - REACHED):
+        return False
+    found = mechanism.fold_angles(mechanism.end_drive)
+    angles = np.abs(np.concatenate([found.row.ravel(), found.column.ravel()]))
+    return bool((np.minimum(angles, np.pi - angles) < FLAT).all())
+
+
+def _refusal(error: DesignError) -> str:
+    where = f", {error.place}" if error.place else ""
+    return f"{error.condition}{where}" + (f": {error.size}" if error.size else "")
+
+
+def _fault(error: InputError) -> str:
+    facts = [("got", error.got), ("expected", error.expected)]
+    said = ", ".join(f"{name} {text}" for name, text in facts if text)
+    place = f"{error.where}: " if error.where else ""
+    return f"{place}{error.what}" + (f"; {said}" if said else "")

@@ -1,0 +1,132 @@
+"""A design file that leaves its family open: all are tried, one is taken by the rule it states."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from orishell import DesignError, InputError
+from orishell.design_file import DesignFile
+from orishell.design_file.file import check_design
+from orishell.families.registry import FAMILIES
+from orishell.shell.export import write_shell
+from orishell.shell.families import packs_flat
+from orishell.shell.make import Shell, make_shell
+
+VAULT: dict[str, dict[str, Any]] = {
+    "shell": {"family": "auto", "unit": "m"},
+    "target": {
+        "f": {"formula": "-0.5*x**2", "range": [-1, 1]},
+        "g": {"formula": "0*x", "range": [0, 3]},
+    },
+    "pattern": {"rows": 7, "columns": 7},
+    "motion": {"frames": 3},
+}
+
+
+def vault(**pattern: object) -> DesignFile:
+    tables = {**VAULT, "pattern": {"rows": 7, "columns": 7, **pattern}}
+    return check_design(tables, Path("vault.toml"), files=False)
+
+
+@pytest.fixture(scope="module")
+def shell() -> Shell:
+    return make_shell(vault())
+
+
+def test_all_families_are_compared_with_the_same_rows_and_columns(shell: Shell) -> None:
+    families = shell.report.families
+    assert families is not None
+    assert [each.family for each in families.tried] == list(FAMILIES)
+    for each in families.tried:
+        assert (each.distance is None) == bool(each.why_not)
+    assert (shell.report.rows, shell.report.columns) == (7, 7)
+
+
+def test_the_nearest_that_locks_is_taken(shell: Shell) -> None:
+    families = shell.report.families
+    assert families is not None
+    assert shell.file.family == families.family
+    locking = [each for each in families.tried if each.locks]
+    nearest = min(locking, key=lambda each: each.distance or 0.0)
+    assert nearest.family == families.family
+    assert shell.deviation is not None
+    assert nearest.distance == shell.deviation.max
+    assert nearest.sheet_area == shell.report.sheet.area
+
+
+def test_it_is_the_shell_of_the_family_by_name(shell: Shell) -> None:
+    named = make_shell(vault().changed({"shell.family": shell.file.family}))
+    expected = named.report.as_dict()
+    found = shell.report.as_dict()
+    del found["families"], found["verdict"], expected["verdict"]
+    assert found == expected
+
+
+def test_the_table_is_in_the_verdict(shell: Shell) -> None:
+    rows = [row.finding for row in shell.report.verdict if row.subject == "family"]
+    assert len(rows) == len(FAMILIES)
+    assert sum("(taken" in row for row in rows) == 1
+    assert all(re.match(r"[a-z-]+: (within .* m2 of sheet, .* lock|none; .)", row) for row in rows)
+
+
+def test_a_family_that_cannot_says_why() -> None:
+    tables = {**VAULT, "target": {**VAULT["target"], "g": {"formula": "sin(x)", "range": [0, 3]}}}
+    report = make_shell(check_design(tables, Path("wave.toml"), files=False)).report
+    assert report.families is not None
+    reasons = {each.family: each.why_not for each in report.families.tried}
+    assert "g is not straight" in reasons["longitudinal-linear-repeating"]
+
+
+def test_even_rows_leave_a_family_that_takes_them() -> None:
+    families = make_shell(vault(rows=8)).report.families
+    assert families is not None
+    assert families.family == "longitudinal-linear-repeating"
+    assert "odd number" in families.tried[0].why_not
+
+
+def test_no_family_is_refused_with_all_reasons() -> None:
+    target = {"f": {"formula": "sin(3*x)", "range": [0, 3]}, "g": VAULT["target"]["g"]}
+    tables = {**VAULT, "target": target, "pattern": {"rows": 8, "columns": 7}}
+    with pytest.raises(DesignError, match="no family makes a shell") as refused:
+        make_shell(check_design(tables, Path("none.toml"), files=False))
+    assert all(name in str(refused.value) for name in FAMILIES)
+
+
+def test_keys_of_one_family_are_refused_where_it_is_open() -> None:
+    with pytest.raises(InputError, match="xi_deg"):
+        vault(xi_deg=60)
+
+
+def test_a_zigzag_row_packs_flat_and_flaps_do_not() -> None:
+    file = vault(flap=0).changed({"shell.family": "orthodiagonal", "pattern.row": "zigzag"})
+    folds = make_shell(file)
+    assert packs_flat(folds.design.mechanism, folds.lock.closes_to)
+    locks = make_shell(vault().changed({"shell.family": "orthodiagonal"}))
+    assert not packs_flat(locks.design.mechanism, locks.lock.closes_to)
+
+
+def test_f_and_g_of_a_surface_are_written(shell: Shell, tmp_path: Path) -> None:
+    by_curves = {
+        "target.surface": None,
+        "target.f.points": [[-1.0, 0.0], [0.0, 0.5], [1.0, 0.0]],
+        "target.f.smooth": True,
+        "target.g.points": [[0.0, 0.0], [3.0, 0.0]],
+        "pattern.heading_deg": 90.0,
+    }
+    swept = replace(shell, design=replace(shell.design, by_curves=by_curves))
+    names = [path.name for path in write_shell(swept, tmp_path)]
+    assert "f-and-g.toml" in names
+    tables = tomllib.loads((tmp_path / "f-and-g.toml").read_text())
+    assert tables == {
+        "target": {
+            "f": {"points": by_curves["target.f.points"], "smooth": True},
+            "g": {"points": by_curves["target.g.points"]},
+        },
+        "pattern": {"heading_deg": 90.0},
+    }
